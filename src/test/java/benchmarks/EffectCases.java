@@ -8,7 +8,6 @@ import particles.ParticleSystem;
 import particles.law.Effect;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
 
 /** Cases for {@link EffectBenchmark}: a cloth of 40 x 40 particles with one effect that acts on all of them. */
 final class EffectCases {
@@ -55,8 +54,7 @@ final class EffectCases {
             heading = "";
         }
         byte[] bytes = scene.toString().getBytes(StandardCharsets.UTF_8);
-        ParticleSystem system = SceneBuilder.build(SceneReader.read("a cloth with " + name, bytes),
-                new Overrides()).system();
+        ParticleSystem system = SceneBuilder.build(SceneReader.read("a cloth with " + name, bytes)).system();
         double[] state = system.getStateArray();
         for (int i = 0; i < state.length; i++) {
             state[i] += 1e-3 * (i * 7919 % 101);            // moved, so that drag and springs exert forces

@@ -1,6 +1,5 @@
 package benchmarks;
 
-import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -11,9 +10,7 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.State;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.SceneFiles;
-import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
+import particles.scene.TestScenes;
 
 /** The time from a scene's file to a simulation that is ready to run. */
 @State(Scope.Thread)
@@ -27,6 +24,6 @@ public class SceneBenchmark {
     /** @return the scene, read, checked and built */
     @Benchmark
     public Scene load() {
-        return SceneBuilder.build(SceneReader.read(SceneFiles.find(Path.of("scenes"), what)), new Overrides());
+        return SceneBuilder.build(TestScenes.named(what));
     }
 }

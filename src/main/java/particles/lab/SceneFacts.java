@@ -7,16 +7,16 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import particles.experiments.stability.SpringRates;
+import particles.law.Plane;
+import particles.law.Sphere;
+import particles.law.Vector3;
+import particles.scene.Scene;
 import particles.view.Camera;
 import particles.view.CurveView;
 import particles.view.ParticleMark;
 import particles.view.RenderOptions;
-import particles.law.Plane;
-import particles.law.Sphere;
 import particles.view.Surface;
-import particles.law.Vector3;
-import particles.experiments.stability.SpringRates;
-import particles.scene.Scene;
 
 /** The facts of a scene that the page needs before its first frame. */
 final class SceneFacts {
@@ -35,21 +35,22 @@ final class SceneFacts {
     static Map<String, Object> of(Scene scene, List<String> energies) {
         Map<String, Object> facts = new LinkedHashMap<>();
         facts.put("title", scene.description().title());
-        facts.put("teaches", scene.description().teaches());
+        facts.put("teaches", scene.description().lesson().teaches());
         facts.put("solver", scene.description().solver());
         facts.put("deltaT", scene.description().deltaT());
-        scene.description().tolerances().ifPresent(given -> facts.put("tolerance", given.relative()));
+        scene.description().settings().solver().tolerances()
+                .ifPresent(given -> facts.put("tolerance", given.relative()));
         facts.put("duration", scene.description().duration());
         facts.put("energyScale", scene.energyEstimate());
         facts.put("energies", energies);
         facts.put("limits", limits(scene));
-        scene.camera().ifPresent(camera -> facts.put("camera", camera(camera)));
-        facts.put("look", look(scene.look()));
+        scene.description().drawing().camera().ifPresent(camera -> facts.put("camera", camera(camera)));
+        facts.put("look", look(scene.description().drawing().look()));
         facts.put("planes", scene.scenery().planes().stream().map(SceneFacts::plane).toList());
         facts.put("spheres", scene.scenery().spheres().stream().map(SceneFacts::sphere).toList());
         facts.put("wires", scene.scenery().wires().stream().map(SceneFacts::wire).toList());
         facts.put("surfaces", scene.scenery().surfaces().stream().map(SceneFacts::surface).toList());
-        scene.phase().ifPresent(phase -> facts.put("phase", List.of(phase.particle(),
+        scene.description().output().phase().ifPresent(phase -> facts.put("phase", List.of(phase.particle(),
                 phase.about().isPresent() ? 0 : phase.axis())));       // the page plots positions only
         return facts;
     }

@@ -11,12 +11,12 @@ import java.util.Optional;
 import particles.SimulationException;
 import particles.messages.BlowUpMessage;
 import particles.messages.FrictionMessage;
-import particles.scene.format.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.format.SceneDescription;
 import particles.scene.SceneException;
 import particles.scene.SceneReader;
+import particles.scene.format.SceneDescription;
+import particles.scene.format.SolverDescription;
 import particles.scene.format.Tolerances;
 import particles.spec.ClassNames;
 
@@ -61,9 +61,10 @@ public final class Session {
             boolean same = solver.isEmpty() || solver.equals(described.solver());
             Optional<Tolerances> tolerances = tolerance > 0
                     ? Optional.of(new Tolerances(tolerance, ABSOLUTE_PART * tolerance))
-                    : same ? described.tolerances() : Optional.empty();
-            Scene scene = SceneBuilder.build(described.solvedBy(same ? described.solver() : solver, tolerances,
-                    deltaT > 0 ? deltaT : described.deltaT(), described.duration()), new Overrides());
+                    : same ? described.settings().solver().tolerances() : Optional.empty();
+            Scene scene = SceneBuilder.build(described
+                    .withSolver(new SolverDescription(same ? described.solver() : solver, tolerances))
+                    .withDeltaT(deltaT > 0 ? deltaT : described.deltaT()));
             run = new LabRun(scene);
             shown = run.shown();
             failure = "";

@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Supplier;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.effects.EffectCatalog;
@@ -17,8 +16,8 @@ import particles.rules.ClampedImpacts;
 import particles.rules.ExactImpacts;
 import particles.scene.checks.MemoryEstimate;
 import particles.scene.checks.RunLimits;
-import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
+import particles.scene.format.SceneDescription.Contents;
 import particles.scene.format.SolverFormat;
 import particles.scene.parts.Lattice;
 import particles.scene.parts.LatticeSurface;
@@ -43,32 +42,17 @@ public final class SceneBuilder {
     /**
      * Builds the simulation that a scene describes.
      *
-     * @param described the scene's description
-     * @param overrides options that override it
+     * @param scene the scene's description
      * @return the scene, ready to run
-     * @throws SceneException if an option is wrong, or the solver cannot be created
+     * @throws SceneException if the solver cannot be created, or the run would be too long or too large
      */
-    public static Scene build(SceneDescription described, Overrides overrides) {
+    public static Scene build(SceneDescription scene) {
         Problems problems = new Problems();
-        SceneDescription scene = overrides.applyTo(described, problems);
-        Optional<Supplier<DESolver>> solver = problems.count() > 0 ? Optional.empty() : SolverFormat.maker(scene,
-                problems);
+        Optional<DESolver> solver = SolverFormat.create(scene, problems);
         RunLimits.check(scene.deltaT(), scene.duration(), scene.places(), problems);
         MemoryEstimate.check(scene, Runtime.getRuntime().maxMemory(), problems);
-        throwIfAny(problems);
+        SceneException.throwIfAny(problems);
         return build(scene, solver.orElseThrow());
-    }
-
-    /**
-     * Checks options without a scene, so that their mistakes are reported even if the scene is missing or wrong.
-     *
-     * @param overrides options that override values of a scene
-     * @throws SceneException with a line for each wrong option
-     */
-    public static void check(Overrides overrides) {
-        Problems problems = new Problems();
-        overrides.check(problems);
-        throwIfAny(problems);
     }
 
     /**
@@ -81,13 +65,7 @@ public final class SceneBuilder {
     public static void checkPictures(SceneDescription scene, String option) {
         Problems problems = new Problems();
         RunLimits.checkPictures(scene, option, problems);
-        throwIfAny(problems);
-    }
-
-    private static void throwIfAny(Problems problems) {
-        if (problems.count() > 0) {
-            throw new SceneException(problems.lines());
-        }
+        SceneException.throwIfAny(problems);
     }
 
     /** Builds an effect; a student's own class may throw anything. */
@@ -102,45 +80,40 @@ public final class SceneBuilder {
         }
     }
 
-    private static Scene build(SceneDescription scene, Supplier<DESolver> solvers) {
+    private static Scene build(SceneDescription scene, DESolver solver) {
         ParticleSystem system = new ParticleSystem();
         SpringForce springs = new SpringForce(system.getParticles());
-        List<Surface> cloths = addParticles(scene, system, springs);
-        ParticleIndex index = new ParticleIndex(scene.particles(), scene.shapes());
-        for (SpringDescription spring : scene.springs()) {
+        Contents contents = scene.contents();
+        List<Surface> cloths = addParticles(contents, system, springs);
+        ParticleIndex index = new ParticleIndex(contents.particles(), contents.shapes());
+        for (SpringDescription spring : contents.springs()) {
             double distance = index.position(spring.to()).minus(index.position(spring.from())).length();
             springs.addSpring(index.find(spring.from()).orElseThrow(), index.find(spring.to()).orElseThrow(),
-                    spring.stiffness(),
-                    spring.restLength().orElse(distance), spring.damping());
+                    spring.stiffness(), spring.restLength().orElse(distance), spring.damping());
         }
         if (springs.springCount() > 0) {
             system.addEffect(springs);
         }
         SceneAssembly assembly = new SceneAssembly(system, springs, index);
-        scene.effects().stream().sorted(Comparator.comparingInt(SceneBuilder::order))
+        contents.effects().stream().sorted(Comparator.comparingInt(SceneBuilder::order))
                 .forEach(effect -> build(effect, assembly));
-        scene.rules().forEach(rule -> rule.kind().build(rule.values(), assembly));
+        contents.rules().forEach(rule -> rule.kind().build(rule.values(), assembly));
 
-        DESolver solver = solvers.get();
         double estimate = EnergyEstimate.of(system, springs, assembly, Math.max(scene.duration(), scene.deltaT()));
         Simulation simulation = new Simulation(system, solver, scene.deltaT(), scene.duration(),
-                scene.blowUpFactor() * estimate);
+                scene.settings().blowUpFactor() * estimate);
         if (!assembly.surfaces().isEmpty()) {               // the ground and others to collide with
             RestingContacts contacts = new RestingContacts(system.getParticles(), assembly.surfaces());
             system.addReaction(contacts);
-            if (scene.exactImpacts()) {
-                simulation.addEventRule(new ExactImpacts(contacts), solvers.get());
+            if (scene.settings().exactImpacts()) {
+                simulation.addEventRule(new ExactImpacts(contacts), scene.settings().solver().create());
             } else {
                 simulation.addRule(new ClampedImpacts(contacts));
             }
         }
-        scene.constraints().build(system, index, simulation, assembly);     // rods take over contacts
+        contents.constraints().build(system, index, simulation, assembly);     // rods take over contacts
         assembly.rules().forEach(simulation::addRule);
-        Optional<Scene.Phase> phase = scene.output().phase()
-                .map(plot -> new Scene.Phase(index.find(plot.particle()).orElseThrow(), plot.axis(),
-                        plot.about()));
-        return new Scene(scene, simulation, system, solver, springs, assembly.scenery(cloths), scene.camera(),
-                scene.look(), scene.output(), phase, estimate);
+        return new Scene(scene, simulation, springs, assembly.scenery(cloths), estimate);
     }
 
     /** Effects are built in the order of the catalogue, students' own ones last. */
@@ -150,13 +123,13 @@ public final class SceneBuilder {
     }
 
     /** Adds particles and shapes in the order of {@link ParticleIndex}, and returns the shapes' surfaces. */
-    private static List<Surface> addParticles(SceneDescription scene, ParticleSystem system, SpringForce springs) {
-        for (ParticleDescription particle : scene.particles()) {
+    private static List<Surface> addParticles(Contents contents, ParticleSystem system, SpringForce springs) {
+        for (ParticleDescription particle : contents.particles()) {
             system.addParticle(particle.id(), particle.mass(), particle.position(), particle.velocity(),
                     particle.fixed());
         }
         List<Surface> cloths = new ArrayList<>();
-        for (ShapeDescription shape : scene.shapes()) {
+        for (ShapeDescription shape : contents.shapes()) {
             int first = system.getParticles().count();
             Lattice lattice = shape.lattice();
             for (int n = 0; n < lattice.size(); n++) {
@@ -166,8 +139,7 @@ public final class SceneBuilder {
             }
             for (SpringFamily family : shape.springs()) {
                 family.forEach(lattice, (from, to, stiffness, damping) -> springs.addSpring(first + from, first + to,
-                        stiffness,
-                        lattice.position(to).minus(lattice.position(from)).length(), damping));
+                        stiffness, lattice.position(to).minus(lattice.position(from)).length(), damping));
             }
             if (shape.surface()) {
                 cloths.add(LatticeSurface.of(lattice, first,

@@ -1,6 +1,7 @@
 package particles.scene;
 
 import java.util.List;
+import particles.spec.messages.Problems;
 
 /** Thrown for a faulty scene; has one line for each problem, ready to be shown. */
 public class SceneException extends RuntimeException {
@@ -12,6 +13,13 @@ public class SceneException extends RuntimeException {
     public SceneException(List<String> lines) {
         super(String.join(System.lineSeparator(), lines));
         this.lines = List.copyOf(lines);
+    }
+
+    /** Throws an exception with these problems, if there are any. */
+    static void throwIfAny(Problems problems) {
+        if (problems.count() > 0) {
+            throw new SceneException(problems.lines());
+        }
     }
 
     /** @return the problems, each with its place */

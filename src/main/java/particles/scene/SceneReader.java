@@ -62,7 +62,7 @@ public final class SceneReader {
     public static SceneDescription read(String source, byte[] bytes, ClassNames classes) {
         Problems problems = new Problems();
         return readValues(bytes, new Reading(source, problems, classes))
-                .flatMap(values -> new SceneChecks(values, problems).describe(source))
+                .flatMap(values -> new SceneChecks(values, problems).describe())
                 .orElseThrow(() -> new SceneException(problems.lines()));
     }
 

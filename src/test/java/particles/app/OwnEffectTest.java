@@ -21,7 +21,6 @@ import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneException;
 import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
 import particles.teaching.effects.EffectCheck;
 import particles.teaching.effects.EffectSample;
 import particles.teaching.effects.EffectSkeleton;
@@ -110,8 +109,7 @@ class OwnEffectTest {
 
     private static Scene scene(String text) {
         return SceneBuilder.build(SceneReader.read("x.yaml", text.getBytes(StandardCharsets.UTF_8),
-                new StudentClasses()),
-                new Overrides());
+                new StudentClasses()));
     }
 
     private static void assertRefused(String line, String effect) {

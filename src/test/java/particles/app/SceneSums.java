@@ -18,7 +18,6 @@ import particles.app.run.StopRequest;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 
 /**
@@ -75,7 +74,7 @@ final class SceneSums {
 
     /** A duration with a limited number of steps, the same in every process. */
     static double duration(SceneDescription scene) {
-        int particles = SceneBuilder.build(scene, new Overrides()).system().getParticles().count();
+        int particles = SceneBuilder.build(scene).system().getParticles().count();
         double steps = Math.min(MOST_STEPS, Math.max(LEAST_STEPS, MOST_WORK / particles));
         return Math.min(scene.duration(), Math.floor(steps) * scene.deltaT());
     }

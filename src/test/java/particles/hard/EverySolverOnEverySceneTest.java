@@ -23,7 +23,6 @@ import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 
 /**
@@ -90,8 +89,8 @@ class EverySolverOnEverySceneTest {
 
     /** @return the lines with which a run ends early; empty if it works */
     private static String end(SceneDescription described, String solver) {
-        Scene scene = SceneBuilder.build(described, new Overrides().with("solver", solver, "solver")
-                .with("duration", "" + Math.min(DURATION, described.duration()), "duration"));
+        Scene scene = SceneBuilder.build(described.withSolver(solver)
+                .withDuration(Math.min(DURATION, described.duration())));
         EnergyHistory energy = new EnergyHistory();
         EnergyLedgerRecorder books = new EnergyLedgerRecorder(1);
         Simulation simulation = scene.simulation();

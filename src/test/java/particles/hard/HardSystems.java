@@ -2,7 +2,6 @@ package particles.hard;
 
 import deSolvers.DESolverException;
 import deSolvers.catalog.SolverCatalog;
-import java.nio.charset.StandardCharsets;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.SimulationException;
@@ -11,8 +10,7 @@ import particles.law.Particles;
 import particles.law.Vector3;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
+import particles.scene.TestScenes;
 
 /** Systems and runs shared by several hard cases. */
 final class HardSystems {
@@ -59,9 +57,8 @@ final class HardSystems {
 
     /** @return a scene from its text, with another solver, step and duration */
     static Scene scene(String yaml, String solver, double deltaT, double duration) {
-        return SceneBuilder.build(SceneReader.read("hard.yaml", yaml.getBytes(StandardCharsets.UTF_8)),
-                new Overrides().with("solver", solver, "solver").with("deltaT", Double.toString(deltaT), "deltaT")
-                        .with("duration", Double.toString(duration), "duration"));
+        return SceneBuilder.build(TestScenes.read(yaml).withSolver(solver).withDeltaT(deltaT)
+                .withDuration(duration));
     }
 
     /** @return the largest speed of any particle (m/s) */

@@ -4,23 +4,18 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.file.Path;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.scene.format.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.SceneFiles;
-import particles.scene.SceneReader;
+import particles.scene.TestScenes;
 
 /** A run made a few steps at a time is the run, and moments between steps are those of its motion. */
 class LabRunTest {
     private static Scene scene(String number, double deltaT) {
-        Overrides overrides = new Overrides().with("deltaT", "" + deltaT, "--deltaT")
-                .with("duration", "2", "--duration");
-        return SceneBuilder.build(SceneReader.read(SceneFiles.find(Path.of("scenes"), number)), overrides);
+        return SceneBuilder.build(TestScenes.named(number).withDeltaT(deltaT).withDuration(2));
     }
 
     /** A spring, a ball that bounces, and a fountain that particles come from and go. */

@@ -16,11 +16,11 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import particles.SimulationException;
 import particles.app.student.StudentClasses;
+import particles.scene.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 
 /** Whatever scene blows up with whatever solver: what the message tells to try works. */
@@ -33,14 +33,10 @@ class AdviceTest {
     /** Of the scene's own deltaT: beyond the limit of every explicit solver, in all scenes with springs. */
     private static final double TOO_LONG = 12;
 
-    private static Overrides overrides(Map<String, String> options) {
+    private static Optional<String> failure(SceneDescription described, Map<String, String> options) {
         Overrides overrides = new Overrides();
         options.forEach((name, value) -> overrides.with(name, value, "--" + name));
-        return overrides;
-    }
-
-    private static Optional<String> failure(SceneDescription described, Map<String, String> options) {
-        Scene scene = SceneBuilder.build(described, overrides(options));
+        Scene scene = SceneBuilder.build(overrides.applyTo(described));
         try {
             scene.simulation().run();
             return Optional.empty();
@@ -55,7 +51,7 @@ class AdviceTest {
         int blowUps = 0;
         for (Path file : SceneFiles.list(Path.of("scenes"))) {
             SceneDescription described = SceneReader.read(file, new StudentClasses());
-            Scene scene = SceneBuilder.build(described, new Overrides());
+            Scene scene = SceneBuilder.build(described);
             if (scene.system().getParticles().count() > MOST_PARTICLES || scene.springs().springCount() == 0) {
                 continue;
             }

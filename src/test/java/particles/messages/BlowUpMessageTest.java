@@ -5,8 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -16,10 +14,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.NumericalErrorException;
 import particles.SimulationException;
-import particles.scene.format.Overrides;
+import particles.scene.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.SceneReader;
+import particles.scene.TestScenes;
 import particles.scene.format.SceneDescription;
 
 /** The line at the end of a blow-up, and that its advice is good. */
@@ -45,9 +43,13 @@ class BlowUpMessageTest {
             """;
     private static final Pattern OPTION = Pattern.compile("--(deltaT|solver)=([^\\s,]+)");
 
-    private static Scene chain(String solver, double damping, Overrides overrides) {
+    private static SceneDescription chain(String solver, double damping) {
         String text = CHAIN.replace("SOLVER", solver).replace("DAMPING", damping > 0 ? ", damping: " + damping : "");
-        return SceneBuilder.build(SceneReader.read("chain.yaml", text.getBytes(StandardCharsets.UTF_8)), overrides);
+        return TestScenes.read(text);
+    }
+
+    private static String blowUp(SceneDescription scene) {
+        return blowUp(SceneBuilder.build(scene));
     }
 
     private static String blowUp(Scene scene) {
@@ -57,7 +59,7 @@ class BlowUpMessageTest {
 
     @Test
     void namesAllThatOneWantsToKnow() {
-        String line = blowUp(chain("rk4", 0, new Overrides()));
+        String line = blowUp(chain("rk4", 0));
         // Gershgorin: sqrt(4 * 400) * 0.2 = 8 = 2.83 * 2.8284; 0.9 * 2.8284 / 40 = 0.0636
         Matcher match = Pattern.compile("rk4 stopped at t = [\\d.]+ s at particle '[abc]': the kinetic energy"
                 + " is [\\d.e]+ J,"
@@ -76,14 +78,14 @@ class BlowUpMessageTest {
         "verlet, 30", "yoshida4, 0", "yoshida4, 30", "adams, 0", "adams, 30"})
     void theAdviceHelps(String solver, double damping) {
         Overrides overrides = new Overrides();
-        String line = blowUp(chain(solver, damping, overrides));
+        String line = blowUp(chain(solver, damping));
         Matcher option = OPTION.matcher(line.replaceFirst(", or .*", ""));
         int options = 0;
         for (; option.find(); options++) {
             overrides.with(option.group(1), option.group(2), "--" + option.group(1));
         }
         assertTrue(options > 0, line);
-        Scene advised = chain(solver, damping, overrides);
+        Scene advised = SceneBuilder.build(overrides.applyTo(chain(solver, damping)));
         advised.simulation().run();
         assertEquals(60, advised.system().getTime(), 1e-9);
         double energy = advised.system().getKineticEnergy(advised.system().getOwnState());
@@ -95,29 +97,28 @@ class BlowUpMessageTest {
     void noStepIsAdvisedThatTheOptionRefuses() {
         String text = CHAIN.replace("SOLVER", "rk4").replace("DAMPING", ", damping: 1e30")
                 .replaceAll("(\\{id: [abc],)", "$1 mass: 1e-30,");
-        String line = blowUp(SceneBuilder.build(SceneReader.read("chain.yaml", text.getBytes(StandardCharsets.UTF_8)),
-                new Overrides()));
+        String line = blowUp(TestScenes.build(text));
         assertTrue(line.endsWith("\ntry softer springs or larger masses, as no deltaT may be below 1e-30 s"), line);
     }
 
     /** c = 3 N s/m: Euler is stable up to c/k = 7.5 ms, so "at any deltaT" would not be true. */
     @Test
     void dampedSpringsAreNotCalledUndamped() {
-        String line = blowUp(chain("euler", 3, new Overrides()));
+        String line = blowUp(chain("euler", 3));
         assertTrue(line.contains("\nsprings with little damping gain energy with euler unless deltaT is very short\n"
                 + "try --solver=rk4 with --deltaT="), line);
     }
 
     @Test
     void aSolverWithLimit0IsReplaced() {
-        String line = blowUp(chain("euler", 0, new Overrides()));
+        String line = blowUp(chain("euler", 0));
         assertTrue(line.endsWith("\nundamped springs gain energy with euler at any deltaT\ntry --solver=verlet with"
                 + " --deltaT=0.045, or --solver=backward-euler"), line);
     }
 
     @Test
     void whatTheSolverSaysIsPartOfTheLine() {
-        String line = blowUp(chain("verlet", 30, new Overrides()));
+        String line = blowUp(chain("verlet", 30));
         assertTrue(line.matches("verlet stopped at t = 0 s: the velocity at the end of the step did not converge in 100"
                 + " iterations.*\\ndeltaT is too long for the fastest damping, by a factor of up to [\\d.]+"
                 + " \\(c/m \\* deltaT is at most .*\\ntry --deltaT=0\\.00\\d+"), line);
@@ -139,8 +140,7 @@ class BlowUpMessageTest {
                 rules:
                   - ground: {restitution: 0.8, restSpeed: 0}
                 """;
-        Scene scene = SceneBuilder.build(SceneReader.read("ball.yaml", text.getBytes(StandardCharsets.UTF_8)),
-                new Overrides());
+        Scene scene = TestScenes.build(text);
         String lines = blowUp(scene);
         assertTrue(lines.matches("rk4 stopped at t = 4\\.06 s: contacts make no headway: .*\nwith restSpeed 0, bounces"
                 + " become ever smaller and never end\ntry restSpeed: 0\\.01 in the scene's rule"), lines);
@@ -151,8 +151,7 @@ class BlowUpMessageTest {
     void noDeltaTIsAdvisedThatTheOptionRefuses() {
         String text = CHAIN.replace("SOLVER", "verlet").replace("DAMPING", "").replace("400", "1e30")
                 .replaceAll("(id: [abc], )", "$1mass: 1e-30, ");
-        Scene scene = SceneBuilder.build(SceneReader.read("chain.yaml", text.getBytes(StandardCharsets.UTF_8)),
-                new Overrides());
+        Scene scene = TestScenes.build(text);
         String lines = blowUp(scene);
         assertTrue(lines.endsWith("\ntry softer springs or larger masses, as no deltaT may be below 1e-30 s"), lines);
     }
@@ -169,7 +168,7 @@ class BlowUpMessageTest {
             PARTICLESrods:
             RODSeffects: [gravity]
             """;
-    private static Scene whip(String solver, Overrides overrides) {
+    private static SceneDescription whip(String solver) {
         StringBuilder particles = new StringBuilder();
         StringBuilder rods = new StringBuilder();
         for (int i = 1; i <= 30; i++) {
@@ -178,20 +177,18 @@ class BlowUpMessageTest {
             rods.append("  - {from: p").append(i - 1).append(", to: p").append(i).append("}\n");
         }
         String scene = WHIP.replace("SOLVER", solver).replace("PARTICLES", particles).replace("RODS", rods);
-        return SceneBuilder.build(SceneReader.read("whip.yaml", scene.getBytes(StandardCharsets.UTF_8)), overrides);
+        return TestScenes.read(scene);
     }
 
     /** Rods have no stability limit that could be told; an adaptive solver finds its steps, and keeps the energy. */
     @ParameterizedTest
     @ValueSource(strings = {"verlet", "rk4", "midpoint", "euler", "symplectic-euler", "yoshida4", "adams"})
     void whatTurnsFastOnRodsWantsAnAdaptiveSolver(String solver) {
-        Overrides overrides = new Overrides();
-        String line = blowUp(whip(solver, overrides));
+        String line = blowUp(whip(solver));
         assertTrue(line.endsWith("\nno spring is too stiff for this deltaT, but what turns fast on rods or wires needs"
                 + " shorter steps\ntry --solver=dormand-prince, which chooses its own sub-steps"), line);
         assertFalse(line.contains("damping") || line.contains("NaN"), line);
-        overrides.with("solver", "dormand-prince", "--solver");
-        Scene advised = whip(solver, overrides);
+        Scene advised = SceneBuilder.build(whip("dormand-prince"));
         double before = advised.system().getEnergy(advised.system().getOwnState(), 0);
         advised.simulation().run();
         double after = advised.system().getEnergy(advised.system().getOwnState(), 2);
@@ -200,7 +197,7 @@ class BlowUpMessageTest {
 
     @Test
     void aRunThatWentWrongIsToldFromWhenOn() {
-        Scene scene = chain("euler", 0, new Overrides());
+        Scene scene = SceneBuilder.build(chain("euler", 0));
         String line = new BlowUpMessage(scene, name -> "--" + name).of(
                 new NumericalErrorException(1.25, 2, "the numerical error of 3 J is larger", false));
         assertTrue(line.startsWith("from t = 1.25 s on the motion by euler is wrong: the numerical error of 3 J is"
@@ -227,8 +224,7 @@ class BlowUpMessageTest {
                 rules:
                   - shake: {particle: hand, amplitude: [0.1, 0, 0], period: 1}
                 """;
-        String line = blowUp(SceneBuilder.build(SceneReader.read("torn.yaml", text.getBytes(StandardCharsets.UTF_8)),
-                new Overrides()));
+        String line = blowUp(TestScenes.build(text));
         assertTrue(line.matches("rk4 stopped at t = [\\d.e-]+ s at particle 'wall': the rods and wires"
                 + " connected to particle 'wall' contradict each other at t = [\\d.E-]+ s: no forces can"
                 + " satisfy them all"), line);
@@ -247,8 +243,7 @@ class BlowUpMessageTest {
                             shear: {stiffness: 1e6}, bend: {stiffness: 1e6}}
                 effects: [gravity]
                 """.replace("SOLVER", solver);
-        return SceneBuilder.build(SceneReader.read("cloth.yaml", text.getBytes(StandardCharsets.UTF_8)),
-                new Overrides());
+        return TestScenes.build(text);
     }
 
     /** Implicit midpoint damps nothing and adds energy where springs buckle, at shorter steps too. */
@@ -264,17 +259,17 @@ class BlowUpMessageTest {
     @ParameterizedTest
     @ValueSource(strings = {"backward-euler", "implicit-midpoint"})
     void whereThereAreNoSpringsNoneIsBlamed(String solver) {
-        SceneDescription orbits = SceneReader.read(Path.of("scenes", "24-orbits.yaml"));
-        String line = blowUp(SceneBuilder.build(orbits, new Overrides().with("solver", solver, "--solver")));
+        SceneDescription orbits = TestScenes.named("24-orbits");
+        String line = blowUp(orbits.withSolver(solver));
         assertTrue(line.endsWith("\n" + solver + " has no stability limit, but deltaT is too long for forces that"
                 + " change so fast\ntry --solver=dormand-prince, which chooses its own sub-steps"), line);
-        SceneBuilder.build(orbits, new Overrides().with("solver", "dormand-prince", "--solver")).simulation().run();
+        SceneBuilder.build(orbits.withSolver("dormand-prince")).simulation().run();
     }
 
     @Test
     void whatHappenedTheDiagnosisAndTheAdviceAreALineEach() {
         for (String solver : List.of("rk4", "euler", "verlet")) {
-            List<String> lines = blowUp(chain(solver, 0, new Overrides())).lines().toList();
+            List<String> lines = blowUp(chain(solver, 0)).lines().toList();
             assertEquals(3, lines.size(), lines.toString());
         }
     }

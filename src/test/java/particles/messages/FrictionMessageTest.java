@@ -4,23 +4,19 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.SimulationException;
-import particles.scene.format.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.SceneReader;
+import particles.scene.TestScenes;
 
 /** Friction is named only where it is why a solver finds no step. */
 class FrictionMessageTest {
-    private static Scene jelly(Overrides overrides) {
-        return SceneBuilder.build(SceneReader.read(Path.of("scenes", "10-jelly-block.yaml")),
-                overrides.with("duration", "0.6", "--duration"));
+    private static Scene jelly(String solver) {
+        return SceneBuilder.build(TestScenes.named("10-jelly-block").withSolver(solver).withDuration(0.6));
     }
 
     /** Both failed here before friction acted as an impulse in the step in which it stops a particle. */
@@ -28,7 +24,7 @@ class FrictionMessageTest {
     @ValueSource(strings = {"verlet", "implicit-midpoint"})
     @Tag("slow")
     void frictionOnARestingJellyEndsNoRun(String solver) {
-        Scene scene = jelly(new Overrides().with("solver", solver, "--solver"));
+        Scene scene = jelly(solver);
         scene.simulation().run();
         assertEquals(0.6, scene.system().getTime(), 1e-9);
     }
@@ -53,8 +49,7 @@ class FrictionMessageTest {
     }
 
     private static Scene rope(String solver) {
-        return SceneBuilder.build(SceneReader.read("rope.yaml", ROPE.getBytes(StandardCharsets.UTF_8)),
-                new Overrides().with("solver", solver, "--solver"));
+        return SceneBuilder.build(TestScenes.read(ROPE).withSolver(solver));
     }
 
     private static final String ROPE = """
@@ -76,7 +71,7 @@ class FrictionMessageTest {
     /** A failure that is not the solver's has another line. */
     @Test
     void otherFailuresAreNotFrictions() {
-        Scene scene = jelly(new Overrides());
+        Scene scene = jelly("rk4");
         SimulationException e = new SimulationException(0, -1, "the clock does not move", null);
         assertTrue(FrictionMessage.of(scene, name -> "--" + name, e).isEmpty());
     }

@@ -1,8 +1,8 @@
 package particles.output;
 
+import deSolvers.DESolver;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -19,9 +19,8 @@ import particles.output.frames.FrameSetup;
 import particles.output.painters.FrameState;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.SceneFiles;
-import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
+import particles.scene.TestScenes;
+import particles.scene.format.SceneDescription.Drawing;
 
 /** Measures the time to draw a frame of 1280 x 720 pixels and to encode it as PNG. */
 @State(Scope.Thread)
@@ -43,14 +42,16 @@ public class FrameBenchmark {
     /** Runs the scene for a while, so that there are folds and shadows. */
     @Setup
     public void prepare() {
-        Scene scene = SceneBuilder.build(SceneReader.read(SceneFiles.find(Path.of("scenes"), what)), new Overrides());
+        Scene scene = SceneBuilder.build(TestScenes.named(what));
         ParticleSystem system = scene.system();
+        DESolver solver = scene.description().settings().solver().create();
         for (int n = 0; n < STEPS; n++) {
-            scene.solver().stepState(system, scene.simulation().getDeltaT());
+            solver.stepState(system, scene.description().deltaT());
         }
         state.take(system.getStateArray(), system.getParticles().count(), system.getTime());
         state.takeStructure(system, false);
-        renderer = new FrameRenderer(new FrameSetup(scene.camera().orElseThrow(), scene.look(), scene.scenery(),
+        Drawing drawing = scene.description().drawing();
+        renderer = new FrameRenderer(new FrameSetup(drawing.camera().orElseThrow(), drawing.look(), scene.scenery(),
                 scene.description().title(), ""), WIDTH, HEIGHT, 2);
     }
 

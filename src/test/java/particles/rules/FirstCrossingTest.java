@@ -4,15 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.BlowUpException;
 import particles.scene.Scene;
-import particles.scene.SceneBuilder;
-import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
+import particles.scene.TestScenes;
 
 /** Roots of polynomials that are known, and polynomials that have none to be found. */
 class FirstCrossingTest {
@@ -50,8 +47,7 @@ class FirstCrossingTest {
                 rules:
                   - sphere: {centre: [0, 0, 0], radius: 1, restitution: 0.5}
                 """.replace("IMPACT", impact);
-        Scene scene = SceneBuilder.build(SceneReader.read("storm.yaml", text.getBytes(StandardCharsets.UTF_8)),
-                new Overrides());
+        Scene scene = TestScenes.build(text);
         BlowUpException e = assertThrows(BlowUpException.class, () -> scene.simulation().run());
         assertEquals(0.01, e.getTime(), 1e-12);
     }

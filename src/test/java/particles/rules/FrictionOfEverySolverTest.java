@@ -4,15 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.catalog.SolverCatalog;
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.EnergyLedger;
 import particles.scene.Scene;
-import particles.scene.SceneBuilder;
-import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
+import particles.scene.TestScenes;
 
 /** Coulomb friction with clamped impacts, by every solver: closed forms, and bodies of many particles. */
 class FrictionOfEverySolverTest {
@@ -38,8 +35,7 @@ class FrictionOfEverySolverTest {
     }
 
     private static Scene scene(String text) {
-        return SceneBuilder.build(SceneReader.read("friction.yaml", text.getBytes(StandardCharsets.UTF_8)),
-                new Overrides());
+        return TestScenes.build(text);
     }
 
     /** The block at the end; its coordinates are x' downhill and z sideways. */

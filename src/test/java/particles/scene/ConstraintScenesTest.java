@@ -7,14 +7,13 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import particles.law.Particles;
 import particles.law.Reaction;
-import particles.scene.format.Overrides;
 import particles.view.SpringView;
 
 /** Scenes with rods and wires do what their texts say; a scene without them builds none. */
 class ConstraintScenesTest {
 
     private static Scene scene(String file) {
-        return SceneBuilder.build(SceneReader.read(Path.of("scenes", file)), new Overrides());
+        return SceneBuilder.build(SceneReader.read(Path.of("scenes", file)));
     }
 
     /**

@@ -17,7 +17,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.scene.format.Overrides;
 
 /** Inputs found by {@link SceneFuzzer}, each in its smallest form, and a short reproducible fuzz run. */
 class FoundInputsTest {
@@ -27,9 +26,7 @@ class FoundInputsTest {
 
     private static List<String> linesFor(String scene) {
         String head = "title: a\nteaches: b\nsolver: rk4\ndeltaT: 0.01\nduration: 1\n";
-        return assertThrows(SceneException.class, () -> SceneBuilder.build(
-                SceneReader.read("x.yaml", (head + scene).getBytes(StandardCharsets.UTF_8)),
-                new Overrides())).getLines();
+        return assertThrows(SceneException.class, () -> TestScenes.build(head + scene)).getLines();
     }
 
     /** A mass whose inverse is infinite, and one whose half is 0: both ended in an IllegalArgumentException. */
@@ -50,8 +47,7 @@ class FoundInputsTest {
         String scene = "title: a\nteaches: b\nsolver: rk4\ndeltaT: 10000\nduration: 30000\nparticles:\n  - {id:"
                 + " a, position: [0, 0, 0]}\n"
                 + "rules:\n  - emitter: {id: spark, position: [0, 0, 0], speed: 1, rate: 1e6, lifetime: 2}\n";
-        String line = assertThrows(SceneException.class, () -> SceneBuilder.build(
-                SceneReader.read("x.yaml", scene.getBytes(StandardCharsets.UTF_8)), new Overrides())).getLines().get(0);
+        String line = assertThrows(SceneException.class, () -> TestScenes.build(scene)).getLines().get(0);
         assertTrue(line.contains("MiB of memory for 10002000001 particles"), line);
     }
 

@@ -76,10 +76,9 @@ final class FreshProgram extends URLClassLoader {
     }
 
     private Object buildAndRun(Object description) throws ReflectiveOperationException {
-        Class<?> overrides = loadClass("particles.scene.format.Overrides");
         Object built = loadClass("particles.scene.SceneBuilder")
-                .getMethod("build", loadClass("particles.scene.format.SceneDescription"), overrides)
-                .invoke(null, description, overrides.getConstructor().newInstance());
+                .getMethod("build", loadClass("particles.scene.format.SceneDescription"))
+                .invoke(null, description);
         Object simulation = built.getClass().getMethod("simulation").invoke(built);
         simulation.getClass().getMethod("run").invoke(simulation);
         return built.getClass().getMethod("system").invoke(built);

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -22,7 +21,6 @@ import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
 import particles.law.Effect;
 import particles.law.Reaction;
-import particles.scene.format.Overrides;
 import particles.scene.parts.RuleKind;
 
 /**
@@ -83,9 +81,7 @@ class OnlyWhatIsNamedTest {
     @ParameterizedTest
     @MethodSource("additions")
     void nothingElseIsBuilt(Addition addition) {
-        Scene scene = SceneBuilder.build(SceneReader.read("x.yaml",
-                (SPRINGS + addition.yaml()).getBytes(StandardCharsets.UTF_8)),
-                new Overrides());
+        Scene scene = TestScenes.build(SPRINGS + addition.yaml());
         Stream<Class<?>> built = Stream.of(scene.system().getEffects().stream().<Class<?>>map(Effect::getClass),
                 scene.system().getReactions().stream().<Class<?>>map(Reaction::getClass),
                 scene.simulation().getRules().stream().<Class<?>>map(Rule::getClass)).flatMap(all -> all);

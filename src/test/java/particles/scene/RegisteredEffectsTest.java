@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -17,7 +16,6 @@ import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
 import particles.law.DifferentiableEffect;
 import particles.law.Effect;
-import particles.scene.format.Overrides;
 import particles.spec.ClassNames;
 import particles.teaching.effects.EffectCheck;
 import particles.teaching.effects.EffectClaims;
@@ -65,8 +63,7 @@ class RegisteredEffectsTest {
     }
 
     private static Scene scene(String rest) {
-        return SceneBuilder.build(SceneReader.read("six.yaml", (SIX + rest).getBytes(StandardCharsets.UTF_8)),
-                new Overrides());
+        return TestScenes.build(SIX + rest);
     }
 
     private static void keepTheirClaims(Scene scene) {

@@ -1,13 +1,9 @@
 package particles.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.EulerSolver;
-import deSolvers.RK4Solver;
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -15,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import particles.law.Effect;
 import particles.law.Sphere;
 import particles.law.Vector3;
-import particles.scene.format.Overrides;
+import particles.scene.format.OutputDescription.Phase;
 import particles.view.Camera;
 import particles.view.CurveView;
 import particles.view.ParticleMark;
@@ -29,13 +25,12 @@ class SceneBuilderTest {
     private static final String BOB = "particles:\n  - {id: bob, position: [0, 3, 0], mass: 2}\n";
     private static final String TWO = BOB + "  - {id: tom, position: [0, 0, 0], mass: 5, fixed: true}\n";
 
-    private static Scene build(String text, Overrides overrides) {
-        return SceneBuilder.build(SceneReader.read("x.yaml", (HEAD + text).getBytes(StandardCharsets.UTF_8)),
-                overrides);
+    private static Scene build(String text) {
+        return TestScenes.build(HEAD + text);
     }
 
-    private static Scene build(String text) {
-        return build(text, new Overrides());
+    private static ParticleStyle style(String text) {
+        return build(text).description().drawing().look().style();
     }
 
     @Test
@@ -63,13 +58,12 @@ class SceneBuilderTest {
 
     @Test
     void optionsOverrideTheFileAndAreCheckedInTheSameWay() {
-        Scene scene = build(BOB, new Overrides().with("solver", "euler", "-Psolver").with("deltaT", "0.5", "-PdeltaT")
-                .with("duration", "1e1", "-Pduration"));
-        assertInstanceOf(EulerSolver.class, scene.solver());
+        Scene scene = SceneBuilder.build(new Overrides().with("solver", "euler", "-Psolver")
+                .with("deltaT", "0.5", "-PdeltaT").with("duration", "1e1", "-Pduration")
+                .applyTo(TestScenes.read(HEAD + BOB)));
         assertEquals(0.5, scene.simulation().getDeltaT());
         assertEquals(10, scene.simulation().getDuration());
         assertEquals("euler", scene.description().solver());
-        assertInstanceOf(RK4Solver.class, build(BOB).solver());
         assertEquals(List.of("-PdeltaT: the value is 0; it has to be a number over 0 (s)",
                 "-Pduration: the value is the text 'long'; it has to be a number from 0 up (s)"),
                 refusal(new Overrides().with("deltaT", "0", "-PdeltaT").with("duration", "long", "-Pduration")));
@@ -83,7 +77,8 @@ class SceneBuilderTest {
     }
 
     private static List<String> refusal(Overrides overrides) {
-        return assertThrows(SceneException.class, () -> build(BOB, overrides)).getLines();
+        return assertThrows(SceneException.class,
+                () -> SceneBuilder.build(overrides.applyTo(TestScenes.read(HEAD + BOB)))).getLines();
     }
 
     /** Each of the three sources alone, from closed forms: g = 9.81, m = 2, T = 2. */
@@ -103,7 +98,7 @@ class SceneBuilderTest {
         assertEquals(2 * 1.5 * 1.5 / 2, build(TWO).energyEstimate(), 1e-12, "3 m in 2 s");
         assertEquals(2 * 0.5 * 0.5 / 2, build(BOB).energyEstimate(), 1e-12, "no extent: 1 m in 2 s");
         assertEquals(1, build(BOB.replace("mass: 2", "fixed: true")).energyEstimate());
-        assertTrue(build(BOB, new Overrides().with("duration", "0", "-P")).energyEstimate() > 0);
+        assertTrue(SceneBuilder.build(TestScenes.read(HEAD + BOB).withDuration(0)).energyEstimate() > 0);
         assertEquals(1e3 * build(BOB).energyEstimate(), build(BOB + "blowUpFactor:"
                 + " 1e3\n").simulation().getEnergyLimit(), 1e-9);
     }
@@ -111,38 +106,41 @@ class SceneBuilderTest {
     @Test
     void theSceneSetsCameraLookAndOutput() {
         Scene plain = build(BOB);
-        assertEquals(Optional.empty(), plain.camera());
-        assertEquals(RenderOptions.STANDARD, plain.look());
-        assertEquals(Optional.empty(), plain.phase());
+        assertEquals(Optional.empty(), plain.description().drawing().camera());
+        assertEquals(RenderOptions.STANDARD, plain.description().drawing().look());
+        assertEquals(Optional.empty(), plain.description().output().phase());
         Scene told = build(BOB + "camera: {position: [0, 0, 10], target: [0, 0, 0], fieldOfView: 90, "
                 + "projection: orthographic}\nlook: {springs: always, frontColour: '#00ff10'}\noutput: "
                 + "{width: 64, phase: {particle: bob, axis: z}}\n");
-        Camera camera = told.camera().orElseThrow();
+        Camera camera = told.description().drawing().camera().orElseThrow();
         assertEquals(new Vector3(0, 1, 0), camera.up());
         assertEquals(20, camera.height(), 1e-12, "2 d tan(45 degrees)");
-        assertEquals(0x00ff10, told.look().frontColour());
-        assertEquals(Visibility.ALWAYS, told.look().springs());
-        assertEquals(new Scene.Phase(0, 2, Optional.empty()), told.phase().orElseThrow());
-        assertEquals(64, told.output().width());
-        assertEquals(25, told.output().frameRate());
+        assertEquals(0x00ff10, told.description().drawing().look().frontColour());
+        assertEquals(Visibility.ALWAYS, told.description().drawing().look().springs());
+        Phase phase = told.description().output().phase().orElseThrow();
+        assertEquals("bob", phase.particle());
+        assertEquals(2, phase.axis());
+        assertEquals(Optional.empty(), phase.about());
+        assertEquals(64, told.description().output().width());
+        assertEquals(25, told.description().output().frameRate());
     }
 
     /** A glow is visible by night only, so night is its default. */
     @Test
     void theSceneSetsTheStyleOfParticles() {
-        ParticleStyle fire = build(BOB + "look: {particlesAs: glow, ageColours: ['#ffffff', '#800000'], trail:"
-                + " 0.5}\n").look().style();
+        ParticleStyle fire = style(BOB + "look: {particlesAs: glow, ageColours: ['#ffffff', '#800000'], trail:"
+                + " 0.5}\n");
         assertEquals(new ParticleStyle(ParticleStyle.Kind.GLOW, List.of(0xffffff, 0x800000), 0.5, true), fire);
-        ParticleStyle day = build(BOB + "look: {particlesAs: glow, sky: day}\n").look().style();
+        ParticleStyle day = style(BOB + "look: {particlesAs: glow, sky: day}\n");
         assertEquals(new ParticleStyle(ParticleStyle.Kind.GLOW, ParticleStyle.STANDARD.ageColours(), 0, false), day);
-        assertEquals(ParticleStyle.Kind.BLOBS, build(BOB + "look: {particlesAs: blobs}\n").look().style().kind());
-        assertEquals(ParticleStyle.STANDARD, build(BOB + "look: {trail: 0}\n").look().style());
+        assertEquals(ParticleStyle.Kind.BLOBS, style(BOB + "look: {particlesAs: blobs}\n").kind());
+        assertEquals(ParticleStyle.STANDARD, style(BOB + "look: {trail: 0}\n"));
     }
 
     @Test
     void aParticleCanBeDrawnInItsOwnWay() {
-        ParticleStyle style = build(BOB + "look: {velocityArrows: 0.2,"
-                + " marks: [{particle: bob, colour: '#ff0000', label: here}]}\n").look().style();
+        ParticleStyle style = style(BOB + "look: {velocityArrows: 0.2,"
+                + " marks: [{particle: bob, colour: '#ff0000', label: here}]}\n");
         assertEquals(0.2, style.arrows());
         assertEquals(List.of(new ParticleMark("bob", OptionalInt.of(0xff0000), 0, "here")), style.marks());
         String problem = assertThrows(SceneException.class, () -> build(BOB + "look: {marks: [{particle: bib}]}\n"))

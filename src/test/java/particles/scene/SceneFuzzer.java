@@ -17,7 +17,6 @@ import java.util.concurrent.TimeUnit;
 import particles.Motion;
 import particles.Observer;
 import particles.SimulationException;
-import particles.scene.format.Overrides;
 
 /**
  * Fuzzer of scenes: reads, builds and steps millions of almost valid scenes. Each must be refused with clear lines, end
@@ -87,7 +86,7 @@ final class SceneFuzzer {
 
     private Optional<Scene> build(byte[] scene) {
         try {
-            Scene ready = SceneBuilder.build(SceneReader.read("x.yaml", scene), new Overrides());
+            Scene ready = SceneBuilder.build(SceneReader.read("x.yaml", scene));
             built++;
             return Optional.of(ready);
         } catch (SceneException e) {

@@ -13,7 +13,6 @@ import particles.Motion;
 import particles.Observer;
 import particles.experiments.stability.SceneStability;
 import particles.law.Particles;
-import particles.scene.format.Overrides;
 
 /** Numbers that scenes state in their texts are those of their motion. */
 class SceneNumbersTest {
@@ -96,8 +95,6 @@ class SceneNumbersTest {
     }
 
     private static Scene scene(String number, double duration) {
-        Overrides overrides = new Overrides();
-        overrides.with("duration", Double.toString(duration), "duration");
-        return SceneBuilder.build(SceneReader.read(SceneFiles.find(SCENES, number)), overrides);
+        return SceneBuilder.build(TestScenes.named(number).withDuration(duration));
     }
 }

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -18,13 +17,12 @@ import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.law.Particles;
-import particles.scene.format.Overrides;
 
 /** Statements in scene files about their motion are true when they are run. */
 class SceneWordsTest {
     /** Checks every particle at the end of every step, before rules act. */
     private static ParticleSystem run(String name, BiConsumer<ParticleSystem, Integer> look) {
-        return run(SceneBuilder.build(SceneReader.read(Path.of("scenes", name + ".yaml")), new Overrides()), look);
+        return run(SceneBuilder.build(TestScenes.named(name)), look);
     }
 
     private static ParticleSystem run(Scene scene, BiConsumer<ParticleSystem, Integer> look) {
@@ -68,11 +66,9 @@ class SceneWordsTest {
     @Test
     void clampedImpactsLetOneMarbleJump() throws IOException {
         String text = Files.readString(Path.of("scenes", "13-marbles-in-a-groove.yaml"));
-        Overrides overrides = new Overrides();
-        overrides.with("deltaT", "0.01", "deltaT");
         Map<String, double[]> range = new HashMap<>();
-        run(SceneBuilder.build(SceneReader.read("groove", text.replace("impact: exact", "impact: clamp").getBytes(
-                StandardCharsets.UTF_8)), overrides), (s, i) -> {
+        run(SceneBuilder.build(TestScenes.read(text.replace("impact: exact", "impact: clamp")).withDeltaT(0.01)),
+                (s, i) -> {
                     if (s.getTime() > 6) {
                         double x = entry(s, i, 0);
                         range.merge(s.getParticles().id(i), new double[] {x, x},
@@ -86,18 +82,15 @@ class SceneWordsTest {
     /** rk4 with twice the step of adams ends 2.6 and 2.2 times as far from the exact fall. */
     @Test
     void adamsIsTwiceAsAccurateForTheSameWork() {
-        double[] adams = skydivers("adams", "0.04");
-        double[] rk4 = skydivers("rk4", "0.08");
+        double[] adams = skydivers("adams", 0.04);
+        double[] rk4 = skydivers("rk4", 0.08);
         assertEquals(2.6, rk4[0] / adams[0], 0.1);
         assertEquals(2.2, rk4[1] / adams[1], 0.1);
     }
 
-    private static double[] skydivers(String solver, String deltaT) {
-        Overrides overrides = new Overrides();
-        overrides.with("solver", solver, "solver");
-        overrides.with("deltaT", deltaT, "deltaT");
-        ParticleSystem system = run(SceneBuilder.build(SceneReader.read(Path.of("scenes", "22-skydivers.yaml")),
-                overrides), (s, i) -> { });
+    private static double[] skydivers(String solver, double deltaT) {
+        ParticleSystem system = run(SceneBuilder.build(TestScenes.named("22-skydivers").withSolver(solver)
+                .withDeltaT(deltaT)), (s, i) -> { });
         double[] error = new double[2];
         for (int i = 0; i < 2; i++) {
             double terminal = Math.sqrt(system.getParticles().mass(i) * 9.81 / 0.24);

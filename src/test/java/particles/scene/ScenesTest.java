@@ -14,7 +14,6 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.Simulation;
-import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 
 /** Every scene is loaded and run, long ones for their first steps. */
@@ -33,12 +32,12 @@ class ScenesTest {
     @MethodSource("scenes")
     void everySceneRuns(Path file) {
         SceneDescription description = SceneReader.read(file);
-        String steps = Double.toString(Math.min(description.duration(), STEPS * description.deltaT()));
-        Scene scene = SceneBuilder.build(description, new Overrides().with("duration", steps, "-Pduration"));
+        double duration = Math.min(description.duration(), STEPS * description.deltaT());
+        Scene scene = SceneBuilder.build(description.withDuration(duration));
         Simulation simulation = scene.simulation();
         simulation.run();
         assertTrue(simulation.getSteps() >= Math.min(STEPS, description.duration() / description.deltaT() - 1));
-        assertEquals(Double.parseDouble(steps), scene.system().getTime(), 1e-9);
+        assertEquals(duration, scene.system().getTime(), 1e-9);
     }
 
     @ParameterizedTest
@@ -52,7 +51,7 @@ class ScenesTest {
     @ParameterizedTest
     @MethodSource("scenes")
     void stepsAreShortEnoughForTheScenesSprings(Path file) {
-        Scene scene = SceneBuilder.build(SceneReader.read(file), new Overrides());
+        Scene scene = SceneBuilder.build(SceneReader.read(file));
         SolverInfo solver = SolverCatalog.info(scene.description().solver());
         double deltaT = scene.simulation().getDeltaT();
         double omega = Stiffness.largestOmega(scene);

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
 import java.util.HashSet;
 import java.util.Set;
 import java.util.stream.IntStream;
@@ -14,14 +13,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.law.Particles;
 import particles.law.Vector3;
-import particles.scene.format.Overrides;
 
 class ShapesTest {
     private static final String HEAD = "title: Shapes\nteaches: counting\nsolver: rk4\ndeltaT: 0.002\nduration: 1\n";
 
     private static Scene build(String text) {
-        return SceneBuilder.build(SceneReader.read("x.yaml", (HEAD + text).getBytes(StandardCharsets.UTF_8)),
-                new Overrides());
+        return TestScenes.build(HEAD + text);
     }
 
     private static Scene cloth(int columns, int rows, String more) {

@@ -15,9 +15,8 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import particles.scene.format.Overrides;
-import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
+import particles.scene.parts.ParticleDescription;
 
 /** Reading any file ends quickly with a scene or with clear lines. */
 class SturdyReaderTest {
@@ -39,17 +38,16 @@ class SturdyReaderTest {
         return linesFor(text.getBytes(StandardCharsets.UTF_8));
     }
 
-    private static SceneDescription read(String text) {
-        return SceneReader.read("x.yaml", text.getBytes(StandardCharsets.UTF_8));
+    private static ParticleDescription particle(String text) {
+        return TestScenes.read(text).contents().particles().get(0);
     }
 
     @Test
     void lineEndsAndByteOrderMarkMakeNoDifference() {
-        SceneDescription good = read(GOOD);
-        assertEquals(0.01, good.deltaT());
+        assertEquals(0.01, TestScenes.read(GOOD).deltaT());
         for (String same : List.of(GOOD.replace("\n", "\r\n"), "\uFEFF" + GOOD, GOOD.strip(),
                 "\n# comment\n\n" + GOOD)) {
-            assertEquals(good.particles().get(0).position(), read(same).particles().get(0).position());
+            assertEquals(particle(GOOD).position(), particle(same).position());
         }
         assertEquals(List.of("x.yaml:8:1: unknown key 'x'; known in the scene: " + String.join(", ",
                 SceneFormat.SCENE.keys().stream().map(key -> key.name()).toList())), linesFor(GOOD.replace("\n", "\r\n")
@@ -69,7 +67,7 @@ class SturdyReaderTest {
 
     @Test
     void idsMayHaveLettersOfAnyLanguage() {
-        assertEquals("k\u016bmara", read(GOOD.replace("bob", "k\u016bmara")).particles().get(0).id());
+        assertEquals("k\u016bmara", particle(GOOD.replace("bob", "k\u016bmara")).id());
     }
 
     @Test
@@ -109,7 +107,7 @@ class SturdyReaderTest {
         }
         assertEquals(List.of("x.yaml:7:29: y of 'position' is .nan; it has to be a number (m)"),
                 linesFor(GOOD.replace("[0, 1, 0]", "[0, .nan, 0]")));
-        assertEquals(16, read(GOOD.replace("[0, 1, 0]", "[0, 0x10, 0]")).particles().get(0).position().y());
+        assertEquals(16, particle(GOOD.replace("[0, 1, 0]", "[0, 0x10, 0]")).position().y());
     }
 
     @Test
@@ -145,7 +143,7 @@ class SturdyReaderTest {
         for (int run = 0; run < runs; run++) {
             byte[] bytes = damaged(seeds.get(random.nextInt(seeds.size())), random);
             try {
-                SceneBuilder.build(SceneReader.read("x.yaml", bytes), new Overrides());
+                SceneBuilder.build(SceneReader.read("x.yaml", bytes));
             } catch (SceneException e) {
                 refused++;
                 assertFalse(e.getLines().isEmpty());

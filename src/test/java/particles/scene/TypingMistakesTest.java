@@ -4,12 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import particles.scene.format.Overrides;
 
 /** Common typing mistakes are named, with what to write instead. */
 class TypingMistakesTest {
@@ -27,7 +25,7 @@ class TypingMistakesTest {
 
     private static List<String> problems(String text) {
         return assertThrows(SceneException.class,
-                () -> SceneReader.read("x.yaml", text.getBytes(StandardCharsets.UTF_8)), text).getLines();
+                () -> TestScenes.read(text), text).getLines();
     }
 
     @ParameterizedTest
@@ -62,9 +60,8 @@ class TypingMistakesTest {
     @Test
     void mistakesInOptionsAreNamedAsInFiles() {
         assertEquals(List.of("-PdeltaT: the value is the text '0,01'; a number has a decimal point, not a comma;"
-                + " write 0.01"), assertThrows(SceneException.class, () -> SceneBuilder.build(
-                        SceneReader.read("x.yaml", SCENE.getBytes(StandardCharsets.UTF_8)),
-                        new Overrides().with("deltaT", "0,01", "-PdeltaT"))).getLines());
+                + " write 0.01"), assertThrows(SceneException.class,
+                        new Overrides().with("deltaT", "0,01", "-PdeltaT")::check).getLines());
     }
 
     /** The parser reports both a line later. */

@@ -18,7 +18,6 @@ import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 
 /**
@@ -56,7 +55,7 @@ class SceneThreadsTest {
     /** Returns the state and time after some steps; counts the threads other than the caller's that took part. */
     private static double[] run(SceneDescription description, int threads, int steps, int[] helpers) {
         double duration = Math.min(description.duration(), steps * description.deltaT());
-        Scene scene = SceneBuilder.build(description, new Overrides().with("duration", "" + duration, "--duration"));
+        Scene scene = SceneBuilder.build(description.withDuration(duration));
         Witness witness = new Witness();
         scene.system().addEffect(witness);
         ParallelForces.use(scene.system(), threads, 0);

@@ -13,13 +13,13 @@ import particles.experiments.phase.PhasePortraits.Portrait;
 import particles.experiments.phase.PhasePortraits.Portraits;
 import particles.experiments.runs.ProgressListener;
 import particles.law.Particles;
-import particles.output.files.OutputFolder;
-import particles.output.report.ResultPage;
 import particles.output.charts.Panel;
+import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
+import particles.output.report.ResultPage;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.format.Overrides;
+import particles.scene.format.OutputDescription.Phase;
 import particles.scene.format.SceneDescription;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -64,7 +64,7 @@ public final class PhasePlotsCommand extends ExperimentCommand {
     }
 
     private Scene scene() {
-        return SceneBuilder.build(description(), new Overrides());
+        return SceneBuilder.build(description());
     }
 
     private void checkAbout() {
@@ -100,7 +100,7 @@ public final class PhasePlotsCommand extends ExperimentCommand {
         Particles all = scene.system().getParticles();
         particles.forEach(id -> checkKnown("particles", id, scene));
         return particles.isEmpty()
-                ? List.of(all.id(scene.phase().map(Scene.Phase::particle).orElseGet(() -> lastFree(all))))
+                ? List.of(phase(scene).map(Phase::particle).orElseGet(() -> all.id(lastFree(all))))
                 : particles;
     }
 
@@ -120,7 +120,7 @@ public final class PhasePlotsCommand extends ExperimentCommand {
             return List.of(Axis.ANGLE);
         }
         if (axes == null) {
-            return scene.phase().map(phase -> List.of(Axis.values()[phase.axis()])).orElse(List.of());
+            return phase(scene).map(phase -> List.of(Axis.values()[phase.axis()])).orElse(List.of());
         }
         if (!axes.matches("[xyz]+")) {
             throw wrong("axes", "'" + axes + "' has to be made of the letters x, y and z");
@@ -129,15 +129,19 @@ public final class PhasePlotsCommand extends ExperimentCommand {
                 Axis.valueOf(letter.toUpperCase(Locale.ROOT))).toList();
     }
 
+    private static Optional<Phase> phase(Scene scene) {
+        return scene.description().output().phase();
+    }
+
     private Optional<String> about(Scene scene) {
-        return axes(scene).contains(Axis.ANGLE) && about == null ? scene.phase().flatMap(Scene.Phase::about)
+        return axes(scene).contains(Axis.ANGLE) && about == null ? phase(scene).flatMap(Phase::about)
                 : Optional.ofNullable(about);
     }
 
     @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         SceneDescription description = description();
-        Scene scene = SceneBuilder.build(description, new Overrides());
+        Scene scene = SceneBuilder.build(description);
         Portraits portraits = PhasePortraits.compare(description, options.solvers("euler,symplectic-euler,rk4",
                 style()),
                 ids(scene),

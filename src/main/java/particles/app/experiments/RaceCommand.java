@@ -17,7 +17,6 @@ import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
 import particles.scene.SceneBuilder;
-import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -89,13 +88,12 @@ public final class RaceCommand extends ExperimentCommand {
 
     private SceneDescription scene() {
         SceneDescription scene = options.scene("soft-chain", style());
-        double first = options.haveDuration() ? scene.duration() : affordable(scene);
-        return scene.solvedBy(scene.solver(), scene.tolerances(), scene.deltaT(), first);
+        return options.haveDuration() ? scene : scene.withDuration(affordable(scene));
     }
 
     /** @return the scene's duration, or a round part of it that is not too much work (s) */
     static double affordable(SceneDescription scene) {
-        double work = SceneBuilder.build(scene, new Overrides()).system().getStateSize() * 4.0 * scene.duration()
+        double work = SceneBuilder.build(scene).system().getStateSize() * 4.0 * scene.duration()
                 / scene.deltaT();
         if (!(work > MOST_WORK)) {
             return scene.duration();

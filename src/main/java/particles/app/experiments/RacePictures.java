@@ -55,7 +55,8 @@ final class RacePictures implements Race.ObserverFactory, AutoCloseable {
         if (solver.isEmpty()) {
             begin(extent);
         }
-        FrameSetup stage = new FrameSetup(camera.orElseThrow(), scene.look(), scene.scenery(), "", "");
+        FrameSetup stage = new FrameSetup(camera.orElseThrow(), scene.description().drawing().look(),
+                scene.scenery(), "", "");
         RaceFilm made = film.orElseThrow();
         return List.of(solver.isPresent() ? made.watch(solver.get().label(), stage) : made.watchReference(stage));
     }

@@ -206,7 +206,7 @@ public final class ReportCommand extends ResultsCommand {
     private List<String> text(Optional<SceneDescription> about, List<ExperimentCommand> chosen) {
         List<String> text = new ArrayList<>();
         about.ifPresent(description -> {
-            text.add(description.teaches());
+            text.add(description.lesson().teaches());
             text.add("Experiments that run a scene use this one, with " + String.join(", ",
                     SolverChoice.list(solvers()).stream().map(SolverChoice::label).toList())
                     + "; the others use their own problems.");

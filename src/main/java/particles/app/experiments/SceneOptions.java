@@ -8,10 +8,9 @@ import particles.app.cli.Failure;
 import particles.app.cli.OptionStyle;
 import particles.app.student.StudentClasses;
 import particles.experiments.runs.SolverChoice;
-import particles.scene.SceneBuilder;
+import particles.scene.Overrides;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 import picocli.CommandLine.Option;
 
@@ -35,12 +34,12 @@ final class SceneOptions {
     /** @return the scene in the options, or this one by default, with overrides applied */
     SceneDescription scene(String standard, OptionStyle style) {
         Path file = SceneFiles.find(SCENES, scene == null ? standard : scene);
-        return SceneBuilder.build(SceneReader.read(file, new StudentClasses()), overrides(style)).description();
+        return overrides(style).applyTo(SceneReader.read(file, new StudentClasses()));
     }
 
     /** Checks the options that override a value of the scene. */
     void check(OptionStyle style) {
-        SceneBuilder.check(overrides(style));
+        overrides(style).check();
     }
 
     private Overrides overrides(OptionStyle style) {

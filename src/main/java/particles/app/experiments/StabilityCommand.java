@@ -9,14 +9,13 @@ import particles.experiments.stability.SceneStability;
 import particles.experiments.stability.StabilityLimits;
 import particles.experiments.stability.StabilityRegion;
 import particles.experiments.stability.StabilityRegion.Window;
-import particles.output.files.OutputFolder;
-import particles.output.report.ResultPage;
 import particles.output.charts.Panel;
+import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
-import particles.scene.SceneBuilder;
+import particles.output.report.ResultPage;
+import particles.scene.Overrides;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 import particles.view.DataTable;
 import picocli.CommandLine.Command;
@@ -78,8 +77,7 @@ public final class StabilityCommand extends ExperimentCommand {
         if (!deltaT.isEmpty()) {
             overrides.with("deltaT", deltaT, style().option("deltaT"));
         }
-        return SceneBuilder.build(SceneReader.read(SceneFiles.find(SCENES, scene), new StudentClasses()),
-                overrides).description();
+        return overrides.applyTo(SceneReader.read(SceneFiles.find(SCENES, scene), new StudentClasses()));
     }
 
     @Override

@@ -12,7 +12,6 @@ import particles.law.Vector3;
 import particles.output.raster.CameraFraming;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 import particles.view.Camera;
 
@@ -39,14 +38,12 @@ public final class CameraFinder {
     }
 
     /**
-     * @param scene     a scene that is ready to run; it is not run here
-     * @param described the contents of its file
-     * @param overrides options that override the file
+     * @param scene what is to be run
      * @return the scene's own camera, or one that suits it
      */
-    public static Camera find(Scene scene, SceneDescription described, Overrides overrides) {
-        return scene.camera().orElseGet(() -> {
-            Box box = rehearse(SceneBuilder.build(described, overrides));
+    public static Camera find(SceneDescription scene) {
+        return scene.drawing().camera().orElseGet(() -> {
+            Box box = rehearse(SceneBuilder.build(scene));
             return CameraFraming.around(box.low, box.high,
                     (double) scene.output().width() / scene.output().height());
         });

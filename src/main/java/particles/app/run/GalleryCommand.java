@@ -16,7 +16,6 @@ import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 import particles.view.Camera;
 import particles.view.ParticleStyle;
@@ -59,14 +58,12 @@ public final class GalleryCommand extends ProgramCommand {
 
     private static void draw(Path file, Path picture) {
         SceneDescription described = SceneReader.read(file, new StudentClasses());
-        Overrides whole = new Overrides();
-        Camera camera = CameraFinder.find(SceneBuilder.build(described, whole), described, whole);
+        Camera camera = CameraFinder.find(described);
         double moment = MOMENT * described.duration();
-        Scene scene = SceneBuilder.build(described, new Overrides().with("duration", Double.toString(moment),
-                "the gallery"));
+        Scene scene = SceneBuilder.build(described.withDuration(moment));
         FrameSetup stage = new FrameSetup(camera, withTrails(scene, moment), scene.scenery(), "", "");
         FrameRenderer renderer = new FrameRenderer(stage, WIDTH, HEIGHT, 2);
-        double framesPerSecond = Math.max(scene.output().frameRate(), 20 / moment);
+        double framesPerSecond = Math.max(described.output().frameRate(), 20 / moment);
         try (FrameObserver frames = new FrameObserver(renderer, Math.round(framesPerSecond * moment) / moment,
                 List.of(new LastFrame(picture, WIDTH, HEIGHT)))) {
             scene.simulation().addObserver(frames);
@@ -76,7 +73,7 @@ public final class GalleryCommand extends ProgramCommand {
 
     /** Adds trails if there are few particles, so that a still picture shows motion. */
     private static RenderOptions withTrails(Scene scene, double duration) {
-        RenderOptions look = scene.look();
+        RenderOptions look = scene.description().drawing().look();
         ParticleStyle style = look.style();
         Particles particles = scene.system().getParticles();
         long free = 0;

@@ -55,7 +55,7 @@ public final class GalleryPage {
     }
 
     private static String row(SceneName name, SceneDescription scene) {
-        String teaches = String.join(" ", List.of(scene.teaches().strip().split("\\s+"))).replace("|", "\\|");
+        String teaches = String.join(" ", List.of(scene.lesson().teaches().strip().split("\\s+"))).replace("|", "\\|");
         return "| ![" + scene.title() + "](" + PICTURES + "/" + name.whole() + ".png) | [" + name.whole() + "]("
                 + name.whole()
                 + ".yaml): **" + scene.title() + "**<br>" + teaches + "<br>Solver: " + scene.solver() + " |";

@@ -68,8 +68,8 @@ public final class LabCommand extends ProgramCommand {
             if (isClass(description.solver())) {
                 solvers.add(description.solver());
             }
-            description.effects().stream().map(effect -> effect.kind().name()).filter(name -> name.contains("."))
-                    .forEach(effects::add);
+            description.contents().effects().stream().map(effect -> effect.kind().name())
+                    .filter(name -> name.contains(".")).forEach(effects::add);
         }
         String page = builder().build(new LabBuilder.Contents(scenes, first, Optional.ofNullable(solver),
                 List.copyOf(solvers), List.copyOf(effects), exercises));

@@ -10,10 +10,9 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.ProgramCommand;
-import particles.scene.SceneBuilder;
+import particles.scene.Overrides;
 import particles.scene.SceneFiles;
 import particles.scene.format.OutputDescription.Video;
-import particles.scene.format.Overrides;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -73,7 +72,7 @@ public final class RunCommand extends ProgramCommand {
 
     @Override
     protected List<Runnable> checks() {
-        return List.of(this::file, () -> SceneBuilder.check(overrides()), this::checkVideo, this::folder);
+        return List.of(this::file, () -> overrides().check(), this::checkVideo, this::folder);
     }
 
     @Override

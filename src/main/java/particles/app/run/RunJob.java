@@ -17,11 +17,11 @@ import particles.messages.FrictionMessage;
 import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;
 import particles.output.files.RunSummaryWriter;
+import particles.scene.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
 import particles.scene.format.OutputDescription.Video;
-import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 import particles.threads.ParallelForces;
 
@@ -65,18 +65,18 @@ final class RunJob {
      * @throws Failure if the run ended early; the results until then are complete
      */
     void run(PrintWriter out) {
-        SceneDescription described = SceneReader.read(file, new StudentClasses());
+        SceneDescription described = overrides.applyTo(SceneReader.read(file, new StudentClasses()));
         String hash = FileHash.of(file);
-        Scene scene = SceneBuilder.build(described, overrides);
+        Scene scene = SceneBuilder.build(described);
         if (frames) {
-            SceneBuilder.checkPictures(scene.description(), style.option("frames"));
+            SceneBuilder.checkPictures(described, style.option("frames"));
         }
-        TimeEstimate.of(described, overrides, frames).ifPresent(line -> {
+        TimeEstimate.of(described, frames).ifPresent(line -> {
             out.println(line);
             out.flush();
         });
-        Video video = frames ? wanted.orElse(scene.output().video()) : Video.NONE;
-        RunFiles files = new RunFiles(scene.output(), frames, video, charts);
+        Video video = frames ? wanted.orElse(described.output().video()) : Video.NONE;
+        RunFiles files = new RunFiles(described.output(), frames, video, charts);
         try (OutputFolder folder = OutputFolder.open(results, files.names())) {
             stop.addLastResort(folder::close);
             Progress progress = new Progress(out, scene.simulation().getDuration(), System::nanoTime);
@@ -84,7 +84,7 @@ final class RunJob {
             Optional<String> early;
             try (observers) {
                 if (files.haveFrames()) {
-                    observers.addFrames(CameraFinder.find(scene, described, overrides), video);
+                    observers.addFrames(CameraFinder.find(described), video);
                 }
                 observers.add(progress);
                 observers.add(new StopObserver(stop));
@@ -118,7 +118,7 @@ final class RunJob {
     /** @return the reason why the run ended early, if it did */
     private Optional<String> simulate(Scene scene, RunObservers observers) {
         ParallelForces.use(scene.system(),
-                scene.description().threads().orElseGet(Runtime.getRuntime()::availableProcessors));
+                scene.description().settings().threads().orElseGet(Runtime.getRuntime()::availableProcessors));
         try {
             scene.simulation().run();
             return Optional.empty();

@@ -56,7 +56,7 @@ final class RunObservers implements AutoCloseable {
     RunObservers(Scene scene, OutputFolder folder) {
         this.scene = scene;
         this.folder = folder;
-        OutputDescription output = scene.output();
+        OutputDescription output = scene.description().output();
         double steps = Math.ceil(scene.simulation().getDuration() / scene.simulation().getDeltaT());
         trajectory = output.trajectoryStride().isPresent()
                 ? new TrajectoryWriter(folder, output.trajectoryStride().get())
@@ -64,8 +64,7 @@ final class RunObservers implements AutoCloseable {
         long energies = TrajectoryWriter.strideFor(steps, 1, MOST_ENERGIES);
         energy = new EnergyHistory(energies);
         books = new EnergyLedgerRecorder(energies);
-        phase = scene.phase().map(plot -> new PhaseHistory(scene.system().getParticles().id(plot.particle()),
-                plot.about()));
+        phase = output.phase().map(plot -> new PhaseHistory(plot.particle(), plot.about()));
         add(trajectory);
         add(energy);
         add(books);
@@ -84,9 +83,9 @@ final class RunObservers implements AutoCloseable {
      * @param video  the kind of film
      */
     void addFrames(Camera camera, Video video) {
-        OutputDescription output = scene.output();
-        FrameSetup stage = new FrameSetup(camera, scene.look(), scene.scenery(), scene.description().title(),
-                caption());
+        OutputDescription output = scene.description().output();
+        FrameSetup stage = new FrameSetup(camera, scene.description().drawing().look(), scene.scenery(),
+                scene.description().title(), caption());
         int decimals = (int) Math.max(0, Math.min(MOST_DECIMALS, Math.ceil(Math.log10(output.frameRate()))));
         FrameRenderer renderer = new FrameRenderer(stage, output.width(), output.height(), decimals);
         List<FrameSink> sinks = new ArrayList<>(List.of(new PngFrames(folder, output.width(), output.height())));
@@ -137,18 +136,18 @@ final class RunObservers implements AutoCloseable {
      * @param format the format of the charts
      */
     void drawCharts(ChartFormat format) {
-        if (!scene.output().energy() && phase.isEmpty()) {
+        if (!scene.description().output().energy() && phase.isEmpty()) {
             return;                                     // drawing classes are not even loaded
         }
         ChartWriter writer = new ChartWriter(folder, format);
         String title = scene.description().title() + " (" + caption() + ")";
-        if (scene.output().energy()) {
+        if (scene.description().output().energy()) {
             List<ChartData> charts = new ArrayList<>(List.of(energy.chart(title)));
             charts.addAll(books.charts(energy.getScale(), energy.hasGrown()));
             writer.write(RunFiles.ENERGY, charts);
         }
         phase.ifPresent(history -> drawPhase(writer, history,
-                Axis.values()[scene.phase().orElseThrow().axis()], title));
+                Axis.values()[scene.description().output().phase().orElseThrow().axis()], title));
     }
 
     private void drawPhase(ChartWriter writer, PhaseHistory history, Axis axis, String title) {

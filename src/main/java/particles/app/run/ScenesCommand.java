@@ -51,7 +51,7 @@ public final class ScenesCommand extends ProgramCommand {
         String space = " ".repeat(Math.max(1, INDENT.length() - name.number().length()));
         out.println(name.number() + space + name.bare() + ": " + scene.title() + " (" + scene.solver() + ")");
         StringBuilder line = new StringBuilder(INDENT);
-        for (String word : scene.teaches().strip().split("\\s+")) {
+        for (String word : scene.lesson().teaches().strip().split("\\s+")) {
             if (line.length() > INDENT.length() && line.length() + word.length() >= WIDTH) {
                 out.println(line.toString().stripTrailing());
                 line.setLength(INDENT.length());

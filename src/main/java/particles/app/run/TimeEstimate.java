@@ -9,7 +9,6 @@ import particles.Observer;
 import particles.SimulationException;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 
 /**
@@ -36,22 +35,20 @@ final class TimeEstimate {
     }
 
     /**
-     * @param described the contents of the scene's file
-     * @param overrides options that override the file
-     * @param frames    whether pictures are drawn
+     * @param scene  what is to be run
+     * @param frames whether pictures are drawn
      * @return a line, if the run takes long
      */
-    static Optional<String> of(SceneDescription described, Overrides overrides, boolean frames) {
-        Scene copy = SceneBuilder.build(described, overrides);
-        double steps = Math.ceil(copy.simulation().getDuration() / copy.simulation().getDeltaT());
-        SceneDescription scene = copy.description();
+    static Optional<String> of(SceneDescription scene, boolean frames) {
+        Scene copy = SceneBuilder.build(scene);
+        double steps = Math.ceil(scene.duration() / scene.deltaT());
         double particles = Math.max(copy.system().getParticles().count(),
                 scene.particlesAfter(scene.duration()));
         if (steps * Math.max(1, particles) < LITTLE) {
             return Optional.empty();
         }
-        double pictures = frames ? copy.simulation().getDuration() * copy.output().frameRate() : 0;
-        double drawing = pictures * PER_PIXEL * copy.output().width() * copy.output().height();
+        double pictures = frames ? scene.duration() * scene.output().frameRate() : 0;
+        double drawing = pictures * PER_PIXEL * scene.output().width() * scene.output().height();
         double stepping = seconds(copy, steps, System::nanoTime, PATIENCE);
         double mean = scene.particlesAfter(scene.duration() / 2);
         double growth = (mean + OVERHEAD) / (copy.system().getParticles().count() + OVERHEAD);

@@ -8,8 +8,8 @@ import particles.Observer;
 import particles.SimulationException;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
+import particles.scene.format.SolverDescription;
 import particles.scene.format.Tolerances;
 
 /** Runs a scene with different solvers. A run that fails is a result too, with the time and the reason. */
@@ -50,8 +50,8 @@ public final class SceneRun {
     public static Scene build(SceneDescription scene, Setting setting, double duration) {
         Optional<Tolerances> tolerances = setting.solver().adaptive()
                 ? setting.tolerance().map(Tolerances::both) : Optional.empty();
-        return SceneBuilder.build(scene.solvedBy(setting.solver().name(), tolerances, setting.deltaT(), duration),
-                new Overrides());
+        return SceneBuilder.build(scene.withSolver(new SolverDescription(setting.solver().name(), tolerances))
+                .withDeltaT(setting.deltaT()).withDuration(duration));
     }
 
     /**

@@ -183,7 +183,7 @@ function startPhase() {
   if (ids.includes(before)) {
     $('particle').value = before;
   } else if (facts.phase) {
-    $('particle').value = structure.ids[facts.phase[0]];
+    $('particle').value = facts.phase[0];
     $('axis').value = facts.phase[1];
   }
   newPhase();

@@ -37,14 +37,14 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
     private static final double MEGABYTE = 1 << 20;
 
     static MemoryEstimate of(SceneDescription scene) {
-        double springs = scene.springs().size();
-        for (ShapeDescription shape : scene.shapes()) {
+        double springs = scene.contents().springs().size();
+        for (ShapeDescription shape : scene.contents().shapes()) {
             springs += shape.springCount();
         }
-        boolean removed = scene.rules().stream().anyMatch(rule -> rule.kind().removes());
+        boolean removed = scene.contents().rules().stream().anyMatch(rule -> rule.kind().removes());
         // if a rule removes particles, their number is unknown; at least those of one step exist
         double particles = scene.particlesAfter(removed ? scene.deltaT() : scene.duration());
-        double trail = scene.look().style().trail();
+        double trail = scene.drawing().look().style().trail();
         double samples = trail == 0 ? 0
                 : SAMPLES_WAITING + Math.min(MOST_SAMPLES, SAMPLES_PER_FRAME * scene.output().frameRate() * trail);
         double pixels = (double) scene.output().width() * scene.output().height();

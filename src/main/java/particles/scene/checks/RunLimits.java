@@ -17,8 +17,7 @@ public final class RunLimits {
     }
 
     /** Adds a problem if a run would have too many steps. */
-    public static void check(double deltaT, double duration, Map<Key<?>, Place> places,
-            Problems problems) {
+    public static void check(double deltaT, double duration, Map<Key<?>, Place> places, Problems problems) {
         if (duration / deltaT > MOST_STEPS) {
             problems.add(places.get(SceneFormat.DURATION), "a duration of " + Wording.number(duration) + " s is "
                     + Wording.rounded(duration / deltaT) + " steps of deltaT = " + Wording.number(deltaT)

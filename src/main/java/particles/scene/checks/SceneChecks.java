@@ -13,7 +13,12 @@ import particles.scene.format.OutputDescription;
 import particles.scene.format.OutputDescription.Phase;
 import particles.scene.format.RenderFormat;
 import particles.scene.format.SceneDescription;
+import particles.scene.format.SceneDescription.Contents;
+import particles.scene.format.SceneDescription.Drawing;
+import particles.scene.format.SceneDescription.Lesson;
+import particles.scene.format.SceneDescription.Settings;
 import particles.scene.format.SceneFormat;
+import particles.scene.format.SolverDescription;
 import particles.scene.format.SolverFormat;
 import particles.scene.format.Tolerances;
 import particles.scene.parts.ParticleDescription;
@@ -55,7 +60,7 @@ public final class SceneChecks {
     }
 
     /** @return the description, if there is no problem */
-    public Optional<SceneDescription> describe(String source) {
+    public Optional<SceneDescription> describe() {
         checkParticles();
         checkShapes();
         RuleChecks.newIds(scene, this::take);
@@ -92,16 +97,16 @@ public final class SceneChecks {
             return Optional.empty();
         }
         Values noWords = Values.none(scene.place());
-        return Optional.of(new SceneDescription(source, scene.get(SceneFormat.TITLE), scene.get(SceneFormat.TEACHES),
-                scene.get(SceneFormat.SOLVER).get(SolverFormat.NAME), tolerances, scene.get(SceneFormat.DELTA_T),
-                        scene.get(SceneFormat.DURATION),
-                List.copyOf(particles), List.copyOf(shapes), List.copyOf(springs), constraints.describe(),
-                        List.copyOf(scene.get(SceneFormat.EFFECTS)),
-                List.copyOf(scene.get(SceneFormat.RULES)), scene.get(SceneFormat.IMPACT).equals("exact"), camera,
-                        RenderFormat.of(scene.find(SceneFormat.LOOK).orElse(noWords)),
-                OutputDescription.of(scene.find(SceneFormat.OUTPUT).orElse(noWords)),
-                scene.get(SceneFormat.BLOW_UP_FACTOR),
-                scene.find(SceneFormat.THREADS), Map.copyOf(places)));
+        return Optional.of(new SceneDescription(
+                new Lesson(scene.get(SceneFormat.TITLE), scene.get(SceneFormat.TEACHES)),
+                new Settings(new SolverDescription(scene.get(SceneFormat.SOLVER).get(SolverFormat.NAME), tolerances),
+                        scene.get(SceneFormat.DELTA_T), scene.get(SceneFormat.DURATION),
+                        scene.get(SceneFormat.IMPACT).equals("exact"), scene.find(SceneFormat.THREADS),
+                        scene.get(SceneFormat.BLOW_UP_FACTOR)),
+                new Contents(List.copyOf(particles), List.copyOf(shapes), List.copyOf(springs), constraints.describe(),
+                        List.copyOf(scene.get(SceneFormat.EFFECTS)), List.copyOf(scene.get(SceneFormat.RULES))),
+                new Drawing(camera, RenderFormat.of(scene.find(SceneFormat.LOOK).orElse(noWords))),
+                OutputDescription.of(scene.find(SceneFormat.OUTPUT).orElse(noWords)), Map.copyOf(places)));
     }
 
     private void checkParticles() {

@@ -1,5 +1,6 @@
 package particles.scene.format;
 
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -16,61 +17,132 @@ import particles.view.Camera;
 import particles.view.RenderOptions;
 
 /**
- * The checked contents of a scene file.
+ * The checked contents of a scene file, with options in place of the file's values.
  *
- * @param source       the file, as the user named it
- * @param title        the title of the scene
- * @param teaches      the lesson of the scene
- * @param solver       the name of the solver
- * @param tolerances   its tolerances, if the scene gives them
- * @param deltaT       the time step (s)
- * @param duration     the duration of the run (s)
- * @param particles    the single particles, first in the state
- * @param shapes       the shapes, whose particles follow
- * @param springs      the springs outside shapes
- * @param constraints  its rods and wires
- * @param effects      the effects it names
- * @param rules        the rules it names
- * @param exactImpacts whether steps are split at impacts
- * @param camera       the camera, if it gives one
- * @param look         the render options
- * @param output       the files to write
- * @param blowUpFactor the factor by which the kinetic energy may exceed the energy estimated for the scene
- * @param threads      the number of threads that evaluate forces, if given
- * @param places       the places of solver, deltaT and duration
+ * @param lesson   what the scene is about
+ * @param settings how it is solved
+ * @param contents what moves, and by which laws
+ * @param drawing  how it is drawn
+ * @param output   the files to write
+ * @param places   the places of solver, deltaT, duration and shapes, for messages
  */
-public record SceneDescription(String source, String title, String teaches, String solver,
-                               Optional<Tolerances> tolerances, double deltaT, double duration,
-                                       List<ParticleDescription> particles, List<ShapeDescription> shapes,
-                               List<SpringDescription> springs, ConstraintDescription constraints,
-                                       List<Chosen<EffectKind>> effects,
-                                       List<Chosen<RuleKind>> rules,
-                               boolean exactImpacts, Optional<Camera> camera, RenderOptions look,
-                               OutputDescription output,
-                                       double blowUpFactor, Optional<Integer> threads,
-                               Map<Key<?>, Place> places) {
+public record SceneDescription(Lesson lesson, Settings settings, Contents contents, Drawing drawing,
+        OutputDescription output, Map<Key<?>, Place> places) {
 
     /**
-     * Returns the same scene with another solver, step and duration.
+     * What a scene is about.
      *
-     * @param otherSolver     a solver's name
-     * @param otherTolerances its tolerances; only for adaptive solvers
-     * @param otherDeltaT     the time step (s)
-     * @param otherDuration   the duration of the run (s)
-     * @return the description; the scene builder checks it
+     * @param title   a few words
+     * @param teaches a sentence or two
      */
-    public SceneDescription solvedBy(String otherSolver, Optional<Tolerances> otherTolerances, double otherDeltaT,
-            double otherDuration) {
-        return with(otherSolver, otherTolerances, otherDeltaT, otherDuration, threads, places);
+    public record Lesson(String title, String teaches) {
     }
 
-    SceneDescription with(String otherSolver, Optional<Tolerances> otherTolerances, double otherDeltaT,
-            double otherDuration, Optional<Integer> otherThreads, Map<Key<?>, Place> otherPlaces) {
-        return new SceneDescription(source, title, teaches, otherSolver, otherTolerances,
-                otherDeltaT, otherDuration, particles,
-                shapes,
-                springs, constraints, effects, rules, exactImpacts, camera, look,
-                output, blowUpFactor, otherThreads, otherPlaces);
+    /**
+     * How a scene is solved.
+     *
+     * @param solver       the solver
+     * @param deltaT       the time step (s)
+     * @param duration     the duration of the run (s)
+     * @param exactImpacts whether steps are split at impacts
+     * @param threads      the number of threads that evaluate forces, if given
+     * @param blowUpFactor the factor by which the kinetic energy may exceed the energy estimated for the scene
+     */
+    public record Settings(SolverDescription solver, double deltaT, double duration, boolean exactImpacts,
+            Optional<Integer> threads, double blowUpFactor) {
+    }
+
+    /**
+     * What moves, and by which laws.
+     *
+     * @param particles   the single particles, first in the state
+     * @param shapes      the shapes, whose particles follow
+     * @param springs     the springs outside shapes
+     * @param constraints the rods and wires
+     * @param effects     the effects that the scene names
+     * @param rules       the rules that it names
+     */
+    public record Contents(List<ParticleDescription> particles, List<ShapeDescription> shapes,
+            List<SpringDescription> springs, ConstraintDescription constraints, List<Chosen<EffectKind>> effects,
+            List<Chosen<RuleKind>> rules) {
+    }
+
+    /**
+     * How a scene is drawn.
+     *
+     * @param camera the camera; empty if it is to be fitted to the motion
+     * @param look   the render options
+     */
+    public record Drawing(Optional<Camera> camera, RenderOptions look) {
+    }
+
+    /** @return the title */
+    public String title() {
+        return lesson.title;
+    }
+
+    /** @return the name of the solver */
+    public String solver() {
+        return settings.solver.name();
+    }
+
+    /** @return the time step (s) */
+    public double deltaT() {
+        return settings.deltaT;
+    }
+
+    /** @return the duration of the run (s) */
+    public double duration() {
+        return settings.duration;
+    }
+
+    /**
+     * @param name a solver's name
+     * @return the same scene with this solver, without tolerances
+     */
+    public SceneDescription withSolver(String name) {
+        return withSolver(new SolverDescription(name, Optional.empty()));
+    }
+
+    /** @return the same scene with this solver */
+    public SceneDescription withSolver(SolverDescription other) {
+        return with(new Settings(other, settings.deltaT, settings.duration, settings.exactImpacts, settings.threads,
+                settings.blowUpFactor));
+    }
+
+    /**
+     * @param other a time step (s)
+     * @return the same scene with this step
+     */
+    public SceneDescription withDeltaT(double other) {
+        return with(new Settings(settings.solver, other, settings.duration, settings.exactImpacts, settings.threads,
+                settings.blowUpFactor));
+    }
+
+    /**
+     * @param other a duration (s)
+     * @return the same scene with this duration
+     */
+    public SceneDescription withDuration(double other) {
+        return with(new Settings(settings.solver, settings.deltaT, other, settings.exactImpacts, settings.threads,
+                settings.blowUpFactor));
+    }
+
+    /** @return the same scene with its forces evaluated by this number of threads */
+    public SceneDescription withThreads(int number) {
+        return with(new Settings(settings.solver, settings.deltaT, settings.duration, settings.exactImpacts,
+                Optional.of(number), settings.blowUpFactor));
+    }
+
+    private SceneDescription with(Settings other) {
+        return new SceneDescription(lesson, other, contents, drawing, output, places);
+    }
+
+    /** @return the same scene with another place of a value, for messages */
+    public SceneDescription placed(Key<?> key, Place place) {
+        Map<Key<?>, Place> all = new HashMap<>(places);
+        all.put(key, place);
+        return new SceneDescription(lesson, settings, contents, drawing, output, Map.copyOf(all));
     }
 
     /**
@@ -80,10 +152,11 @@ public record SceneDescription(String source, String title, String teaches, Stri
      * @return the number of the scene's own particles plus those from its emitters that are still alive
      */
     public double particlesAfter(double time) {
-        double count = particles.size();
-        for (ShapeDescription shape : shapes) {
+        double count = contents.particles.size();
+        for (ShapeDescription shape : contents.shapes) {
             count += shape.lattice().size();
         }
-        return count + rules.stream().mapToDouble(rule -> rule.kind().alive(rule.values(), deltaT, time)).sum();
+        return count + contents.rules.stream()
+                .mapToDouble(rule -> rule.kind().alive(rule.values(), settings.deltaT, time)).sum();
     }
 }

@@ -5,7 +5,6 @@ import deSolvers.adaptive.AdaptiveSolver;
 import deSolvers.catalog.SolverCatalog;
 import java.util.NoSuchElementException;
 import java.util.Optional;
-import java.util.function.Supplier;
 import particles.spec.ClassNames;
 import particles.spec.Key;
 import particles.spec.MappingType;
@@ -47,14 +46,10 @@ public final class SolverFormat {
         return Optional.of(new Tolerances(values.find(RELATIVE).orElse(1e-6), values.find(ABSOLUTE).orElse(1e-9)));
     }
 
-    /** @return a supplier that creates the scene's solver at each call; empty if it cannot be created */
-    public static Optional<Supplier<DESolver>> maker(SceneDescription scene, Problems problems) {
-        Supplier<DESolver> maker = () -> scene.tolerances()
-                .map(tolerances -> SolverCatalog.create(scene.solver(), tolerances.relative(), tolerances.absolute()))
-                .orElseGet(() -> SolverCatalog.create(scene.solver()));
+    /** @return the scene's solver; empty, with a problem, if it cannot be created */
+    public static Optional<DESolver> create(SceneDescription scene, Problems problems) {
         try {
-            maker.get();
-            return Optional.of(maker);
+            return Optional.of(scene.settings().solver().create());
         } catch (NoSuchElementException | IllegalArgumentException e) {
             problems.add(scene.places().get(SceneFormat.SOLVER), e.getMessage());
             return Optional.empty();

@@ -10,10 +10,9 @@ import particles.Rule;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
 import particles.teaching.marking.CommonMistake;
-import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.Draw;
+import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.NumericExercise;
 import particles.teaching.marking.Question;
 
@@ -79,8 +78,7 @@ final class BouncingBall extends NumericExercise {
                 rules: [ground: {restitution: %s, restSpeed: 1e-9}]
                 """, fall / 16, fall * (2 * bounce + 1), height, g, r);
         Scene scene = SceneBuilder.build(SceneReader.read("the exercise's scene",
-                yaml.getBytes(StandardCharsets.UTF_8)),
-                new Overrides());
+                yaml.getBytes(StandardCharsets.UTF_8)));
         Contacts contacts = new Contacts();
         scene.simulation().addObserver(contacts);
         scene.simulation().run();

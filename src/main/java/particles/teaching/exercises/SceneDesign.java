@@ -12,17 +12,16 @@ import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.experiments.energy.EnergyHistory;
-import particles.experiments.runs.SceneRun.Outcome;
 import particles.experiments.runs.SceneRun;
+import particles.experiments.runs.SceneRun.Outcome;
 import particles.law.Particles;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneException;
 import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
-import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.Draw;
+import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.Exercise;
 import particles.teaching.marking.Mark;
 
@@ -91,7 +90,7 @@ final class SceneDesign implements Exercise {
                 return Mark.wrong("does not hold: " + names(wanted(draw)).get(0) + " (here: " + description.solver()
                         + ")");
             }
-            scene = SceneBuilder.build(description, new Overrides());
+            scene = SceneBuilder.build(description);
         } catch (SceneException e) {
             return new Mark(false, e.getLines());
         } catch (InvalidPathException e) {

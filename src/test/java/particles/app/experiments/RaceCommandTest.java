@@ -2,27 +2,24 @@ package particles.app.experiments;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.nio.file.Path;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import particles.app.cli.OptionStyle;
-import particles.scene.SceneReader;
-import particles.scene.format.SceneDescription;
+import particles.scene.TestScenes;
 import picocli.CommandLine;
 
 class RaceCommandTest {
-    private static double affordable(String file, double deltaT, double duration) {
-        SceneDescription scene = SceneReader.read(Path.of("scenes", file));
-        return RaceCommand.affordable(scene.solvedBy(scene.solver(), scene.tolerances(), deltaT, duration));
+    private static double affordable(String scene, double deltaT, double duration) {
+        return RaceCommand.affordable(TestScenes.named(scene).withDeltaT(deltaT).withDuration(duration));
     }
 
     /** 4170 numbers, 4 evaluations every 2 ms: 8.34e6 a second, and 1e7 are enough. */
     @Test
     void aClothRacesOverItsFirstPartAndSmallScenesToTheirEnd() {
-        assertEquals(1, affordable("09-cloth-in-wind.yaml", 0.002, 8));
-        assertEquals(0.1, affordable("09-cloth-in-wind.yaml", 0.0002, 8), "a tenth of the step, a tenth of the time");
-        assertEquals(1.1, affordable("09-cloth-in-wind.yaml", 0.002, 1.1), "no more than that is left as it is");
-        assertEquals(12, affordable("16-soft-chain.yaml", 0.04, 12));
+        assertEquals(1, affordable("09-cloth-in-wind", 0.002, 8));
+        assertEquals(0.1, affordable("09-cloth-in-wind", 0.0002, 8), "a tenth of the step, a tenth of the time");
+        assertEquals(1.1, affordable("09-cloth-in-wind", 0.002, 1.1), "no more than that is left as it is");
+        assertEquals(12, affordable("16-soft-chain", 0.04, 12));
     }
 
     @Test

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -17,25 +16,18 @@ import particles.output.raster.CameraProjection;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
+import particles.scene.TestScenes;
 import particles.scene.format.SceneDescription;
-import particles.view.Camera;
 
 /** Cameras for scenes that name none. */
 class CameraFinderTest {
     private static final int WIDTH = 960;
     private static final int HEIGHT = 540;
 
-    private static Scene softChain(Overrides overrides) {
-        return SceneBuilder.build(described(), overrides);
-    }
+    private static final SceneDescription CHAIN = TestScenes.named("16-soft-chain");
 
-    private static SceneDescription described() {
-        return SceneReader.read(Path.of("scenes/16-soft-chain.yaml"), new StudentClasses());
-    }
-
-    private static CameraProjection view(Overrides overrides) {
-        return new CameraProjection(CameraFinder.find(softChain(overrides), described(), overrides), WIDTH, HEIGHT);
+    private static CameraProjection view(SceneDescription scene) {
+        return new CameraProjection(CameraFinder.find(scene), WIDTH, HEIGHT);
     }
 
     /** The height of the chain at the start, in pixels. */
@@ -54,15 +46,15 @@ class CameraFinderTest {
     @ParameterizedTest
     @ValueSource(strings = {"euler", "midpoint", "verlet", "adams"})
     void aRunThatBlowsUpIsSeenFromNearby(String solver) {
-        Overrides overrides = new Overrides().with("solver", solver, "-").with("deltaT", "0.2", "-");
-        double size = size(view(overrides), softChain(overrides));
+        SceneDescription chain = CHAIN.withSolver(solver).withDeltaT(0.2);
+        double size = size(view(chain), SceneBuilder.build(chain));
         assertTrue(size > HEIGHT / 8.0, solver + " shows the chain " + size + " pixels high");
     }
 
     @Test
     void aRunThatDoesNotBlowUpStaysInThePicture() {
-        Scene scene = softChain(new Overrides());
-        CameraProjection view = view(new Overrides());
+        Scene scene = SceneBuilder.build(CHAIN);
+        CameraProjection view = view(CHAIN);
         scene.simulation().addObserver(new Observer() {
             @Override
             public void moved(Motion motion) {
@@ -96,8 +88,7 @@ class CameraFinderTest {
                 .replace("DURATION", "" + duration).getBytes(StandardCharsets.UTF_8), new StudentClasses());
         Push.strength = strength;
         Push.calls = 0;
-        Camera camera = CameraFinder.find(SceneBuilder.build(described, new Overrides()), described, new Overrides());
-        return new CameraProjection(camera, WIDTH, HEIGHT);
+        return view(described);
     }
 
     /** A push of t N does 1,250 J of work on each mass of 1 kg in 10 s; at the start nothing promises 0.1 J. */

@@ -15,7 +15,6 @@ import particles.experiments.energy.EnergyLedgerRecorder;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
 
 /** The lines printed at the end of a run. */
 class SummaryTest {
@@ -26,7 +25,7 @@ class SummaryTest {
         String text = Files.readString(file).replaceFirst("solver: \\S+", "solver: " + solver)
                 .replaceFirst("deltaT: \\S+", "deltaT: " + deltaT)
                 .replaceFirst("duration: \\S+", "duration: " + duration);
-        Scene scene = SceneBuilder.build(SceneReader.read(file.toString(), text.getBytes()), new Overrides());
+        Scene scene = SceneBuilder.build(SceneReader.read(file.toString(), text.getBytes()));
         EnergyHistory energy = new EnergyHistory();
         EnergyLedgerRecorder books = new EnergyLedgerRecorder(1);
         scene.simulation().addObserver(energy);

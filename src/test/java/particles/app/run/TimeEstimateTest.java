@@ -3,7 +3,6 @@ package particles.app.run;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicLong;
@@ -13,14 +12,13 @@ import particles.Motion;
 import particles.Observer;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
+import particles.scene.TestScenes;
 import particles.scene.format.SceneDescription;
 
 /** The time estimate printed before a run, with a fake clock. */
 class TimeEstimateTest {
     private static SceneDescription scene(double duration) {
-        return SceneReader.read("x.yaml", """
+        return TestScenes.read("""
                 title: a
                 teaches: b
                 solver: rk4
@@ -29,7 +27,7 @@ class TimeEstimateTest {
                 particles:
                   - {id: bob, position: [0, 1, 0]}
                 effects: [gravity]
-                """.formatted(duration).getBytes(StandardCharsets.UTF_8));
+                """.formatted(duration));
     }
 
     /**
@@ -42,7 +40,7 @@ class TimeEstimateTest {
     }
 
     private static double seconds(LongSupplier clock, double steps) {
-        return TimeEstimate.seconds(SceneBuilder.build(scene(1000), new Overrides()), steps, clock, 60_000);
+        return TimeEstimate.seconds(SceneBuilder.build(scene(1000)), steps, clock, 60_000);
     }
 
     @Test
@@ -54,7 +52,7 @@ class TimeEstimateTest {
     /** The first step ends only after the estimate was made: it is said that all 1000 steps take at least 2 s each. */
     @Test
     void aStepThatDoesNotEndIsNotWaitedFor() throws InterruptedException {
-        Scene copy = SceneBuilder.build(scene(1), new Overrides());
+        Scene copy = SceneBuilder.build(scene(1));
         CountDownLatch estimated = new CountDownLatch(1);
         CountDownLatch ended = new CountDownLatch(1);
         copy.simulation().addObserver(new Observer() {
@@ -75,7 +73,7 @@ class TimeEstimateTest {
 
     @Test
     void whatEmittersWillMakeIsCounted() {
-        SceneDescription fountain = SceneReader.read("x.yaml", """
+        SceneDescription fountain = TestScenes.read("""
                 title: a
                 teaches: b
                 solver: rk4
@@ -83,8 +81,8 @@ class TimeEstimateTest {
                 duration: 3600
                 particles: [{id: source, position: [0, 0, 0], fixed: true}]
                 rules: [emitter: {id: jet, position: [0, 0, 0], speed: 1, rate: 10}]
-                """.getBytes(StandardCharsets.UTF_8));
-        String line = TimeEstimate.of(fountain, new Overrides(), false).orElseThrow();
+                """);
+        String line = TimeEstimate.of(fountain, false).orElseThrow();
         assertTrue(line.endsWith(": 3600000 steps of up to 36001 particles"), line);
     }
 
@@ -112,12 +110,12 @@ class TimeEstimateTest {
 
     @Test
     void nothingIsSaidOfWhatIsOverSoon() {
-        assertEquals(Optional.empty(), TimeEstimate.of(scene(1), new Overrides(), true));
+        assertEquals(Optional.empty(), TimeEstimate.of(scene(1), true));
     }
 
     /** Ten hours of pictures: however fast the steps are, drawing takes its time. */
     @Test
     void picturesAreCountedToo() {
-        assertTrue(TimeEstimate.of(scene(36_000), new Overrides(), true).orElseThrow().endsWith(" pictures"));
+        assertTrue(TimeEstimate.of(scene(36_000), true).orElseThrow().endsWith(" pictures"));
     }
 }

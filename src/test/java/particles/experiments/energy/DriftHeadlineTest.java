@@ -3,7 +3,6 @@ package particles.experiments.energy;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleUnaryOperator;
@@ -18,7 +17,7 @@ import particles.experiments.energy.EnergyDrift.Kind;
 import particles.experiments.runs.SceneRun.Outcome;
 import particles.experiments.runs.SceneRun.Setting;
 import particles.experiments.runs.SolverChoice;
-import particles.scene.SceneReader;
+import particles.scene.TestScenes;
 import particles.view.DataTable;
 
 /** What the headline says of curves whose shape is known, and that it says what the table says. */
@@ -129,7 +128,7 @@ class DriftHeadlineTest {
 
     @Test
     void dampedSpringRanksVerletBehindRk4() {
-        Comparison comparison = EnergyDrift.compare(SceneReader.read(Path.of("scenes/03-damped-spring.yaml")),
+        Comparison comparison = EnergyDrift.compare(TestScenes.named("03-damped-spring"),
                 SolverChoice.list("rk4,verlet"), false, (part, what) -> { });
         assertEquals("A damped spring, numerical energy error: verlet \u22120.17 %; rk4 +0.00018 %",
                 DriftCharts.finding(comparison));

@@ -4,10 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.file.Path;
 import java.util.List;
 import java.util.NoSuchElementException;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -18,17 +16,16 @@ import particles.experiments.runs.EqualWork;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.stability.StabilityPolynomial;
 import particles.scene.SceneBuilder;
-import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
+import particles.scene.TestScenes;
 import particles.scene.format.SceneDescription;
 import particles.view.ChartData;
 
 /** On the oscillator x'' = -x, whose energy each method multiplies by |R(ih)| squared in each step. */
 class EnergyDriftTest {
-    private static final SceneDescription SPIRAL = SceneReader.read(Path.of("scenes/11-euler-spiral.yaml"));
+    private static final SceneDescription SPIRAL = TestScenes.named("11-euler-spiral");
 
     private static SceneDescription spring(double deltaT, double duration) {
-        return SPIRAL.solvedBy("euler", Optional.empty(), deltaT, duration);
+        return SPIRAL.withSolver("euler").withDeltaT(deltaT).withDuration(duration);
     }
 
     private static Comparison compare(SceneDescription scene, String solvers, boolean equalWork) {
@@ -68,7 +65,7 @@ class EnergyDriftTest {
     /** {@code gradle run -Pscene=16 -Psolver=euler} stops at t = 1.04 s for the same reason. */
     @Test
     void aBlowUpEndsWhenARunEndsIt() {
-        SceneDescription chain = SceneReader.read(Path.of("scenes/16-soft-chain.yaml"));
+        SceneDescription chain = TestScenes.named("16-soft-chain");
         Drift drift = compare(chain, "euler", false).drifts().get(0);
         assertEquals(Kind.FAILED, drift.kind());
         assertEquals(26, drift.outcome().steps());
@@ -80,7 +77,7 @@ class EnergyDriftTest {
 
     @Test
     void dampingIsPhysicsAndNoDrift() {
-        SceneDescription damped = SceneReader.read(Path.of("scenes/03-damped-spring.yaml"));
+        SceneDescription damped = TestScenes.named("03-damped-spring");
         Drift drift = compare(damped, "rk4", false).drifts().get(0);
         assertTrue(drift.largest() < 1e-4, "measured " + drift.largest());
     }
@@ -92,8 +89,8 @@ class EnergyDriftTest {
      */
     @Test
     void bouncesArePhysicsAndNoDrift() {
-        SceneDescription ball = SceneReader.read(Path.of("scenes/06-bouncing-ball.yaml"));
-        Comparison comparison = compare(ball.solvedBy("rk4", Optional.empty(), 0.002, 1.5),
+        SceneDescription ball = TestScenes.named("06-bouncing-ball");
+        Comparison comparison = compare(ball.withSolver("rk4").withDeltaT(0.002).withDuration(1.5),
                 "rk4, verlet, symplectic-euler",
                 false);
         for (Drift drift : comparison.drifts().subList(0, 2)) {
@@ -102,7 +99,7 @@ class EnergyDriftTest {
         }
         Drift euler = comparison.drifts().get(2);
         assertEquals(Kind.EXCHANGING, euler.kind(), "impacts take energy, so that only sizes are compared");
-        double mass = SceneBuilder.build(ball, new Overrides()).system().getParticles().mass(0);
+        double mass = SceneBuilder.build(ball).system().getParticles().mass(0);
         // measured 1.000
         assertEquals(1, euler.slope() / (-mass * 9.81 * 9.81 * 0.002 / 2 / comparison.scale()), 0.02);
     }
@@ -110,9 +107,9 @@ class EnergyDriftTest {
     /** Drops that come with energy and take it away again: the books change with each, and rk4 does not. */
     @Test
     void birthsAndDeathsArePhysicsAndNoDrift() {
-        SceneDescription fountain = SceneReader.read(Path.of("scenes/27-fountain.yaml"));
-        Comparison comparison = compare(fountain.solvedBy("rk4", Optional.empty(), 0.01, 2), "rk4, backward-euler",
-                false);
+        SceneDescription fountain = TestScenes.named("27-fountain");
+        Comparison comparison = compare(fountain.withSolver("rk4").withDeltaT(0.01).withDuration(2),
+                "rk4, backward-euler", false);
         assertTrue(comparison.drifts().get(0).largest() < 2e-10, "measured 2.2e-11, now "
                 + comparison.drifts().get(0).largest());
         assertEquals(-0.05, comparison.drifts().get(1).slope(), 0.01, "what backward Euler does is seen");

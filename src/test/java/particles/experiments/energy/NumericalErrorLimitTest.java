@@ -9,23 +9,19 @@ import deSolvers.DESolver;
 import deSolvers.EulerSolver;
 import deSolvers.RK4Solver;
 import deSolvers.implicit.BackwardEulerSolver;
-import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.NumericalErrorException;
 import particles.ParticleSystem;
 import particles.Simulation;
-import particles.SimulationException;
 import particles.effects.Gravity;
 import particles.effects.LinearDrag;
 import particles.effects.Wind;
 import particles.effects.springs.SpringForce;
 import particles.law.Vector3;
-import particles.scene.SceneBuilder;
-import particles.scene.SceneReader;
 import particles.scene.Scene;
-import particles.scene.format.Overrides;
+import particles.scene.TestScenes;
 
 /** Which numerical errors fail a run: gains without a cause, and no others. */
 class NumericalErrorLimitTest {
@@ -130,8 +126,7 @@ class NumericalErrorLimitTest {
      */
     @Test
     void anErrorThatIsASmallPartOfWhatIsPutInDoesNotFail() {
-        Scene scene = SceneBuilder.build(SceneReader.read("drops.yaml", DROPS.getBytes(StandardCharsets.UTF_8)),
-                new Overrides());
+        Scene scene = TestScenes.build(DROPS);
         EnergyLedgerRecorder books = new EnergyLedgerRecorder(1);
         EnergyHistory energy = new EnergyHistory();
         scene.simulation().addObserver(energy);

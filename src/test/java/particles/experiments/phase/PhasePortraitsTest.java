@@ -4,20 +4,19 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import particles.experiments.phase.PhasePortraits.Portrait;
 import particles.experiments.phase.PhasePortraits.Portraits;
 import particles.experiments.runs.SolverChoice;
-import particles.scene.SceneReader;
+import particles.scene.TestScenes;
 import particles.scene.format.SceneDescription;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 
 class PhasePortraitsTest {
-    private static final SceneDescription SPIRAL = SceneReader.read(Path.of("scenes/11-euler-spiral.yaml"));
+    private static final SceneDescription SPIRAL = TestScenes.named("11-euler-spiral");
 
     private static Portraits compare(SceneDescription scene, String solvers) {
         return PhasePortraits.compare(scene, SolverChoice.list(solvers), List.of("block"), List.of(Axis.X),
@@ -67,23 +66,23 @@ class PhasePortraitsTest {
 
     @Test
     void whatFliesAwayIsMarked() {
-        List<Portrait> portraits = compare(SPIRAL.solvedBy("euler", Optional.empty(), 1, 12), "euler").portraits();
+        List<Portrait> portraits = compare(SPIRAL.withDeltaT(1).withDuration(12), "euler").portraits();
         List<ChartData.Series> series = portraits.get(0).chart().series();
         assertEquals(Mark.FAILURES, series.get(4).mark());
         assertTrue(series.get(1).x().length < 13, "it is drawn as far as the picture goes");
         assertTrue(portraits.get(0).whole(), "but the run came to its end");
-        List<Portrait> longer = compare(SPIRAL.solvedBy("euler", Optional.empty(), 2, 200), "euler").portraits();
+        List<Portrait> longer = compare(SPIRAL.withDeltaT(2).withDuration(200), "euler").portraits();
         assertFalse(longer.get(0).whole());
         assertEquals("Spiral: euler blows up", PhasePortraits.finding("Spiral", longer));
     }
 
     @Test
     void withoutAxesEachParticleIsSeenAlongItsWidest() {
-        SceneDescription ball = SceneReader.read(Path.of("scenes/06-bouncing-ball.yaml"));
-        Portraits portraits = PhasePortraits.compare(ball.solvedBy("rk4", Optional.empty(), ball.deltaT(), 0.5),
+        SceneDescription ball = TestScenes.named("06-bouncing-ball");
+        Portraits portraits = PhasePortraits.compare(ball.withSolver("rk4").withDuration(0.5),
                 SolverChoice.list("rk4"), List.of("ball"), List.of(), Optional.empty(), (part, what) -> { });
         assertEquals(List.of(Axis.Y), portraits.portraits().stream().map(Portrait::axis).toList());
-        Portraits both = PhasePortraits.compare(ball.solvedBy("rk4", Optional.empty(), ball.deltaT(), 0.5),
+        Portraits both = PhasePortraits.compare(ball.withSolver("rk4").withDuration(0.5),
                 SolverChoice.list("rk4,verlet"), List.of("ball"), List.of(Axis.Z, Axis.Y), Optional.empty(),
                 (part, what) -> { });
         assertEquals(List.of(Axis.Z, Axis.Z, Axis.Y, Axis.Y), both.portraits().stream().map(Portrait::axis).toList());
@@ -107,8 +106,8 @@ class PhasePortraitsTest {
 
     @Test
     void aSceneMayShowAnAngleAboutAnotherParticle() {
-        SceneDescription pendulum = SceneReader.read(Path.of("scenes/41-double-pendulum.yaml"));
-        Portraits portraits = PhasePortraits.compare(pendulum.solvedBy("rk4", Optional.empty(), pendulum.deltaT(), 1),
+        SceneDescription pendulum = TestScenes.named("41-double-pendulum");
+        Portraits portraits = PhasePortraits.compare(pendulum.withSolver("rk4").withDuration(1),
                 SolverChoice.list("rk4"), List.of("hand"), List.of(Axis.ANGLE), Optional.of("elbow"),
                 (part, what) -> { });
         ChartData chart = portraits.portraits().get(0).chart();

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -17,19 +16,19 @@ import particles.experiments.race.Race.Result;
 import particles.experiments.runs.EqualTime;
 import particles.experiments.runs.FrameStates;
 import particles.experiments.runs.SolverChoice;
-import particles.scene.SceneReader;
+import particles.scene.TestScenes;
 import particles.scene.format.SceneDescription;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.DataTable;
 
 class RaceTest {
-    private static final SceneDescription SPIRAL = SceneReader.read(Path.of("scenes/11-euler-spiral.yaml"));
-    private static final SceneDescription CHAIN = SceneReader.read(Path.of("scenes/16-soft-chain.yaml"));
+    private static final SceneDescription SPIRAL = TestScenes.named("11-euler-spiral");
+    private static final SceneDescription CHAIN = TestScenes.named("16-soft-chain");
     private static final Race.ObserverFactory NOBODY = (scene, solver, extent) -> List.of();
 
     private static SceneDescription lasting(SceneDescription scene, double duration) {
-        return scene.solvedBy("rk4", Optional.empty(), scene.deltaT(), duration);
+        return scene.withSolver("rk4").withDuration(duration);
     }
 
     private static Result run(SceneDescription scene, String solvers, int frames, Race.ObserverFactory observers) {
@@ -133,7 +132,7 @@ class RaceTest {
     /** On the parabola of a stone three solvers are off by some 1e-14 m of 4 m, which says nothing about them. */
     @Test
     void roundOffMakesNoWinner() {
-        SceneDescription stone = SceneReader.read(Path.of("scenes/01-falling-particle.yaml"));
+        SceneDescription stone = TestScenes.named("01-falling-particle");
         assertEquals("midpoint, rk4 and verlet stay nearest to the reference",
                 RaceCharts.finding(run(stone, "euler, midpoint, rk4, verlet", 30, NOBODY)));
     }
@@ -171,7 +170,7 @@ class RaceTest {
     @Test
     void whoCannotDoWithLessSetsTheTimeOfAll() {
         // rk4 makes 240 evaluations, radau 304
-        SceneDescription scene = CHAIN.solvedBy("rk4", Optional.empty(), 0.05, 3);
+        SceneDescription scene = CHAIN.withSolver("rk4").withDeltaT(0.05).withDuration(3);
         Result result = new Race(scene, SolverChoice.list("rk4, backward-euler, radau, verlet"), 30,
                 outcome -> 1e-6 * outcome.evaluations()).run(NOBODY, (part, what) -> { });
         assertEquals("radau", result.shares().slowest().orElseThrow().label());
@@ -236,7 +235,7 @@ class RaceTest {
     /** By evaluations too: bulirsch-stoer needs more than the 800 of rk4 with a step of 0.06 s. */
     @Test
     void whoNeedsMoreEvaluationsSetsThoseOfAll() {
-        Result race = run(CHAIN.solvedBy("rk4", Optional.empty(), 0.06, 12),
+        Result race = run(CHAIN.withSolver("rk4").withDeltaT(0.06).withDuration(12),
                 "midpoint, rk4, step-doubling, bulirsch-stoer, verlet", 240, NOBODY);
         assertEquals("bulirsch-stoer", race.shares().slowest().orElseThrow().label());
         assertTrue(race.shares().work() > 800, "now " + race.shares().work());
@@ -250,7 +249,7 @@ class RaceTest {
     /** An adaptive solver is compared at the ends of its steps; the cubic between them is 1e-3 off. */
     @Test
     void whatIsInterpolatedIsNoError() {
-        SceneDescription fine = CHAIN.solvedBy("rk4", Optional.empty(), 0.002, 3);
+        SceneDescription fine = CHAIN.withSolver("rk4").withDeltaT(0.002).withDuration(3);
         Result race = run(fine, "dormand-prince, rk4", 300, NOBODY);
         Lane lane = race.lanes().get(0);
         int known = (int) Arrays.stream(lane.distance()).filter(d -> d >= 0).count();

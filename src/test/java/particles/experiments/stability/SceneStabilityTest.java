@@ -3,8 +3,6 @@ package particles.experiments.stability;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -12,8 +10,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.spectrum.Spectrum;
 import particles.experiments.stability.SceneStability.Limit;
-import particles.scene.SceneFiles;
-import particles.scene.SceneReader;
+import particles.scene.TestScenes;
 import particles.scene.format.SceneDescription;
 
 /** On chains of n unit masses between two walls, whose largest omega is 2 sin(n pi / (2 (n + 1))). */
@@ -32,7 +29,7 @@ class SceneStabilityTest {
                     .append(", stiffness: 1, restLength: 1")
                     .append(damping).append("}\n");
         }
-        return SceneReader.read("chain.yaml", text.toString().getBytes(StandardCharsets.UTF_8));
+        return TestScenes.read(text.toString());
     }
 
     private static List<Limit> limits(SceneDescription scene, String solvers) {
@@ -117,7 +114,7 @@ class SceneStabilityTest {
      */
     @Test
     void growthOfTheMotionItselfIsPhysics() {
-        SceneDescription scene = SceneReader.read("snap.yaml", ("""
+        SceneDescription scene = TestScenes.read("""
                 title: snap
                 teaches: growth that is physics
                 solver: rk4
@@ -130,7 +127,7 @@ class SceneStabilityTest {
                 springs:
                   - {from: a, to: m, stiffness: 100, restLength: 1.01}
                   - {from: m, to: b, stiffness: 100, restLength: 1.01}
-                """).getBytes(StandardCharsets.UTF_8));
+                """);
         Spectrum spectrum = SceneStability.spectrum(scene);
         // transverse: 2 k (restLength - 1)/m = 2 grows as e^(sqrt 2 t)
         assertEquals(Math.sqrt(2), spectrum.growth(), 1e-9);
@@ -158,6 +155,6 @@ class SceneStabilityTest {
     }
 
     private static SceneDescription scene(String name) {
-        return SceneReader.read(SceneFiles.find(Path.of("scenes"), name));
+        return TestScenes.named(name);
     }
 }

@@ -24,7 +24,6 @@ import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 import particles.view.CurveView;
 import particles.view.ParticleStyle;
@@ -46,8 +45,8 @@ class FrameLayoutTest {
     @MethodSource("scenes")
     void wordsAreClearOfBodiesAndBodiesAreInThePicture(Path file) {
         SceneDescription described = SceneReader.read(file, new StudentClasses());
-        Scene scene = SceneBuilder.build(described, new Overrides());
-        FrameSetup setup = new FrameSetup(CameraFinder.find(scene, described, new Overrides()), scene.look(),
+        Scene scene = SceneBuilder.build(described);
+        FrameSetup setup = new FrameSetup(CameraFinder.find(described), described.drawing().look(),
                 scene.scenery(), described.title(), described.solver() + ", deltaT = " + described.deltaT() + " s");
         Layout layout = new Layout(setup, scene.simulation().getDuration());
         scene.simulation().addObserver(layout);

@@ -2,10 +2,9 @@ package particles.scene.checks;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import particles.scene.SceneReader;
+import particles.scene.TestScenes;
 import particles.scene.format.SceneDescription;
 import particles.spec.messages.Problems;
 
@@ -28,7 +27,7 @@ class MemoryEstimateTest {
 
     private static SceneDescription read(String text) {
         String head = "title: a\nteaches: b\ndeltaT: 0.01\nduration: 10\n";
-        return SceneReader.read("x.yaml", (head + text).getBytes(StandardCharsets.UTF_8));
+        return TestScenes.read(head + text);
     }
 
     private static void assertCovers(double measured, int side, String solver) {

@@ -1,0 +1,69 @@
+package particles.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.BiFunction;
+import java.util.function.UnaryOperator;
+import particles.scene.checks.RunLimits;
+import particles.scene.format.SceneDescription;
+import particles.scene.format.SceneFormat;
+import particles.scene.format.SolverFormat;
+import particles.spec.Key;
+import particles.spec.messages.Place;
+import particles.spec.messages.Problems;
+
+/** Options that replace values of a scene's file; each is read once, and checked as the file's own value is. */
+public final class Overrides {
+    private final List<UnaryOperator<SceneDescription>> changes = new ArrayList<>();
+    private final Problems problems = new Problems();
+
+    /**
+     * Reads an option.
+     *
+     * @param name   {@code solver}, {@code deltaT}, {@code duration} or {@code threads}
+     * @param text   the value as it was typed
+     * @param option the option as it was typed, such as {@code -PdeltaT}, for messages
+     * @return this
+     */
+    public Overrides with(String name, String text, String option) {
+        Place place = Place.of(option);
+        switch (name) {
+            case "solver" -> read(SceneFormat.SOLVER, SolverFormat.NAME, SceneDescription::withSolver, text, place);
+            case "deltaT" -> read(SceneFormat.DELTA_T, SceneFormat.DELTA_T, SceneDescription::withDeltaT, text, place);
+            case "duration" -> read(SceneFormat.DURATION, SceneFormat.DURATION, SceneDescription::withDuration, text,
+                    place);
+            case "threads" -> read(SceneFormat.THREADS, SceneFormat.THREADS, SceneDescription::withThreads, text,
+                    place);
+            default -> throw new IllegalArgumentException("no option replaces '" + name + "'");
+        }
+        return this;
+    }
+
+    private <T> void read(Key<?> replaced, Key<T> type, BiFunction<SceneDescription, T, SceneDescription> change,
+            String text, Place place) {
+        type.type().readOption(text, place.toString(), problems).ifPresent(value ->
+                changes.add(scene -> change.apply(scene, value).placed(replaced, place)));
+    }
+
+    /** @throws SceneException with a line for each wrong option */
+    public void check() {
+        SceneException.throwIfAny(problems);
+    }
+
+    /**
+     * @param scene a scene's description
+     * @return the description with these values in place of its own
+     * @throws SceneException with a line for each wrong option
+     */
+    public SceneDescription applyTo(SceneDescription scene) {
+        check();
+        SceneDescription changed = scene;
+        for (UnaryOperator<SceneDescription> change : changes) {
+            changed = change.apply(changed);
+        }
+        Problems together = new Problems();
+        RunLimits.check(changed.deltaT(), changed.duration(), changed.places(), together);
+        SceneException.throwIfAny(together);
+        return changed;
+    }
+}
