@@ -2,7 +2,7 @@ package particles.lab.browser;
 
 import deSolvers.DESolver;
 
-/** Replaces methods that a page lacks, or that are slow there, by methods with the same names and parameters. */
+/** Replaces methods that a page lacks, or that are wrong or slow there, by methods with the same names and parameters. */
 public final class Missing {
     private static final long MEMORY = 1L << 30;
 
@@ -12,6 +12,13 @@ public final class Missing {
     /** @return a b + c, rounded twice, where Java's rounds once: processors' fused operation is not open to pages */
     public static double fma(double a, double b, double c) {
         return a * b + c;
+    }
+
+    /** @return the distance to the next larger number; that of the page's library is wrong for most numbers */
+    public static double ulp(double a) {
+        double size = Math.abs(a);
+        double next = Math.nextUp(size);
+        return next <= Double.MAX_VALUE ? next - size : size - Math.nextDown(size);
     }
 
     /**

@@ -12,13 +12,13 @@ import org.teavm.model.instructions.InvocationType;
 import org.teavm.model.instructions.InvokeInstruction;
 
 /**
- * Replaces calls of methods that a page lacks, or that are slow there, by calls of the methods of the same names in
- * {@code particles.lab.browser.Missing}.
+ * Replaces calls of methods that a page lacks, or that are wrong or slow there, by calls of the methods of the same
+ * names in {@code particles.lab.browser.Missing}.
  */
 public final class Substitutions implements ClassHolderTransformer {
     private static final String MISSING = "particles.lab.browser.Missing";
-    private static final Set<String> REPLACED = Set.of("java.lang.Math.fma", "java.lang.Runtime.maxMemory",
-            "deSolvers.catalog.SolverCatalog.ofClass", "particles.effects.springs.SpringKernel.isOrdinary");
+    private static final Set<String> REPLACED = Set.of("java.lang.Math.fma", "java.lang.Math.ulp",
+            "java.lang.Runtime.maxMemory", "deSolvers.catalog.SolverCatalog.ofClass", "particles.effects.springs.SpringKernel.isOrdinary");
 
     @Override
     public void transformClass(ClassHolder owner, ClassHolderTransformerContext context) {
