@@ -67,6 +67,9 @@ final class Browser implements AutoCloseable {
 
                 @Override
                 protected Vector3 getForce(Vector3 position, Vector3 velocity, double mass, double time) {
+                    if (acceleration > 1000 && time > 0.1) {
+                        throw new IllegalStateException("no wing lifts like that");
+                    }
                     return new Vector3(0, mass * acceleration, 0);
                 }
 

@@ -123,6 +123,24 @@ class LabPageTest extends LabPageTestCase {
         assertTrue(page.text("errors").contains("exercises.Other"), page.text("errors"));
     }
 
+    @Test
+    void anErrorInAClassIsToldInItsOwnWordsAndThePageStaysUsable() {
+        page.openScene("01-falling-particle");
+        edit("  - gravity ", "  - gravity\n  - exercises.Lift: {acceleration: 2000} #");
+        page.await("the scene with lift", () -> (Boolean) page.script(
+                "return window.lab.view.facts.energies.some(name => name.includes('Lift'));"));
+        page.click("start");
+        page.await("the error", () -> page.text("message").contains("no wing lifts like that"));
+        assertEquals("Start", page.text("start"));
+        edit("acceleration: 2000", "acceleration: 9.81");
+        page.await("the scene without the error", () -> page.text("message").isEmpty());
+        runToTheEnd();
+        page.choose("scene", "02-one-spring.yaml");
+        page.await("another scene", () -> page.text("steps").equals("0"));
+        runToTheEnd();
+        assertEquals("252", page.text("steps"));
+    }
+
     /** At least 4.5 to 1, as the Web Content Accessibility Guidelines ask of small text. */
     @ParameterizedTest
     @ValueSource(strings = {"light", "dark"})

@@ -240,9 +240,16 @@ worker.onmessage = ({data}) => ({
   },
   opened: () => opened(data),
   frame: () => shown(data),
-  phase: () => isChosen(data) && phase.set(data.points)
+  phase: () => isChosen(data) && phase.set(data.points),
+  broken: () => broken(data.message)
 })[data.type]?.();
-worker.onerror = event => { $('message').textContent = 'Error in the page: ' + event.message; };
+worker.onerror = event => broken(event.message);
+
+function broken(message) {
+  setPlaying(false);
+  $('message').textContent = 'Internal error; please report it: ' + message;
+}
+
 
 $('scene').onchange = () => choose($('scene').value);
 $('start').onclick = () => playing ? pause() : start();

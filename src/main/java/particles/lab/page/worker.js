@@ -16,6 +16,18 @@ function tell(more) {
   return message;
 }
 
+/** An error that nobody expected is told in the program's own words; what is asked next is done as ever. */
+function guarded(work) {
+  return message => {
+    try {
+      work(message);
+    } catch (error) {
+      playing = false;
+      postMessage({type: 'broken', message: error.message || String(error)});
+    }
+  };
+}
+
 function open(message) {
   playing = false;
   const facts = JSON.parse(openScene(message.file, message.text, message.solver, message.deltaT, message.tolerance));
@@ -55,7 +67,7 @@ function tick() {
 function later(started) {
   if (!ticking) {
     ticking = true;
-    setTimeout(tick, Math.max(0, 16 - (performance.now() - started)));
+    setTimeout(guarded(tick), Math.max(0, 16 - (performance.now() - started)));
   }
 }
 
@@ -81,4 +93,5 @@ const commands = {
     postMessage({type: 'state', ...JSON.parse(status()), state: exactState()});
   }
 };
-onmessage = event => commands[event.data.type](event.data);
+const handle = guarded(message => commands[message.type](message));
+onmessage = event => handle(event.data);
