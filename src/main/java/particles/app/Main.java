@@ -2,6 +2,7 @@ package particles.app;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
@@ -74,32 +75,18 @@ public final class Main {
      * @return all commands, in the order in which help lists them; build.gradle has a task for each
      */
     public static List<ProgramCommand> commands(OptionStyle style, StopRequest stop) {
-        return List.of(new RunCommand(SCENES, style, stop), new ScenesCommand(SCENES), new GalleryCommand(SCENES),
-                new SolversCommand(),
-                new LectureFiguresCommand(style),
-                new EnergyDriftCommand(style),
-                new WorkPrecisionCommand(style),
-                new StiffGalleryCommand(style),
-                new PhasePlotsCommand(style),
-                new StabilityCommand(style),
-                new EffectCostCommand(style),
-                new StiffClothCommand(style),
-                new RaceCommand(style),
-                new ReportCommand(style, experiments(style)),
-                new LabCommand(SCENES, exercises(), style),
-                new CheckSolverCommand(),
-                new NewClassCommand.NewSolver(exercises(), style),
-                new NewClassCommand.NewEffect(exercises(), style),
-                new CheckEffectCommand(),
-                new ExercisesCommand(style),
-                new ExerciseCommand(style),
-                new GradeCommand(exercises(), style));
-    }
-
-    /** The experiments of the report, in its order. */
-    private static List<ExperimentCommand> experiments(OptionStyle style) {
-        return List.of(new LectureFiguresCommand(style), new EnergyDriftCommand(style), new PhasePlotsCommand(style),
-                new RaceCommand(style), new WorkPrecisionCommand(style), new StiffGalleryCommand(style),
-                new StabilityCommand(style), new EffectCostCommand(style), new StiffClothCommand(style));
+        // in the order of the report
+        List<ExperimentCommand> experiments = List.of(new LectureFiguresCommand(style), new EnergyDriftCommand(style),
+                new PhasePlotsCommand(style), new RaceCommand(style), new WorkPrecisionCommand(style),
+                new StiffGalleryCommand(style), new StabilityCommand(style), new EffectCostCommand(style),
+                new StiffClothCommand(style));
+        List<ProgramCommand> commands = new ArrayList<>(List.of(new RunCommand(SCENES, style, stop),
+                new ScenesCommand(SCENES), new GalleryCommand(SCENES), new SolversCommand()));
+        commands.addAll(experiments);
+        commands.addAll(List.of(new ReportCommand(style, experiments), new LabCommand(SCENES, exercises(), style),
+                new CheckSolverCommand(), new NewClassCommand.NewSolver(exercises(), style),
+                new NewClassCommand.NewEffect(exercises(), style), new CheckEffectCommand(),
+                new ExercisesCommand(style), new ExerciseCommand(style), new GradeCommand(exercises(), style)));
+        return commands;
     }
 }

@@ -37,13 +37,23 @@ public final class SceneReader {
      * @throws SceneException with everything that is wrong with it
      */
     public static SceneDescription read(Path file, ClassNames classes) {
-        String source = file.toString().replace('\\', '/');
+        return read(nameOf(file), bytes(file), classes);
+    }
+
+    /** @return a file's name in messages: its path, with slashes on any system */
+    public static String nameOf(Path file) {
+        return file.toString().replace('\\', '/');
+    }
+
+    /**
+     * @param file a file
+     * @return its bytes
+     * @throws SceneException if it cannot be read
+     */
+    public static byte[] bytes(Path file) {
         Problems problems = new Problems();
-        Optional<byte[]> bytes = SourceText.read(file, new Reading(source, problems));
-        if (bytes.isEmpty()) {
-            throw new SceneException(problems.lines());
-        }
-        return read(source, bytes.get(), classes);
+        return SourceText.read(file, new Reading(nameOf(file), problems))
+                .orElseThrow(() -> new SceneException(problems.lines()));
     }
 
     /**

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.regex.PatternSyntaxException;
+import particles.app.cli.Mistakes;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Program;
 import particles.app.experiments.ExperimentCommand;
@@ -46,15 +47,12 @@ final class BenchmarkCommand extends ExperimentCommand {
     }
 
     @Override
-    protected String name() {
-        return NAME;
-    }
-
-    @Override
-    protected List<Runnable> checks() {
-        return List.of(() -> requireWithin("forks", forks, 1, Integer.MAX_VALUE),
-                () -> requireWithin("iterations", iterations, 1, Integer.MAX_VALUE),
-                () -> positive("seconds", seconds), this::checkNames, this::folder);
+    protected void read(Mistakes mistakes) {
+        mistakes.check(() -> requireWithin("forks", forks, 1, Integer.MAX_VALUE));
+        mistakes.check(() -> requireWithin("iterations", iterations, 1, Integer.MAX_VALUE));
+        mistakes.check(() -> positive("seconds", seconds));
+        mistakes.check(this::checkNames);
+        super.read(mistakes);
     }
 
     private void checkNames() {

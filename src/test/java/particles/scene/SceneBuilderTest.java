@@ -121,8 +121,8 @@ class SceneBuilderTest {
         assertEquals("bob", phase.particle());
         assertEquals(2, phase.axis());
         assertEquals(Optional.empty(), phase.about());
-        assertEquals(64, told.description().output().width());
-        assertEquals(25, told.description().output().frameRate());
+        assertEquals(64, told.description().output().frames().width());
+        assertEquals(25, told.description().output().frames().rate());
     }
 
     /** A glow is visible by night only, so night is its default. */

@@ -76,19 +76,15 @@ public final class Program {
         CommandLine program = new CommandLine(new Root());
         // finding options by reflection is slow, so it is done for all commands only if none is named
         List<ProgramCommand> named = commands.stream().filter(command -> args.length > 0
-                && name(command).equals(args[0])).toList();
+                && command.name().equals(args[0])).toList();
         for (ProgramCommand command : named.isEmpty() ? commands : named) {
-            program.addSubcommand(name(command), new CommandLine(command));
+            program.addSubcommand(command.name(), new CommandLine(command));
         }
         // no @file arguments; all errors are reported together
         program.setExpandAtFiles(false);
         collectErrors(program.getCommandSpec());
         program.getSubcommands().values().forEach(line -> collectErrors(line.getCommandSpec()));
         return program;
-    }
-
-    private static String name(ProgramCommand command) {
-        return command.getClass().getAnnotation(Command.class).name();
     }
 
     private static void collectErrors(CommandSpec spec) {

@@ -1,14 +1,15 @@
 package particles.app.experiments;
 
 import java.util.List;
+import particles.app.cli.Mistakes;
 import particles.app.cli.OptionStyle;
 import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.work.EffectCost;
 import particles.experiments.work.EffectCost.Cost;
 import particles.output.files.OutputFolder;
-import particles.output.report.ResultPage;
 import particles.output.report.Picture;
+import particles.output.report.ResultPage;
 import particles.view.ChartData;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -35,14 +36,10 @@ public final class EffectCostCommand extends ExperimentCommand {
     }
 
     @Override
-    protected String name() {
-        return NAME;
-    }
-
-    @Override
-    protected List<Runnable> checks() {
-        return List.of(() -> requireWithin("columns", columns, 2, MOST_COLUMNS),
-                () -> requireWithin("rounds", rounds, 1, Integer.MAX_VALUE), this::folder);
+    protected void read(Mistakes mistakes) {
+        mistakes.check(() -> requireWithin("columns", columns, 2, MOST_COLUMNS));
+        mistakes.check(() -> requireWithin("rounds", rounds, 1, Integer.MAX_VALUE));
+        super.read(mistakes);
     }
 
     @Override

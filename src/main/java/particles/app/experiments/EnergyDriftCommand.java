@@ -1,16 +1,15 @@
 package particles.app.experiments;
 
 import java.util.List;
+import particles.app.cli.Mistakes;
 import particles.app.cli.OptionStyle;
 import particles.experiments.energy.DriftCharts;
 import particles.experiments.energy.EnergyDrift;
 import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.runs.ProgressListener;
-import particles.experiments.runs.SolverChoice;
 import particles.output.files.OutputFolder;
-import particles.output.report.ResultPage;
 import particles.output.report.Picture;
-import particles.scene.format.SceneDescription;
+import particles.output.report.ResultPage;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -35,26 +34,14 @@ public final class EnergyDriftCommand extends ExperimentCommand {
     }
 
     @Override
-    protected String name() {
-        return NAME;
-    }
-
-    @Override
-    protected List<Runnable> checks() {
-        return List.of(() -> options.check(style()), this::scene, this::solvers, this::folder);
-    }
-
-    private SceneDescription scene() {
-        return options.scene("undamped-net", style());
-    }
-
-    private List<SolverChoice> solvers() {
-        return options.solvers("all", style());
+    protected void read(Mistakes mistakes) {
+        options.read(mistakes, this, "undamped-net", "all");
+        super.read(mistakes);
     }
 
     @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
-        Comparison comparison = EnergyDrift.compare(scene(), solvers(), equalWork, progress);
+        Comparison comparison = EnergyDrift.compare(options.scene(), options.solvers(), equalWork, progress);
         return new ResultPage(NAME, DriftCharts.finding(comparison), List.of(
                 "The energy error is the change of the total energy minus the work of drag, damping, wind,"
                         + " contacts and collisions: it is the solver's error. It is divided by the"

@@ -6,6 +6,7 @@ import java.util.Optional;
 import particles.app.cli.ChartOptions;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.PrintedProgress;
+import particles.app.cli.ResultsCommand;
 import particles.experiments.runs.ProgressListener;
 import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.NoSuchElementException;
 import java.util.Optional;
+import particles.app.cli.Mistakes;
 import particles.app.cli.OptionStyle;
 import particles.experiments.lecture.LectureFigures;
 import particles.experiments.lecture.LectureFigures.Figure;
@@ -45,13 +46,11 @@ public final class LectureFiguresCommand extends ExperimentCommand {
     }
 
     @Override
-    protected String name() {
-        return NAME;
-    }
-
-    @Override
-    protected List<Runnable> checks() {
-        return List.of(this::checkDeltaT, this::checkSteps, this::checkSolver, this::folder);
+    protected void read(Mistakes mistakes) {
+        mistakes.check(this::checkDeltaT);
+        mistakes.check(this::checkSteps);
+        mistakes.check(this::checkSolver);
+        super.read(mistakes);
     }
 
     private void checkDeltaT() {

@@ -5,7 +5,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
+import particles.app.cli.Mistakes;
 import particles.app.cli.OptionStyle;
 import particles.experiments.phase.Axis;
 import particles.experiments.phase.PhasePortraits;
@@ -20,7 +22,6 @@ import particles.output.report.ResultPage;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.format.OutputDescription.Phase;
-import particles.scene.format.SceneDescription;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -47,42 +48,42 @@ public final class PhasePlotsCommand extends ExperimentCommand {
                     + " phase plot).")
     private String about;
 
+    private Supplier<List<String>> chosenParticles;
+    private Supplier<List<Axis>> chosenAxes;
+    private Supplier<Optional<String>> pivot;
+
     /** @param style the way in which options are typed */
     public PhasePlotsCommand(OptionStyle style) {
         super(style);
     }
 
     @Override
-    protected String name() {
-        return NAME;
+    protected void read(Mistakes mistakes) {
+        options.read(mistakes, this, "euler-spiral", "euler,symplectic-euler,rk4");
+        Supplier<Scene> scene = mistakes.value(() -> SceneBuilder.build(options.scene()));
+        chosenParticles = mistakes.value(() -> ids(scene.get()));
+        chosenAxes = mistakes.value(() -> axes(phase()));
+        pivot = mistakes.value(() -> readAbout(scene.get()));
+        super.read(mistakes);
     }
 
-    @Override
-    protected List<Runnable> checks() {
-        return List.of(() -> options.check(style()), () -> ids(scene()), () -> axes(scene()), this::checkAbout,
-                () -> options.solvers("euler,symplectic-euler,rk4", style()), this::folder);
-    }
-
-    private Scene scene() {
-        return SceneBuilder.build(description());
-    }
-
-    private void checkAbout() {
-        Scene scene = scene();
+    private Optional<String> readAbout(Scene scene) {
         if (about != null) {                            // picocli leaves an option null that was not given
             checkKnown("about", about, scene);
             if (axes != null) {
                 throw wrong("about", "an angle has no axis; leave " + style().option("axes") + " out");
             }
         }
-        List<String> chosen = ids(scene);
-        about(scene).filter(chosen::contains).ifPresent(id -> {
-            throw wrong("about", "'" + id + "' has no angle about itself; choose another particle");
-        });
+        Optional<String> id = chosenAxes.get().contains(Axis.ANGLE) && about == null ? phase().flatMap(Phase::about)
+                : Optional.ofNullable(about);
+        if (id.filter(chosenParticles.get()::contains).isPresent()) {
+            throw wrong("about", "'" + id.get() + "' has no angle about itself; choose another particle");
+        }
+        return id;
     }
 
-    private SceneDescription description() {
-        return options.scene("euler-spiral", style());
+    private Optional<Phase> phase() {
+        return options.scene().output().phase();
     }
 
     private void checkKnown(String option, String id, Scene scene) {
@@ -100,7 +101,7 @@ public final class PhasePlotsCommand extends ExperimentCommand {
         Particles all = scene.system().getParticles();
         particles.forEach(id -> checkKnown("particles", id, scene));
         return particles.isEmpty()
-                ? List.of(phase(scene).map(Phase::particle).orElseGet(() -> all.id(lastFree(all))))
+                ? List.of(phase().map(Phase::particle).orElseGet(() -> all.id(lastFree(all))))
                 : particles;
     }
 
@@ -115,12 +116,12 @@ public final class PhasePlotsCommand extends ExperimentCommand {
     }
 
     /** The axes wanted; none for the axis along which a particle goes farthest. */
-    private List<Axis> axes(Scene scene) {
+    private List<Axis> axes(Optional<Phase> plot) {
         if (about != null) {
             return List.of(Axis.ANGLE);
         }
         if (axes == null) {
-            return phase(scene).map(phase -> List.of(Axis.values()[phase.axis()])).orElse(List.of());
+            return plot.map(phase -> List.of(Axis.values()[phase.axis()])).orElse(List.of());
         }
         if (!axes.matches("[xyz]+")) {
             throw wrong("axes", "'" + axes + "' has to be made of the letters x, y and z");
@@ -129,28 +130,16 @@ public final class PhasePlotsCommand extends ExperimentCommand {
                 Axis.valueOf(letter.toUpperCase(Locale.ROOT))).toList();
     }
 
-    private static Optional<Phase> phase(Scene scene) {
-        return scene.description().output().phase();
-    }
-
-    private Optional<String> about(Scene scene) {
-        return axes(scene).contains(Axis.ANGLE) && about == null ? phase(scene).flatMap(Phase::about)
-                : Optional.ofNullable(about);
-    }
-
     @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
-        SceneDescription description = description();
-        Scene scene = SceneBuilder.build(description);
-        Portraits portraits = PhasePortraits.compare(description, options.solvers("euler,symplectic-euler,rk4",
-                style()),
-                ids(scene),
-                axes(scene), about(scene), progress);
+        Portraits portraits = PhasePortraits.compare(options.scene(), options.solvers(), chosenParticles.get(),
+                chosenAxes.get(), pivot.get(), progress);
         List<Portrait> all = portraits.portraits();
-        String finding = PhasePortraits.finding(description.title(), all);
-        String caption = (axes(scene).contains(Axis.ANGLE) ? "Angular velocity over angle." : "Velocity over position.")
-                + " The pale band is the reference, dormand-prince with a tolerance of"
-                + " 1e-10. A cross is the end of a run that stopped, or the place where a path leaves the picture.";
+        String finding = PhasePortraits.finding(options.scene().title(), all);
+        boolean angle = chosenAxes.get().contains(Axis.ANGLE);
+        String caption = (angle ? "Angular velocity over angle." : "Velocity over position.")
+                + " The pale band is the reference, dormand-prince with a tolerance of 1e-10. A cross is the"
+                + " end of a run that stopped, or the place where a path leaves the picture.";
         Picture picture = all.size() == 1
                 ? Picture.phase("phase-plots", caption, all.get(0).chart(), Optional.empty())
                 : Picture.panels("phase-plots", caption, finding,

@@ -5,6 +5,8 @@ import java.math.BigDecimal;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Supplier;
+import particles.app.cli.Mistakes;
 import particles.app.cli.OptionStyle;
 import particles.experiments.race.Race;
 import particles.experiments.race.Race.Result;
@@ -51,27 +53,28 @@ public final class RaceCommand extends ExperimentCommand {
             + " (default: 20 for a second of the scene, from 40 to 300).")
     private Integer frames;
 
+    private Supplier<SceneDescription> scene;
+
     /** @param style the way in which options are typed */
     public RaceCommand(OptionStyle style) {
         super(style);
     }
 
     @Override
-    protected String name() {
-        return NAME;
+    protected void read(Mistakes mistakes) {
+        options.read(mistakes, this, "soft-chain", SOLVERS);
+        scene = mistakes.value(this::readScene);
+        mistakes.check(this::checkFrames);
+        mistakes.check(this::checkSolvers);
+        super.read(mistakes);
     }
 
-    @Override
-    protected List<Runnable> checks() {
-        return List.of(() -> options.check(style()), this::checkDuration, this::checkFrames, this::checkSolvers,
-                this::folder);
-    }
-
-    private void checkDuration() {
-        double duration = scene().duration();
-        if (!(duration > 0)) {
-            throw wrong("duration", "a race has to last longer than " + Digits.few(duration) + " s");
+    private SceneDescription readScene() {
+        SceneDescription whole = options.scene();
+        if (!(whole.duration() > 0)) {
+            throw wrong("duration", "a race has to last longer than " + Digits.few(whole.duration()) + " s");
         }
+        return options.haveDuration() ? whole : whole.withDuration(affordable(whole));
     }
 
     private void checkFrames() {
@@ -81,14 +84,9 @@ public final class RaceCommand extends ExperimentCommand {
     }
 
     private void checkSolvers() {
-        if (solvers().size() > MOST_SOLVERS) {
-            throw wrong("solvers", solvers().size() + " solvers are too many; at most " + MOST_SOLVERS);
+        if (options.solvers().size() > MOST_SOLVERS) {
+            throw wrong("solvers", options.solvers().size() + " solvers are too many; at most " + MOST_SOLVERS);
         }
-    }
-
-    private SceneDescription scene() {
-        SceneDescription scene = options.scene("soft-chain", style());
-        return options.haveDuration() ? scene : scene.withDuration(affordable(scene));
     }
 
     /** @return the scene's duration, or a round part of it that is not too much work (s) */
@@ -110,16 +108,12 @@ public final class RaceCommand extends ExperimentCommand {
 
     @Override
     protected Optional<String> estimate() {
-        SceneDescription whole = options.scene("soft-chain", style());
-        double first = scene().duration();
+        SceneDescription whole = options.scene();
+        double first = scene.get().duration();
         return first == whole.duration() ? Optional.empty() : Optional.of("the race is over the first "
                 + Digits.few(first) + " s of this scene and takes about a minute; " + style().option("duration") + "="
                 + Digits.few(whole.duration()) + " races over all of it, which takes about "
                 + Digits.few(Math.ceil(whole.duration() / first)) + " minutes");
-    }
-
-    private List<SolverChoice> solvers() {
-        return options.solvers(SOLVERS, style());
     }
 
     private int frameCount(SceneDescription scene) {
@@ -129,12 +123,11 @@ public final class RaceCommand extends ExperimentCommand {
 
     @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
-        SceneDescription scene = scene();
-        List<SolverChoice> solvers = solvers();
-        int count = frameCount(scene);
-        try (RacePictures pictures = new RacePictures(solvers.size(), count / scene.duration(), PLAYBACK)) {
-            Result race = new Race(scene, solvers, count).run(pictures, (part, what) -> progress.reached(RUNS * part,
-                    what));
+        List<SolverChoice> solvers = options.solvers();
+        int count = frameCount(scene.get());
+        try (RacePictures pictures = new RacePictures(solvers.size(), count / scene.get().duration(), PLAYBACK)) {
+            Result race = new Race(scene.get(), solvers, count).run(pictures,
+                    (part, what) -> progress.reached(RUNS * part, what));
             pictures.write(new ChartWriter(folder, format()), folder, SHEET, race,
                     part -> progress.reached(RUNS + (1 - RUNS) * part, "drawing the animation"));
             return page(race, count);

@@ -10,14 +10,18 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import particles.app.cli.ChartOptions;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.Failures;
+import particles.app.cli.Mistakes;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.PrintedProgress;
+import particles.app.cli.ResultsCommand;
 import particles.app.cli.Version;
+import particles.app.student.StudentClasses;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
 import particles.output.files.OutputException;
@@ -26,6 +30,8 @@ import particles.output.report.Report;
 import particles.output.report.Report.Section;
 import particles.output.report.ReportWriter;
 import particles.output.report.ResultPage;
+import particles.scene.SceneFiles;
+import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -39,6 +45,7 @@ import picocli.CommandLine.Option;
 public final class ReportCommand extends ResultsCommand {
     static final String NAME = "report";
     static final String FILE = "report.html";
+    private static final Path SCENES = Path.of("scenes");
     /** The solvers of a report on a scene; all would take long on large scenes. */
     private static final String SOLVERS = "euler,midpoint,rk4,symplectic-euler,verlet";
     private static final String SCENE_OPTION = "--scene";
@@ -66,6 +73,10 @@ public final class ReportCommand extends ResultsCommand {
             description = "Experiments, separated by commas (default: ${DEFAULT-VALUE}).")
     private String names = "all";
 
+    private Supplier<Optional<SceneDescription>> about;
+    private Supplier<List<SolverChoice>> choices;
+    private Supplier<List<ExperimentCommand>> chosen;
+
     /**
      * @param style       the way in which options are typed, for messages
      * @param experiments the experiments of the report, in this order
@@ -76,20 +87,17 @@ public final class ReportCommand extends ResultsCommand {
     }
 
     @Override
-    protected String name() {
-        return NAME;
-    }
-
-    @Override
-    protected List<Runnable> checks() {
+    protected void read(Mistakes mistakes) {
         // a wrong scene is reported here, before the experiments run
-        return List.of(this::about, () -> new SceneOptions().solvers(solvers(), style()), this::chosen, this::folder);
+        about = mistakes.value(this::readScene);
+        choices = mistakes.value(() -> solverChoices(solvers()));
+        chosen = mistakes.value(this::readNames);
+        super.read(mistakes);
     }
 
     @Override
     public void run(PrintWriter lines) {
-        Optional<SceneDescription> about = about();
-        List<ExperimentCommand> chosen = chosen();
+        List<ExperimentCommand> chosen = this.chosen.get();
         if (chosen.size() > FEW) {
             int minutes = (chosen.size() + 3) / 4;          // measured: nine experiments take 130 s
             lines.println("about " + minutes + (minutes == 1 ? " minute; " : " minutes; ")
@@ -105,7 +113,7 @@ public final class ReportCommand extends ResultsCommand {
                 sections.add(section(experiment, (part, what) ->
                         progress.reached((done + part) / chosen.size(), experiment.name() + ", " + what)));
             }
-            ReportWriter.write(folder, FILE, new Report(title(about), text(about, chosen), sections,
+            ReportWriter.write(folder, FILE, new Report(title(), text(), sections,
                     String.format(Locale.ROOT,
                     "Made by gradle report of DESolver %s in %.0f s.", Version.CURRENT,
                     (System.nanoTime() - begin) * NANO)));
@@ -119,16 +127,17 @@ public final class ReportCommand extends ResultsCommand {
                 folder().resolve(FILE));
     }
 
-    private Optional<SceneDescription> about() {
+    private Optional<SceneDescription> readScene() {
         // picocli leaves options null that were not given
-        return scene == null ? Optional.empty() : Optional.of(new SceneOptions().scene(scene, style()));
+        return scene == null ? Optional.empty()
+                : Optional.of(SceneReader.read(SceneFiles.find(SCENES, scene), new StudentClasses()));
     }
 
     private String solvers() {
         return solvers != null ? solvers : SOLVERS;
     }
 
-    private List<ExperimentCommand> chosen() {
+    private List<ExperimentCommand> readNames() {
         if (names.strip().equals("all")) {
             return experiments;
         }
@@ -199,20 +208,20 @@ public final class ReportCommand extends ResultsCommand {
         return lines.toString().lines().limit(MOST_LINES).map(String::strip).collect(Collectors.joining("\n"));
     }
 
-    private static String title(Optional<SceneDescription> about) {
-        return about.map(description -> description.title() + ": what accuracy costs").orElse("What accuracy costs");
+    private String title() {
+        return about.get().map(description -> description.title() + ": what").orElse("What") + " accuracy costs";
     }
 
-    private List<String> text(Optional<SceneDescription> about, List<ExperimentCommand> chosen) {
+    private List<String> text() {
         List<String> text = new ArrayList<>();
-        about.ifPresent(description -> {
+        about.get().ifPresent(description -> {
             text.add(description.lesson().teaches());
             text.add("Experiments that run a scene use this one, with " + String.join(", ",
-                    SolverChoice.list(solvers()).stream().map(SolverChoice::label).toList())
+                    choices.get().stream().map(SolverChoice::label).toList())
                     + "; the others use their own problems.");
         });
         text.add("Stability, accuracy and energy: "
-                + chosen.size() + (chosen.size() == 1 ? " experiment" : " experiments")
+                + chosen.get().size() + (chosen.get().size() == 1 ? " experiment" : " experiments")
                 + " with the course's solvers.");
         text.add("Click a column's head to sort a table, or a picture to enlarge it. The numbers behind each"
                 + " picture, with all digits, are in the folder with the experiment's name beside this page.");

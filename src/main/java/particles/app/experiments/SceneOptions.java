@@ -2,10 +2,10 @@ package particles.app.experiments;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.NoSuchElementException;
-import particles.app.cli.ExitCode;
-import particles.app.cli.Failure;
+import java.util.function.Supplier;
+import particles.app.cli.Mistakes;
 import particles.app.cli.OptionStyle;
+import particles.app.cli.ResultsCommand;
 import particles.app.student.StudentClasses;
 import particles.experiments.runs.SolverChoice;
 import particles.scene.Overrides;
@@ -31,15 +31,16 @@ final class SceneOptions {
     @Option(names = "--duration", paramLabel = "SECONDS", description = "A duration other than the scene's.")
     private String duration;
 
-    /** @return the scene in the options, or this one by default, with overrides applied */
-    SceneDescription scene(String standard, OptionStyle style) {
-        Path file = SceneFiles.find(SCENES, scene == null ? standard : scene);
-        return overrides(style).applyTo(SceneReader.read(file, new StudentClasses()));
-    }
+    private Supplier<SceneDescription> description;
+    private Supplier<List<SolverChoice>> choices;
 
-    /** Checks the options that override a value of the scene. */
-    void check(OptionStyle style) {
-        overrides(style).check();
+    /** Reads the options; these scene and solvers are the default. */
+    void read(Mistakes mistakes, ResultsCommand command, String standardScene, String standardSolvers) {
+        Overrides overrides = overrides(command.style());
+        mistakes.check(overrides::check);
+        description = mistakes.value(() -> overrides.applyTo(SceneReader.read(
+                SceneFiles.find(SCENES, scene == null ? standardScene : scene), new StudentClasses())));
+        choices = mistakes.value(() -> command.solverChoices(solvers == null ? standardSolvers : solvers));
     }
 
     private Overrides overrides(OptionStyle style) {
@@ -58,12 +59,13 @@ final class SceneOptions {
         return duration != null;
     }
 
-    /** @return the solvers in the options, or these by default */
-    List<SolverChoice> solvers(String standard, OptionStyle style) {
-        try {
-            return SolverChoice.list(solvers == null ? standard : solvers);
-        } catch (NoSuchElementException | IllegalArgumentException e) {
-            throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("solvers") + ": " + e.getMessage());
-        }
+    /** @return the scene, with the options in place of its own values */
+    SceneDescription scene() {
+        return description.get();
+    }
+
+    /** @return the solvers */
+    List<SolverChoice> solvers() {
+        return choices.get();
     }
 }

@@ -10,9 +10,9 @@ import particles.experiments.spectrum.Spectrum;
 import particles.experiments.stability.SceneStability;
 import particles.experiments.stability.SceneStability.Limit;
 import particles.experiments.stability.SceneStabilityCharts;
-import particles.output.report.ResultPage;
 import particles.output.charts.Panel;
 import particles.output.report.Picture;
+import particles.output.report.ResultPage;
 import particles.scene.format.SceneDescription;
 import particles.view.ChartData;
 import particles.view.DataTable;
@@ -27,9 +27,8 @@ final class SceneStabilityPage {
     }
 
     /** @return the page of a scene with at least one mode that does not grow by itself */
-    static ResultPage measure(SceneDescription scene, List<SolverChoice> solvers, ProgressListener progress) {
-        progress.reached(0, "the spectrum of the scene's start");
-        Spectrum spectrum = SceneStability.spectrum(scene);
+    static ResultPage measure(SceneDescription scene, Spectrum spectrum, List<SolverChoice> solvers,
+            ProgressListener progress) {
         Mode fastest = spectrum.modes().stream().filter(mode -> mode.re() <= 0).findFirst().orElseThrow();
         List<Limit> limits = SceneStability.measure(scene, spectrum, solvers, progress);
         progress.reached(0.9, "outlines of the regions");

@@ -2,9 +2,13 @@ package particles.app.experiments;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.Supplier;
+import particles.app.cli.Mistakes;
 import particles.app.cli.OptionStyle;
 import particles.app.student.StudentClasses;
 import particles.experiments.runs.ProgressListener;
+import particles.experiments.runs.SolverChoice;
+import particles.experiments.spectrum.Spectrum;
 import particles.experiments.stability.SceneStability;
 import particles.experiments.stability.StabilityLimits;
 import particles.experiments.stability.StabilityRegion;
@@ -40,20 +44,30 @@ public final class StabilityCommand extends ExperimentCommand {
             description = "The step at which growth is reported, instead of the scene's.")
     private String deltaT = "";
 
+    private Supplier<List<SolverChoice>> choices;
+    private Supplier<SceneDescription> description;
+    private Supplier<Spectrum> spectrum;
+
     /** @param style the way in which options are typed */
     public StabilityCommand(OptionStyle style) {
         super(style);
     }
 
     @Override
-    protected String name() {
-        return NAME;
-    }
-
-    @Override
-    protected List<Runnable> checks() {
-        return List.of(() -> requireScene("solvers", solvers), () -> requireScene("deltaT", deltaT),
-                () -> solverChoices(solvers.isEmpty() ? "all" : solvers), this::checkScene, this::folder);
+    protected void read(Mistakes mistakes) {
+        mistakes.check(() -> requireScene("solvers", solvers));
+        mistakes.check(() -> requireScene("deltaT", deltaT));
+        choices = mistakes.value(() -> solverChoices(solvers.isEmpty() ? "all" : solvers));
+        if (!scene.isEmpty()) {
+            Overrides overrides = new Overrides();
+            if (!deltaT.isEmpty()) {
+                overrides.with("deltaT", deltaT, style().option("deltaT"));
+            }
+            description = mistakes.value(() -> overrides.applyTo(
+                    SceneReader.read(SceneFiles.find(SCENES, scene), new StudentClasses())));
+            spectrum = mistakes.value(this::readSpectrum);
+        }
+        super.read(mistakes);
     }
 
     private void requireScene(String option, String value) {
@@ -62,28 +76,19 @@ public final class StabilityCommand extends ExperimentCommand {
         }
     }
 
-    private void checkScene() {
-        if (!scene.isEmpty()) {
-            if (SceneStability.spectrum(described()).modes().stream().noneMatch(mode -> mode.re() <= 0)) {
-                throw wrong("scene",
-                        "this scene has no vibration or damping at its start that limits a step; choose a scene"
-                                + " with springs, drag or rods between free particles");
-            }
+    private Spectrum readSpectrum() {
+        Spectrum found = SceneStability.spectrum(description.get());
+        if (found.modes().stream().noneMatch(mode -> mode.re() <= 0)) {
+            throw wrong("scene", "this scene has no vibration or damping at its start that limits a step; choose a"
+                    + " scene with springs, drag or rods between free particles");
         }
-    }
-
-    private SceneDescription described() {
-        Overrides overrides = new Overrides();
-        if (!deltaT.isEmpty()) {
-            overrides.with("deltaT", deltaT, style().option("deltaT"));
-        }
-        return overrides.applyTo(SceneReader.read(SceneFiles.find(SCENES, scene), new StudentClasses()));
+        return found;
     }
 
     @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
-        return scene.isEmpty() ? limits(progress) : SceneStabilityPage.measure(described(),
-                solverChoices(solvers.isEmpty() ? "all" : solvers), progress);
+        return scene.isEmpty() ? limits(progress)
+                : SceneStabilityPage.measure(description.get(), spectrum.get(), choices.get(), progress);
     }
 
     private static ResultPage limits(ProgressListener progress) {

@@ -22,11 +22,6 @@ public final class StiffClothCommand extends ExperimentCommand {
     }
 
     @Override
-    protected String name() {
-        return NAME;
-    }
-
-    @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         List<Row> rows = StiffCloth.measure(StiffCloth.SWEEP, progress);
         return new ResultPage(NAME, StiffCloth.finding(rows), List.of(

@@ -2,6 +2,7 @@ package particles.app.experiments;
 
 import java.util.ArrayList;
 import java.util.List;
+import particles.app.cli.Mistakes;
 import particles.app.cli.OptionStyle;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
@@ -9,8 +10,8 @@ import particles.experiments.work.StiffCharts;
 import particles.experiments.work.StiffGallery;
 import particles.experiments.work.StiffGallery.Sweep;
 import particles.output.files.OutputFolder;
-import particles.output.report.ResultPage;
 import particles.output.report.Picture;
+import particles.output.report.ResultPage;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -28,24 +29,22 @@ public final class StiffGalleryCommand extends ExperimentCommand {
             description = "Decades of stiffness above 1 N/m, 5 to 8 (default: ${DEFAULT-VALUE}).")
     private int decades = 8;
 
+    private List<SolverChoice> choices;
+
     /** @param style the way in which options are typed */
     public StiffGalleryCommand(OptionStyle style) {
         super(style);
     }
 
     @Override
-    protected String name() {
-        return NAME;
-    }
-
-    @Override
-    protected List<Runnable> checks() {
-        return List.of(() -> solverChoices(solvers), () -> requireWithin("decades", decades, 5, 8), this::folder);
+    protected void read(Mistakes mistakes) {
+        mistakes.check(() -> choices = solverChoices(solvers));
+        mistakes.check(() -> requireWithin("decades", decades, 5, 8));
+        super.read(mistakes);
     }
 
     @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
-        List<SolverChoice> choices = solverChoices(solvers);
         List<Sweep> sweeps = new ArrayList<>();
         for (SolverChoice choice : choices) {
             progress.reached((double) sweeps.size() / choices.size(), choice.label());

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.NoSuchElementException;
 import java.util.Optional;
+import particles.app.cli.Mistakes;
 import particles.app.cli.OptionStyle;
 import particles.experiments.lecture.CostExercise;
 import particles.experiments.lecture.CostExercise.Cost;
@@ -45,23 +46,24 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
             description = "Solvers, separated by commas (default: ${DEFAULT-VALUE}).")
     private String solvers = "all";
 
+    private List<SolverChoice> choices;
+    private List<String> names;
+
     /** @param style the way in which options are typed */
     public WorkPrecisionCommand(OptionStyle style) {
         super(style);
     }
 
     @Override
-    protected String name() {
-        return NAME;
+    protected void read(Mistakes mistakes) {
+        mistakes.check(() -> choices = solverChoices(solvers));
+        mistakes.check(this::readProblems);
+        super.read(mistakes);
     }
 
-    @Override
-    protected List<Runnable> checks() {
-        return List.of(() -> solverChoices(solvers), this::checkProblems, this::folder);
-    }
-
-    private void checkProblems() {
-        for (String name : names()) {
+    private void readProblems() {
+        names = names();
+        for (String name : names) {
             if (!WorkProblems.NAMES.contains(name)) {
                 try {
                     WorkProblems.of(name);
@@ -75,7 +77,7 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
     /** Measured: six problems with all solvers take 70 s on two idle cores, and twice that on busy ones. */
     @Override
     protected Optional<String> estimate() {
-        double seconds = SECONDS_A_CURVE * names().size() * solverChoices(solvers).size();
+        double seconds = SECONDS_A_CURVE * names.size() * choices.size();
         return seconds < LONG ? Optional.empty() : Optional.of("this takes about " + Math.round(seconds / 60)
                 + (seconds < 90 ? " minute" : " minutes") + "; " + style().option("problem") + " or "
                 + style().option("solvers") + " with fewer names takes less");
@@ -94,8 +96,6 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
     @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         Map<WorkProblem, List<Curve>> all = new LinkedHashMap<>();
-        List<String> names = names();
-        List<SolverChoice> choices = solverChoices(solvers);
         for (String name : names) {
             progress.reached((double) all.size() / names.size(), name + ", the reference");
             WorkProblem solved = WorkProblems.of(name);

@@ -45,7 +45,7 @@ public final class CameraFinder {
         return scene.drawing().camera().orElseGet(() -> {
             Box box = rehearse(SceneBuilder.build(scene));
             return CameraFraming.around(box.low, box.high,
-                    (double) scene.output().width() / scene.output().height());
+                    (double) scene.output().frames().width() / scene.output().frames().height());
         });
     }
 

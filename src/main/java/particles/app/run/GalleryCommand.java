@@ -63,7 +63,7 @@ public final class GalleryCommand extends ProgramCommand {
         Scene scene = SceneBuilder.build(described.withDuration(moment));
         FrameSetup stage = new FrameSetup(camera, withTrails(scene, moment), scene.scenery(), "", "");
         FrameRenderer renderer = new FrameRenderer(stage, WIDTH, HEIGHT, 2);
-        double framesPerSecond = Math.max(described.output().frameRate(), 20 / moment);
+        double framesPerSecond = Math.max(described.output().frames().rate(), 20 / moment);
         try (FrameObserver frames = new FrameObserver(renderer, Math.round(framesPerSecond * moment) / moment,
                 List.of(new LastFrame(picture, WIDTH, HEIGHT)))) {
             scene.simulation().addObserver(frames);

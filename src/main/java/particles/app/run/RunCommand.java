@@ -1,31 +1,48 @@
 package particles.app.run;
 
+import deSolvers.text.Digits;
 import java.io.PrintWriter;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import particles.NumericalErrorException;
+import particles.SimulationException;
 import particles.app.cli.ChartOptions;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
+import particles.app.cli.FolderSize;
+import particles.app.cli.Mistakes;
 import particles.app.cli.OptionStyle;
-import particles.app.cli.ProgramCommand;
+import particles.app.cli.ResultsCommand;
+import particles.app.student.StudentClasses;
+import particles.experiments.energy.NumericalErrorLimit;
+import particles.messages.BlowUpMessage;
+import particles.messages.FrictionMessage;
+import particles.output.files.OutputFolder;
+import particles.output.files.RunSummaryWriter;
 import particles.scene.Overrides;
+import particles.scene.Scene;
+import particles.scene.SceneBuilder;
 import particles.scene.SceneFiles;
+import particles.scene.SceneReader;
+import particles.scene.format.OutputDescription;
 import particles.scene.format.OutputDescription.Video;
+import particles.scene.format.SceneDescription;
+import particles.threads.ParallelForces;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** {@code gradle run}: runs a scene and writes frames, an animation, plots and numbers. */
+/**
+ * {@code gradle run}: runs a scene and writes frames, an animation, plots and numbers. The folder of results is
+ * complete even if the run ends early.
+ */
 @Command(name = "run",
         description = "Runs a scene: pictures, an animation, energy and phase-space plots, the trajectory.")
-public final class RunCommand extends ProgramCommand {
-    private static final Path RESULTS = Path.of("build", "out");
-
+public final class RunCommand extends ResultsCommand {
     @Option(names = "--scene", paramLabel = "NAME", defaultValue = SceneFiles.DEFAULT,
             description = "The scene: a file, or the name or number of one in scenes (default: ${DEFAULT-VALUE}).")
-    private String scene;
+    private String wanted;
 
     @Option(names = "--solver", paramLabel = "NAME", description = "A solver other than the scene's.")
     private String solver;
@@ -40,9 +57,6 @@ public final class RunCommand extends ProgramCommand {
             description = "How many threads evaluate the forces of a large system (default: one for each processor).")
     private String threads;
 
-    @Option(names = "--out", paramLabel = "FOLDER", description = "Where the results go (default: build/out/NAME).")
-    private String out;
-
     @Option(names = "--frames", arity = "0..1", fallbackValue = "true", defaultValue = "true",
             paramLabel = "true|false",
             description = "Whether to draw pictures (default: true).")
@@ -56,8 +70,10 @@ public final class RunCommand extends ProgramCommand {
     private final ChartOptions charts = new ChartOptions();
 
     private final Path scenes;
-    private final OptionStyle style;
     private final StopRequest stop;
+    private String name = "";
+    private String hash = "";
+    private SceneDescription description;
 
     /**
      * @param scenes the folder of scenes
@@ -65,24 +81,23 @@ public final class RunCommand extends ProgramCommand {
      * @param stop   tells the run when it has to end early
      */
     public RunCommand(Path scenes, OptionStyle style, StopRequest stop) {
+        super(style);
         this.scenes = scenes;
-        this.style = style;
         this.stop = stop;
     }
 
     @Override
-    protected List<Runnable> checks() {
-        return List.of(this::file, () -> overrides().check(), this::checkVideo, this::folder);
+    protected String folderName() {
+        return name.isBlank() || name.startsWith(".") ? "scene" + name : name;
     }
 
     @Override
-    public void run(PrintWriter lines) {
-        new RunJob(file(), overrides(), folder(), frames, Optional.ofNullable(video), charts.format(), style,
-                stop).run(lines);
-    }
-
-    private Path file() {
-        return SceneFiles.find(scenes, scene);
+    protected void read(Mistakes mistakes) {
+        Overrides overrides = overrides();
+        mistakes.check(overrides::check);
+        mistakes.check(() -> readScene(overrides));
+        super.read(mistakes);
+        mistakes.check(this::checkVideo);
     }
 
     private Overrides overrides() {
@@ -94,32 +109,93 @@ public final class RunCommand extends ProgramCommand {
         return overrides;
     }
 
+    private void override(Overrides overrides, String option, String value) {
+        if (value != null) {                            // picocli leaves an option null that was not given
+            overrides.with(option, value, style().option(option));
+        }
+    }
+
+    private void readScene(Overrides overrides) {
+        Path file = SceneFiles.find(scenes, wanted);
+        byte[] bytes = SceneReader.bytes(file);
+        name = SceneName.of(file).whole();
+        hash = FileHash.of(bytes);
+        SceneDescription scene = overrides.applyTo(
+                SceneReader.read(SceneReader.nameOf(file), bytes, new StudentClasses()));
+        OutputDescription output = scene.output();
+        description = scene.withOutput(!frames ? output.withoutFrames()
+                : video != null ? output.withVideo(video) : output);
+        SceneBuilder.checkPictures(description, style().option("frames"));
+    }
+
     private void checkVideo() {
         if (!frames && video == Video.MP4) {
-            throw new Failure(ExitCode.BAD_INPUT, style.option("video") + "=mp4 needs pictures; remove "
-                    + style.option("frames") + "=false");
+            throw new Failure(ExitCode.BAD_INPUT, style().option("video") + "=mp4 needs pictures; remove "
+                    + style().option("frames") + "=false");
         }
     }
 
-    private void override(Overrides overrides, String name, String value) {
-        if (value != null) {                            // picocli leaves an option null that was not given
-            overrides.with(name, value, style.option(name));
-        }
-    }
-
-    private Path folder() {
-        if (out == null) {
-            String name = SceneName.of(file()).whole();
-            return RESULTS.resolve(name.isBlank() || name.startsWith(".") ? "scene" + name : name);
-        }
-        try {
-            if (!out.isBlank()) {
-                return Path.of(out);
+    @Override
+    public void run(PrintWriter out) {
+        Scene scene = SceneBuilder.build(description);
+        TimeEstimate.of(description).ifPresent(line -> {
+            out.println(line);
+            out.flush();
+        });
+        List<String> files = RunObservers.files(description.output(), charts.format());
+        try (OutputFolder folder = OutputFolder.open(folder(), files.toArray(String[]::new))) {
+            stop.addLastResort(folder::close);
+            Progress progress = new Progress(out, description.duration(), System::nanoTime);
+            RunObservers observers = new RunObservers(scene, folder);
+            Optional<String> early;
+            try (observers) {
+                observers.add(progress);
+                observers.add(new StopObserver(stop));
+                observers.add(new NumericalErrorLimit(observers.energy(), observers.books(), scene.energyEstimate()));
+                early = simulateOrDiscard(scene, folder, observers);
             }
-        } catch (InvalidPathException e) {
-            throw new Failure(ExitCode.BAD_INPUT, style.option("out") + ": '" + out + "' is not a folder name: "
-                    + e.getReason());
+            Summary summary = new Summary(name, hash, scene, observers.energy(), observers.books(),
+                    progress.seconds());
+            RunSummaryWriter.write(folder, summary.record());
+            observers.drawCharts(charts.format());
+            summary.lines(early.isPresent()).forEach(out::println);
+            out.println("files in " + folder() + ": " + String.join(", ", files));
+            FolderSize.notice(folder(), style()).ifPresent(out::println);
+            early.ifPresent(why -> {
+                throw new Failure(ExitCode.STOPPED, why);
+            });
         }
-        throw new Failure(ExitCode.BAD_INPUT, style.option("out") + " needs a folder name");
+    }
+
+    /** If a run fails, for example on a full disk, incomplete files are deleted. */
+    private Optional<String> simulateOrDiscard(Scene scene, OutputFolder folder, RunObservers observers) {
+        try {
+            return simulate(scene, observers);
+        } catch (RuntimeException | Error e) {
+            folder.discard();
+            throw e;
+        }
+    }
+
+    /** @return the reason why the run ended early, if it did */
+    private Optional<String> simulate(Scene scene, RunObservers observers) {
+        ParallelForces.use(scene.system(),
+                description.settings().threads().orElseGet(Runtime.getRuntime()::availableProcessors));
+        try {
+            scene.simulation().run();
+            return Optional.empty();
+        } catch (SimulationException e) {
+            if (!(e instanceof NumericalErrorException error) || error.isEarly()) {
+                observers.showEnd((BlowUpMessage.isBlowUp(e) ? "blew up" : "stopped") + " at t = "
+                        + Digits.few(e.getTime()) + " s");
+            }
+            return FrictionMessage.of(scene, style()::option,
+                    e).or(() -> Optional.of(new BlowUpMessage(scene, style()::option).of(e)));
+        } catch (StoppedException e) {
+            return Optional.of(e.getMessage() + " at t = " + Digits.few(scene.system().getTime()) + " s of "
+                    + Digits.few(description.duration()) + " s");
+        } finally {
+            ParallelForces.use(scene.system(), 1);
+        }
     }
 }

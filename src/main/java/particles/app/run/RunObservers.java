@@ -16,6 +16,7 @@ import particles.output.animation.GifAnimation;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartWriter;
 import particles.output.files.OutputFolder;
+import particles.output.files.RunSummaryWriter;
 import particles.output.files.TrajectoryWriter;
 import particles.output.frames.FrameObserver;
 import particles.output.frames.FrameRenderer;
@@ -25,6 +26,7 @@ import particles.output.frames.LastSteps;
 import particles.output.frames.PngFrames;
 import particles.scene.Scene;
 import particles.scene.format.OutputDescription;
+import particles.scene.format.OutputDescription.Frames;
 import particles.scene.format.OutputDescription.Video;
 import particles.view.Camera;
 import particles.view.ChartData;
@@ -37,6 +39,8 @@ final class RunObservers implements AutoCloseable {
     /** The largest number of energy samples; each costs about half an evaluation. */
     private static final long MOST_ENERGIES = 100_000;
 
+    private static final String ENERGY = "energy.png";
+    private static final String PHASE = "phase.png";
     private static final int ANIMATION_WIDTH = 640;
     private static final int MOST_DECIMALS = 6;
 
@@ -48,6 +52,31 @@ final class RunObservers implements AutoCloseable {
     private final Optional<PhaseHistory> phase;
     private Optional<FrameObserver> frames = Optional.empty();
     private Optional<LastSteps> lastSteps = Optional.empty();
+
+    /**
+     * @param output the scene's output settings
+     * @param charts the format of charts
+     * @return the names of the files that a run writes, the most interesting first
+     */
+    static List<String> files(OutputDescription output, ChartFormat charts) {
+        List<String> names = new ArrayList<>();
+        addIf(output.frames().drawn(), OutputFolder.FRAMES, names);
+        addIf(output.frames().animation(), GifAnimation.FILE, names);
+        addIf(output.frames().video() == Video.MP4, Film.FILE, names);
+        for (String end : charts.svg() ? List.of(ChartWriter.PNG, ChartWriter.SVG) : List.of(ChartWriter.PNG)) {
+            addIf(output.energy(), ENERGY.replace(ChartWriter.PNG, end), names);
+            addIf(output.phase().isPresent(), PHASE.replace(ChartWriter.PNG, end), names);
+        }
+        names.add(TrajectoryWriter.FILE);
+        names.add(RunSummaryWriter.FILE);
+        return names;
+    }
+
+    private static void addIf(boolean wanted, String name, List<String> names) {
+        if (wanted) {
+            names.add(name);
+        }
+    }
 
     /**
      * @param scene  a scene that is about to run
@@ -69,6 +98,9 @@ final class RunObservers implements AutoCloseable {
         add(energy);
         add(books);
         phase.ifPresent(this::add);
+        if (output.frames().drawn()) {
+            addFrames(CameraFinder.find(scene.description()), output.frames());
+        }
     }
 
     /** @param observer an observer, called after the earlier ones */
@@ -76,29 +108,23 @@ final class RunObservers implements AutoCloseable {
         scene.simulation().addObserver(observer);
     }
 
-    /**
-     * Adds observers that draw frames and make the animation and film, if wanted.
-     *
-     * @param camera the camera
-     * @param video  the kind of film
-     */
-    void addFrames(Camera camera, Video video) {
-        OutputDescription output = scene.description().output();
+    /** Adds observers that draw frames and make the animation and film, if wanted. */
+    private void addFrames(Camera camera, Frames format) {
         FrameSetup stage = new FrameSetup(camera, scene.description().drawing().look(), scene.scenery(),
                 scene.description().title(), caption());
-        int decimals = (int) Math.max(0, Math.min(MOST_DECIMALS, Math.ceil(Math.log10(output.frameRate()))));
-        FrameRenderer renderer = new FrameRenderer(stage, output.width(), output.height(), decimals);
-        List<FrameSink> sinks = new ArrayList<>(List.of(new PngFrames(folder, output.width(), output.height())));
-        if (output.animation()) {
-            sinks.add(new GifAnimation(folder, renderer, ANIMATION_WIDTH, output.frameRate()));
+        int decimals = (int) Math.max(0, Math.min(MOST_DECIMALS, Math.ceil(Math.log10(format.rate()))));
+        FrameRenderer renderer = new FrameRenderer(stage, format.width(), format.height(), decimals);
+        List<FrameSink> sinks = new ArrayList<>(List.of(new PngFrames(folder, format.width(), format.height())));
+        if (format.animation()) {
+            sinks.add(new GifAnimation(folder, renderer, ANIMATION_WIDTH, format.rate()));
         }
-        if (video == Video.MP4) {
-            sinks.add(new Film(folder, output.width(), output.height(), output.frameRate()));
+        if (format.video() == Video.MP4) {
+            sinks.add(new Film(folder, format.width(), format.height(), format.rate()));
         }
-        FrameObserver observer = new FrameObserver(renderer, output.frameRate(), sinks);
+        FrameObserver observer = new FrameObserver(renderer, format.rate(), sinks);
         frames = Optional.of(observer);
         add(observer);
-        LastSteps last = new LastSteps(camera, output.width(), output.height());
+        LastSteps last = new LastSteps(camera, format.width(), format.height());
         lastSteps = Optional.of(last);
         add(last);
     }
@@ -144,7 +170,7 @@ final class RunObservers implements AutoCloseable {
         if (scene.description().output().energy()) {
             List<ChartData> charts = new ArrayList<>(List.of(energy.chart(title)));
             charts.addAll(books.charts(energy.getScale(), energy.hasGrown()));
-            writer.write(RunFiles.ENERGY, charts);
+            writer.write(ENERGY, charts);
         }
         phase.ifPresent(history -> drawPhase(writer, history,
                 Axis.values()[scene.description().output().phase().orElseThrow().axis()], title));
@@ -155,7 +181,7 @@ final class RunObservers implements AutoCloseable {
         ChartData path = history.chart(axis, title);
         ChartData.Series states = path.series().get(0);
         Optional<VectorField> field = VectorFields.around(system, axis, states.x(), states.y());
-        writer.writePhase(RunFiles.PHASE, path, field);
+        writer.writePhase(PHASE, path, field);
     }
 
     /** The caption: solver and settings of this run. */

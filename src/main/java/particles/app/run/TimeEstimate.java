@@ -9,6 +9,7 @@ import particles.Observer;
 import particles.SimulationException;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
+import particles.scene.format.OutputDescription.Frames;
 import particles.scene.format.SceneDescription;
 
 /**
@@ -35,23 +36,22 @@ final class TimeEstimate {
     }
 
     /**
-     * @param scene  what is to be run
-     * @param frames whether pictures are drawn
+     * @param scene what is to be run
      * @return a line, if the run takes long
      */
-    static Optional<String> of(SceneDescription scene, boolean frames) {
-        Scene copy = SceneBuilder.build(scene);
+    static Optional<String> of(SceneDescription scene) {
         double steps = Math.ceil(scene.duration() / scene.deltaT());
-        double particles = Math.max(copy.system().getParticles().count(),
-                scene.particlesAfter(scene.duration()));
+        double atStart = scene.particlesAfter(0);
+        double particles = Math.max(atStart, scene.particlesAfter(scene.duration()));
         if (steps * Math.max(1, particles) < LITTLE) {
             return Optional.empty();
         }
-        double pictures = frames ? scene.duration() * scene.output().frameRate() : 0;
-        double drawing = pictures * PER_PIXEL * scene.output().width() * scene.output().height();
-        double stepping = seconds(copy, steps, System::nanoTime, PATIENCE);
+        Frames frames = scene.output().frames();
+        double pictures = frames.drawn() ? scene.duration() * frames.rate() : 0;
+        double drawing = pictures * PER_PIXEL * frames.width() * frames.height();
+        double stepping = seconds(SceneBuilder.build(scene), steps, System::nanoTime, PATIENCE);
         double mean = scene.particlesAfter(scene.duration() / 2);
-        double growth = (mean + OVERHEAD) / (copy.system().getParticles().count() + OVERHEAD);
+        double growth = (mean + OVERHEAD) / (atStart + OVERHEAD);
         double seconds = Math.max(drawing, stepping * Math.max(1, growth));
         return seconds < LONG ? Optional.empty() : Optional.of(line(seconds, steps,
                 (growth > 1 ? "up to " : "") + counted(particles), pictures));

@@ -56,9 +56,6 @@ abstract class CheckCommand extends ProgramCommand {
         static final String NOT_CHECKED = "it cannot be checked.";
     }
 
-    /** @return the command's name, which is its task's */
-    abstract String name();
-
     /** @return the option that names the class to check, and its value */
     abstract String subject();
 

@@ -8,8 +8,8 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import particles.law.Effect;
 import particles.output.report.ResultPage;
-import particles.teaching.Finding.Kind;
 import particles.teaching.Finding;
+import particles.teaching.Finding.Kind;
 import particles.teaching.effects.EffectCheck;
 import particles.teaching.effects.EffectLaw;
 import particles.teaching.effects.EffectSample;
@@ -28,11 +28,6 @@ public final class CheckEffectCommand extends CheckCommand {
     @Option(names = "--effect", paramLabel = "NAME", required = true, description = "An effect's name, as in scenes;"
             + " springs or damped-springs; or the class of your own.")
     private String effect;
-
-    @Override
-    String name() {
-        return NAME;
-    }
 
     @Override
     String subject() {

@@ -8,16 +8,16 @@ import java.util.NoSuchElementException;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.app.cli.ChartOptions;
-import particles.output.report.ResultPage;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.Panel;
 import particles.output.report.Picture;
+import particles.output.report.ResultPage;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.GuardedRun;
 import particles.teaching.GuardedRun.Outcome;
-import particles.teaching.solvers.SolverCheck;
 import particles.teaching.figures.SolverFigures;
+import particles.teaching.solvers.SolverCheck;
 import particles.teaching.solvers.SolverVerdict;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -45,11 +45,6 @@ public final class CheckSolverCommand extends CheckCommand {
     @Override
     ChartFormat format() {
         return charts.format();
-    }
-
-    @Override
-    String name() {
-        return NAME;
     }
 
     @Override

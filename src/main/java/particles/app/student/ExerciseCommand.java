@@ -1,9 +1,9 @@
 package particles.app.student;
 
 import java.io.PrintWriter;
-import java.util.List;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
+import particles.app.cli.Mistakes;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.ProgramCommand;
 import particles.teaching.exercises.Exercises;
@@ -38,8 +38,9 @@ public final class ExerciseCommand extends ProgramCommand {
     }
 
     @Override
-    protected List<Runnable> checks() {
-        return List.of(this::checkNumber, this::checkStudent);
+    protected void read(Mistakes mistakes) {
+        mistakes.check(this::checkNumber);
+        mistakes.check(this::checkStudent);
     }
 
     private void checkNumber() {

@@ -3,6 +3,7 @@ package particles.scene.checks;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import java.util.Locale;
+import particles.scene.format.OutputDescription.Frames;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
 import particles.scene.parts.ShapeDescription;
@@ -44,10 +45,11 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
         boolean removed = scene.contents().rules().stream().anyMatch(rule -> rule.kind().removes());
         // if a rule removes particles, their number is unknown; at least those of one step exist
         double particles = scene.particlesAfter(removed ? scene.deltaT() : scene.duration());
+        Frames frames = scene.output().frames();
         double trail = scene.drawing().look().style().trail();
         double samples = trail == 0 ? 0
-                : SAMPLES_WAITING + Math.min(MOST_SAMPLES, SAMPLES_PER_FRAME * scene.output().frameRate() * trail);
-        double pixels = (double) scene.output().width() * scene.output().height();
+                : SAMPLES_WAITING + Math.min(MOST_SAMPLES, SAMPLES_PER_FRAME * frames.rate() * trail);
+        double pixels = (double) frames.width() * frames.height();
         double perParticle = BYTES_PER_PARTICLE + bytesOfSolver(scene.solver(), particles)
                 + BYTES_PER_TRAIL_SAMPLE * samples;
         return new MemoryEstimate(particles, springs,

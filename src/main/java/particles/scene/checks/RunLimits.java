@@ -33,8 +33,8 @@ public final class RunLimits {
      * @param problems receives a problem if there would be too many
      */
     public static void checkPictures(SceneDescription scene, String option, Problems problems) {
-        double frameRate = scene.output().frameRate();
-        if (scene.duration() * frameRate > MOST_FRAMES) {
+        double frameRate = scene.output().frames().rate();
+        if (scene.output().frames().drawn() && scene.duration() * frameRate > MOST_FRAMES) {
             problems.add(scene.places().get(SceneFormat.DURATION), "a duration of "
                     + Wording.number(scene.duration()) + " s needs more than a million pictures at frameRate = "
                     + Wording.number(frameRate) + "; " + option + "=false draws none");

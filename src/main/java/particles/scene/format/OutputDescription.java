@@ -17,17 +17,26 @@ import particles.spec.messages.Place;
 /**
  * The output of a run: pictures, films, plots and the trajectory.
  *
- * @param frameRate        pictures per second of simulated time
- * @param width            their width in pixels
- * @param height           their height in pixels
- * @param animation        whether to make an animated GIF of them
- * @param video            the film to make of them
+ * @param frames           the pictures
  * @param energy           whether energies are plotted
  * @param phase            the phase-space plot, if there is one
  * @param trajectoryStride write every n-th step to the trajectory; empty for the default
  */
-public record OutputDescription(double frameRate, int width, int height, boolean animation, Video video,
-                                boolean energy, Optional<Phase> phase, Optional<Integer> trajectoryStride) {
+public record OutputDescription(Frames frames, boolean energy, Optional<Phase> phase,
+        Optional<Integer> trajectoryStride) {
+
+    /**
+     * The pictures of the motion.
+     *
+     * @param drawn     whether they are drawn
+     * @param rate      how many there are for a second of simulated time
+     * @param width     their width in pixels
+     * @param height    their height in pixels
+     * @param animation whether to make an animated GIF of them
+     * @param video     the film to make of them
+     */
+    public record Frames(boolean drawn, double rate, int width, int height, boolean animation, Video video) {
+    }
 
     /** The kind of film. */
     public enum Video {
@@ -108,9 +117,20 @@ public record OutputDescription(double frameRate, int width, int height, boolean
 
     /** @return the output with these values */
     public static OutputDescription of(Values values) {
-        return new OutputDescription(values.get(FRAME_RATE), values.get(WIDTH), values.get(HEIGHT),
-                values.get(ANIMATION),
-                Video.find(values.get(VIDEO)).orElseThrow(), values.get(ENERGY), values.find(PHASE).map(Phase::of),
-                        values.find(TRAJECTORY_STRIDE));
+        return new OutputDescription(new Frames(true, values.get(FRAME_RATE), values.get(WIDTH), values.get(HEIGHT),
+                values.get(ANIMATION), Video.find(values.get(VIDEO)).orElseThrow()), values.get(ENERGY),
+                values.find(PHASE).map(Phase::of), values.find(TRAJECTORY_STRIDE));
+    }
+
+    /** @return the same files with another film of the pictures */
+    public OutputDescription withVideo(Video video) {
+        return new OutputDescription(new Frames(frames.drawn, frames.rate, frames.width, frames.height,
+                frames.animation, video), energy, phase, trajectoryStride);
+    }
+
+    /** @return the same files without pictures */
+    public OutputDescription withoutFrames() {
+        return new OutputDescription(new Frames(false, frames.rate, frames.width, frames.height, false, Video.NONE),
+                energy, phase, trajectoryStride);
     }
 }

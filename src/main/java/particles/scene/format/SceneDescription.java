@@ -134,6 +134,11 @@ public record SceneDescription(Lesson lesson, Settings settings, Contents conten
                 Optional.of(number), settings.blowUpFactor));
     }
 
+    /** @return the same scene with other files to write */
+    public SceneDescription withOutput(OutputDescription other) {
+        return new SceneDescription(lesson, settings, contents, drawing, other, places);
+    }
+
     private SceneDescription with(Settings other) {
         return new SceneDescription(lesson, other, contents, drawing, output, places);
     }

@@ -147,7 +147,7 @@ class ProgramTest {
         List<String> lines = err.toString().lines().toList();
         List<String> beginnings = List.of("unknown option --scnee; did you mean --scene?", "option --video: 'avi'",
                 "there is no scene 'no-such-scene'", "--solver: unknown solver 'rk5'", "--deltaT: ", "--threads: ",
-                "--out needs a folder name");
+                "option --out: needs a folder name");
         for (String beginning : beginnings) {
             assertEquals(1, lines.stream().filter(line -> line.startsWith(beginning)).count(), beginning + " in "
                     + lines);

@@ -2,6 +2,7 @@ package particles.app.experiments;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import particles.app.cli.OptionStyle;
@@ -24,12 +25,16 @@ class RaceCommandTest {
 
     @Test
     void whatIsLeftOutIsSaidBeforeAndADurationOfOnesOwnIsKept() {
-        RaceCommand race = new RaceCommand(OptionStyle.GRADLE);
-        new CommandLine(race).parseArgs("--scene=9");
+        RaceCommand race = race("--scene=9");
         assertEquals(Optional.of("the race is over the first 1 s of this scene and takes about a minute;"
                 + " -Pduration=8 races over all of it, which takes about 8 minutes"), race.estimate());
-        RaceCommand whole = new RaceCommand(OptionStyle.GRADLE);
-        new CommandLine(whole).parseArgs("--scene=9", "--duration=8");
-        assertEquals(Optional.empty(), whole.estimate());
+        assertEquals(Optional.empty(), race("--scene=9", "--duration=8").estimate());
+    }
+
+    private static RaceCommand race(String... options) {
+        RaceCommand race = new RaceCommand(OptionStyle.GRADLE);
+        new CommandLine(race).parseArgs(options);
+        assertEquals(List.of(), race.mistakes());
+        return race;
     }
 }

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.SimulationException;
 import particles.app.cli.ExitCode;
+import particles.app.cli.Mistakes;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Program;
 import particles.experiments.runs.ProgressListener;
@@ -39,15 +40,16 @@ class ReportCommandTest {
         }
 
         @Override
-        protected String name() {
-            return "shows";
+        protected void read(Mistakes mistakes) {
+            options.read(mistakes, this, "one-spring", "radau");
+            super.read(mistakes);
         }
 
         @Override
         protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
             progress.reached(0.5, "half");
-            return new ResultPage("shows", options.scene("one-spring", style()).title() + " by "
-                    + options.solvers("radau", style()).size(), List.of("So it is."), List.of(),
+            return new ResultPage("shows", options.scene().title() + " by "
+                    + options.solvers().size(), List.of("So it is."), List.of(),
                     List.of(new DataTable("t", "Numbers", List.of(DataTable.column("x")), List.of(List.of(0.125)))));
         }
     }
@@ -59,11 +61,6 @@ class ReportCommandTest {
         Fails(RuntimeException why) {
             super(OptionStyle.GRADLE);
             this.why = why;
-        }
-
-        @Override
-        protected String name() {
-            return "fails";
         }
 
         @Override

@@ -246,15 +246,15 @@ class RunCommandTest {
     @Test
     void wrongOptionsAreRefusedWithTheirPlaceBeforeAnythingIsWritten() {
         assertEnds(ExitCode.BAD_INPUT,
-                "unknown option -Pdeltat; did you mean -PdeltaT? allowed: -Pscene, -Psolver, -PdeltaT,"
-                + " -Pduration, -Pthreads, -Pout, -Pframes, -Pvideo, -Pslide, -Psvg, -Phelp", "--deltat=1");
+                "unknown option -Pdeltat; did you mean -PdeltaT? allowed: -Pout, -Pscene, -Psolver,"
+                + " -PdeltaT, -Pduration, -Pthreads, -Pframes, -Pvideo, -Pslide, -Psvg, -Phelp", "--deltat=1");
         assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is the text 'soon'; it has to be a number over 0 (s)",
                 "--deltaT=soon");
         assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is 0; it has to be a number over 0 (s)", "--deltaT=0");
         assertEnds(ExitCode.BAD_INPUT, "-Pthreads: the value is 0; it has to be a whole number from 1 to 64",
                 "--threads=0");
         assertEnds(ExitCode.BAD_INPUT, "option -Pframes has to be true or false, not 'maybe'", "--frames=maybe");
-        assertEnds(ExitCode.BAD_INPUT, "-Pout needs a folder name", "--out= ");
+        assertEnds(ExitCode.BAD_INPUT, "option -Pout: needs a folder name", "--out= ");
         assertEquals(ExitCode.BAD_INPUT, run("--solver=rk5"));
         assertTrue(errors.toString().startsWith("-Psolver: unknown solver 'rk5'; did you mean 'rk4'? known: euler,"),
                 errors.toString());

@@ -1,43 +1,44 @@
-package particles.app.experiments;
+package particles.app.cli;
 
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.NoSuchElementException;
-import particles.app.cli.ExitCode;
-import particles.app.cli.Failure;
-import particles.app.cli.OptionStyle;
-import particles.app.cli.ProgramCommand;
 import particles.experiments.runs.SolverChoice;
 import picocli.CommandLine.Option;
 
 /** A command with its own folder of results, build/out/NAME. */
-abstract class ResultsCommand extends ProgramCommand {
+public abstract class ResultsCommand extends ProgramCommand {
     private static final Path RESULTS = Path.of("build", "out");
 
     @Option(names = "--out", paramLabel = "FOLDER",
-            description = "Where the results go (default: build/out and the task's name).")
+            description = "Where the results go (default: a folder of its own in build/out).")
     private String out;
 
     private final OptionStyle style;
+    private Path folder;
 
     /** @param style the way in which options are typed, for messages */
-    ResultsCommand(OptionStyle style) {
+    protected ResultsCommand(OptionStyle style) {
         this.style = style;
     }
 
-    /** @return its task's name */
-    protected abstract String name();
+    /** @return the name of its folder in build/out */
+    protected String folderName() {
+        return name();
+    }
 
-    protected OptionStyle style() {
+    /** @return the way in which options are typed, for messages */
+    public final OptionStyle style() {
         return style;
     }
 
-    /** @return the folder of its results */
-    protected final Path folder() {
-        if (out == null) {                              // picocli leaves an option null that was not given
-            return RESULTS.resolve(name());
-        }
+    @Override
+    protected void read(Mistakes mistakes) {
+        mistakes.check(() -> folder = out == null ? RESULTS.resolve(folderName()) : typed());
+    }
+
+    private Path typed() {
         try {
             if (!out.isBlank()) {
                 return Path.of(out);
@@ -48,13 +49,18 @@ abstract class ResultsCommand extends ProgramCommand {
         throw wrong("out", "needs a folder name");
     }
 
+    /** @return the folder of its results */
+    protected final Path folder() {
+        return folder;
+    }
+
     /** @return the failure for a wrong option */
-    protected Failure wrong(String option, String why) {
+    protected final Failure wrong(String option, String why) {
         return new Failure(ExitCode.BAD_INPUT, "option " + style.option(option) + ": " + why);
     }
 
     /** @return the solvers that the option names */
-    protected final List<SolverChoice> solverChoices(String names) {
+    public final List<SolverChoice> solverChoices(String names) {
         try {
             return SolverChoice.list(names);
         } catch (NoSuchElementException | IllegalArgumentException e) {
@@ -63,7 +69,7 @@ abstract class ResultsCommand extends ProgramCommand {
     }
 
     /** Refuses a whole number that is out of its range; {@link Integer#MAX_VALUE} is no upper limit. */
-    protected void requireWithin(String option, int value, int least, int most) {
+    protected final void requireWithin(String option, int value, int least, int most) {
         if (value < least || value > most) {
             throw wrong(option, value + " has to be " + (most == Integer.MAX_VALUE ? least + " or more"
                     : "from " + least + " to " + most));
@@ -71,7 +77,7 @@ abstract class ResultsCommand extends ProgramCommand {
     }
 
     /** @return the number, if it is finite and over 0 */
-    protected double positive(String option, double value) {
+    protected final double positive(String option, double value) {
         if (!(value > 0) || !(value <= Double.MAX_VALUE)) {
             throw wrong(option, value + " has to be finite and more than 0");
         }
