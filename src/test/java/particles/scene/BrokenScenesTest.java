@@ -124,6 +124,14 @@ class BrokenScenesTest {
                 added("  - {id: tom, position: [0, 3, 0], velocity: [1, 2, 0]}\nrods:\n  - {from: bob, to: tom}\n",
                         "x.yaml:10:21: the ends of the rod from 'bob' to 'tom' move apart at 2 m/s; their"
                                 + " relative velocity must be across the rod"),
+                added("  - {id: hand, position: [0, 3, 0], fixed: true}\nrods:\n  - {from: bob, to: hand}\nrules:\n"
+                                + "  - shake: {particle: hand, amplitude: [0, 1, 0], period: 6.283185307179586}\n",
+                        "x.yaml:10:21: the ends of the rod from 'bob' to 'hand' move apart at 1 m/s; their relative"
+                                + " velocity must be across the rod; 'hand' begins with [0, 1, 0] m/s"),
+                added("  - {id: tom, position: [0, 3, 0]}\n  - {id: sue, position: [0, 7, 0]}\nrods:\n"
+                                + "  - {from: bob, to: tom}\n  - {from: tom, to: sue}\n  - {from: sue, to: bob}\n",
+                        "x.yaml:13:5: the rods between sue, tom, bob lie in one line, which only infinite forces could"
+                                + " keep straight; leave out the rod from 'sue' to 'bob'"),
                 added("wires:\n  - circle: {bead: bob, centre: [0, 3, 0], radius: 1}\n",
                         "x.yaml:9:20: 'bob' begins about 1 m off its wire; place it on the wire"),
                 added("wires:\n  - line: {bead: bob, direction: [1, 0, 0]}\nconstraints: {feedback: 100}\n",

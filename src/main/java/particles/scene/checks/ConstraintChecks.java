@@ -1,15 +1,21 @@
 package particles.scene.checks;
 
 import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.BiPredicate;
+import java.util.stream.Stream;
 import particles.law.Vector3;
 import particles.reactions.wires.Curve;
 import particles.scene.format.SceneFormat;
 import particles.scene.parts.ConstraintDescription;
 import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RodDescription;
+import particles.scene.parts.RuleKind;
 import particles.scene.parts.WireKind;
 import particles.spec.Chosen;
 import particles.spec.Key;
@@ -24,6 +30,8 @@ final class ConstraintChecks {
     private static final double ON_WIRE = 1e-3;
     /** Speeds along a rod or off a wire below this are round-off (m/s). */
     private static final double STILL = 1e-9;
+    /** Largest distance from the line of a rod that counts as on it, as a fraction of its length. */
+    private static final double IN_LINE = 1e-5;
     private static final double MOST_FEEDBACK = 0.5;
     /** The largest number of Newton steps; far from a wire each may only halve the distance. */
     private static final int MOST_STEPS = 100;
@@ -49,6 +57,7 @@ final class ConstraintChecks {
                 check(values, RodDescription.of(values));
             }
         }
+        checkLines();
         for (Chosen<WireKind> wire : scene.find(SceneFormat.WIRES).orElse(List.of())) {
             if (isKnown(wire.values(), WireKind.BEAD) && wire.values().isSound()) {
                 check(wire);
@@ -76,15 +85,70 @@ final class ConstraintChecks {
             problems.add(place, Wording.quote(rod.from()) + " and " + Wording.quote(rod.to())
                     + " are fixed; a rod between them has no effect");
         } else {
-            double rate = index.velocity(rod.to()).minus(index.velocity(rod.from())).dot(way) / way.length();
+            double rate = velocity(rod.to()).minus(velocity(rod.from())).dot(way) / way.length();
             if (Math.abs(rate) > STILL) {
                 problems.add(place, "the ends of the rod"
                         + " from " + Wording.quote(rod.from()) + " to " + Wording.quote(rod.to())
                         + " move " + (rate > 0 ? "apart" : "together") + " at " + Wording.number(Math.abs(rate))
-                        + " m/s; their relative velocity must be across the rod");
+                        + " m/s; their relative velocity must be across the rod" + moving(rod));
             }
         }
         rods.add(rod);
+    }
+
+    /** The velocity of a particle at the start; for a moving anchor, that of its motion. */
+    private Vector3 velocity(String id) {
+        return motionOf(id).map(rule -> rule.kind().startVelocity(rule.values(), index)).orElse(index.velocity(id));
+    }
+
+    private Optional<Chosen<RuleKind>> motionOf(String id) {
+        return scene.find(SceneFormat.RULES).orElse(List.of()).stream().filter(rule -> rule.values().isSound()
+                && rule.kind().anchor().flatMap(rule.values()::find).filter(id::equals).isPresent()).findFirst();
+    }
+
+    private String moving(RodDescription rod) {
+        return Stream.of(rod.from(), rod.to()).filter(id -> motionOf(id).isPresent())
+                .map(id -> "; " + Wording.quote(id) + " begins with " + components(velocity(id)) + " m/s").findFirst()
+                .orElse("");
+    }
+
+    private static String components(Vector3 v) {
+        return "[" + Wording.rounded(v.x()) + ", " + Wording.rounded(v.y()) + ", " + Wording.rounded(v.z()) + "]";
+    }
+
+    /**
+     * Refuses rods that form a triangle or polygon without area. Their lengths forbid a motion across the line, but
+     * forces along the line cannot prevent it.
+     */
+    private void checkLines() {
+        Map<String, Set<String>> joined = new HashMap<>();
+        for (RodDescription rod : rods) {
+            joined.computeIfAbsent(rod.from(), id -> new LinkedHashSet<>()).add(rod.to());
+            joined.computeIfAbsent(rod.to(), id -> new LinkedHashSet<>()).add(rod.from());
+        }
+        for (RodDescription rod : rods) {
+            List<String> line = new ArrayList<>(List.of(rod.from()));
+            for (int k = 0; k < line.size() && !line.contains(rod.to()); k++) {
+                for (String next : joined.get(line.get(k))) {
+                    if (!line.contains(next) && !(k == 0 && next.equals(rod.to())) && isOn(rod, next)) {
+                        line.add(next);
+                    }
+                }
+            }
+            if (line.size() > 1 && line.contains(rod.to())) {
+                problems.add(rod.place(), "the rods between " + Wording.some(line)
+                        + " lie in one line, which only infinite forces could keep straight; leave out the rod from "
+                        + Wording.quote(rod.from()) + " to " + Wording.quote(rod.to()));
+            }
+        }
+    }
+
+    /** Whether a particle begins on the line of a rod, between its ends. */
+    private boolean isOn(RodDescription rod, String id) {
+        Vector3 way = index.position(rod.to()).minus(index.position(rod.from()));
+        Vector3 there = index.position(id).minus(index.position(rod.from()));
+        double part = there.dot(way) / way.dot(way);
+        return part > 0 && part <= 1 && there.minus(way.times(part)).length() <= IN_LINE * way.length();
     }
 
     private void check(Chosen<WireKind> wire) {

@@ -37,6 +37,13 @@ abstract class MotionKinds extends RuleKind {
     }
 
     @Override
+    public Vector3 startVelocity(Values values, ParticleIndex index) {
+        double[] at = new double[9];
+        motion(values, index.position(values.get(PARTICLE))).at(0, at);
+        return new Vector3(at[3], at[4], at[5]);
+    }
+
+    @Override
     public Optional<Key<String>> anchor() {
         return Optional.of(PARTICLE);
     }

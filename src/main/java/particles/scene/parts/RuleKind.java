@@ -54,6 +54,11 @@ public abstract class RuleKind extends Kind {
         return Optional.empty();
     }
 
+    /** @return the velocity that the rule gives at the start to the fixed particle that it moves (m/s) */
+    public Vector3 startVelocity(Values values, ParticleIndex index) {
+        return Vector3.ZERO;
+    }
+
     /** @return the key with the prefix of new particles' ids, if the rule makes any */
     public Optional<Key<String>> newIds() {
         return Optional.empty();
