@@ -6,6 +6,8 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import particles.law.Particles;
+import particles.law.Reaction;
+import particles.law.Violation;
 
 /**
  * The simulation loop. Until the duration is over, it tells the rules that a step begins, makes the step, shows it to
@@ -15,6 +17,8 @@ import particles.law.Particles;
 public final class Simulation {
     /** The last step may be longer than deltaT by this fraction, to absorb round-off of the clock. */
     private static final double ROUNDING = 1e-6;
+    /** The largest violation of a constraint at the end of a run, relative to its scale. */
+    private static final double WRONG = 0.1;
 
     private final ParticleSystem system;
     private final DESolver solver;
@@ -137,9 +141,27 @@ public final class Simulation {
         }
     }
 
-    /** Tells observers that the run is over. */
+    /**
+     * Tells observers that the run is over.
+     *
+     * @throws SimulationException if a rod, wire or contact was violated by more than a tenth of its scale: then the
+     *         motion is wrong, whatever its energy says
+     */
     public void finish() {
         observers.forEach(observer -> observer.finished(system));
+        Violation violation = getViolation();
+        if (violation.part() > WRONG) {
+            throw new SimulationException(system.getTime(), -1, violation.what() + ": the motion is wrong", null);
+        }
+    }
+
+    /** @return the largest violation of a rod, wire or contact in the present state */
+    public Violation getViolation() {
+        Violation worst = Violation.NONE;
+        for (Reaction reaction : system.getReactions()) {
+            worst = worst.or(reaction.getViolation(system.getOwnState()));
+        }
+        return worst;
     }
 
     private void step(double h) {

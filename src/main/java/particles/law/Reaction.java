@@ -51,6 +51,14 @@ public interface Reaction {
     double getPower(double[] state, double time, double[] force);
 
     /**
+     * @param state the particles' state
+     * @return the largest violation of a constraint that the reaction enforces
+     */
+    default Violation getViolation(double[] state) {
+        return Violation.NONE;
+    }
+
+    /**
      * Called after particles were removed from the system.
      *
      * @param newIndex for each old index, the new one, or -1 if the particle was removed

@@ -73,7 +73,8 @@ public final class BlowUpMessage {
                     + scene.description().solver() + " is wrong: ") + e.getMessage() + advice(false);
         }
         return line + (e instanceof BlowUpException ? energy() + advice(false) : e.getMessage()
-                + (e.getMessage().startsWith(SimulationException.NO_HEADWAY) ? contacts() : ""));
+                + (e.getMessage().startsWith(SimulationException.NO_HEADWAY) ? contacts() : scene.simulation().isOver()
+                ? trying(step(Digits.few(deltaT / 10)) + " or " + option("solver", ADAPTIVE)) : ""));
     }
 
     /** The lines for contacts that open and close without end. */

@@ -2,6 +2,7 @@ package particles.reactions;
 
 import java.util.Arrays;
 import particles.law.Particles;
+import particles.law.Vector3;
 import particles.reactions.wires.Curve;
 
 /**
@@ -112,6 +113,13 @@ final class ConstraintRows {
         return length[rod];
     }
 
+    /** The distance of a rod's ends (m). */
+    double distance(int rod, double[] state) {
+        int a = STRIDE * from[rod];
+        int b = STRIDE * to[rod];
+        return new Vector3(state[b] - state[a], state[b + 1] - state[a + 1], state[b + 2] - state[a + 2]).length();
+    }
+
     void evaluate(double[] state) {
         for (int r = 0; r < rods; r++) {
             evaluateRod(r, state, STRIDE * from[r], STRIDE * to[r]);
@@ -172,6 +180,31 @@ final class ConstraintRows {
             }
         }
         return sum;
+    }
+
+    /**
+     * Whether the anchor of a rod pulls or pushes its other end, at rest, along the rod; then nothing can hold that
+     * end.
+     *
+     * @param accelerations the accelerations of moving anchors (m/s&sup2;), in the entries of their velocities
+     */
+    boolean isDraggedByAnchor(int row, double[] state, double[] accelerations, double[] inverseMasses) {
+        int end = row >= rods ? -1 : inverseMasses[from[row]] == 0 ? from[row] : inverseMasses[to[row]] == 0 ? to[row]
+                : -1;
+        if (end < 0) {
+            return false;
+        }
+        int g = 6 * row + (end == from[row] ? 0 : 3);
+        int v = STRIDE * end + 3;
+        double bend = (state[v] * state[v] + state[v + 1] * state[v + 1] + state[v + 2] * state[v + 2]) / length[row];
+        double along = bend;
+        double most = bend;
+        for (int c = 0; c < 3; c++) {
+            along += gradient[g + c] * accelerations[v + c];
+            most += Math.abs(accelerations[v + c]);
+        }
+        return Math.abs(rateOfAnchors(row, state, inverseMasses)) > RestingContacts.ROUNDING
+                || Math.abs(along) > RestingContacts.ROUNDING * (1 + most);
     }
 
     /** Adds a row's force on its particles, lambda times the gradients. */

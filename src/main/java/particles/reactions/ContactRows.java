@@ -96,18 +96,32 @@ final class ContactRows {
      *
      * @param k     the row
      * @param push  the normal force without friction (N); used only if the particle is about to move
+     * @param share as for {@link SlidingDirection#find}
      * @param force the force that will move the particle, without friction (N), from entry 6 i + 3 on
      */
-    void findSlip(int k, double push, double[] force, double[] state) {
+    void findSlip(int k, double push, double share, double[] force, double[] state) {
         int f = STRIDE * particle[k] + 3;
         SlidingDirection sliding = contacts.sliding();
         System.arraycopy(force, f, pressing, 0, 3);
         double reference = push > 0 ? push : 1;
         Vector3 across = new Vector3(normal[3 * k], normal[3 * k + 1], normal[3 * k + 2]);
-        double factor = sliding.find(friction(k), across, reference, pressing, state, f) / reference;
+        double factor = sliding.find(friction(k), across, reference, share, pressing, state, f) / reference;
         for (int c = 0; c < 3; c++) {
             slip[3 * k + c] = factor == 0 ? 0 : factor * sliding.direction[c];
         }
+    }
+
+    /**
+     * The part of a particle's Coulomb friction that contact k gives.
+     *
+     * @param pushes the normal forces (N), from entry {@code first} on
+     */
+    double share(int k, double[] pushes, int first) {
+        double all = 0;
+        for (int j = 0; j < count; j++) {
+            all += particle[j] == particle[k] ? friction(j).ofCoulomb(pushes[first + j]) : 0;
+        }
+        return all > 0 ? friction(k).ofCoulomb(pushes[first + k]) / all : 1;
     }
 
     private Friction friction(int k) {

@@ -14,6 +14,7 @@ import particles.reactions.contact.ContactModes.Mode;
  */
 final class CoupledContacts {
     private static final int STRIDE = Particles.STRIDE;
+    private static final String CONTRADICTORY = "they contradict each other: no forces can satisfy them all";
 
     private final ParticleSystem system;
     private final Particles particles;
@@ -27,6 +28,7 @@ final class CoupledContacts {
     private double[] queryState = {};                   // the state of the last query
     private double[] queryForce = {};
     private double[] queryLambda = {};
+    private double left;                                // the residual of the last solution, relative to accelerations
     private int queryChanges;
     private int[] queryMembers = {};
 
@@ -46,15 +48,16 @@ final class CoupledContacts {
      * @param force  the forces of all effects (N)
      * @param lambda receives the forces of rods and wires, by row
      * @return false if no particle touches anything; then nothing is done
-     * @throws SimulationException if no forces satisfy all constraints
+     * @throws SimulationException if no forces satisfy all constraints, though no particle sticks; those that stick a
+     *         rule releases at the end of the motion
      */
     boolean solve(Linkage linkage, double[] state, double time, double[] force, double[] lambda) {
         queryMembers = new int[0];
-        if (!joint.take(linkage, state, -1)) {           // -1: only sticking particles are held
+        if (!joint.take(linkage, state)) {
             return false;
         }
         Optional<String> failure = find(linkage, state, time, force, lambda);
-        if (failure.isPresent()) {
+        if (failure.isPresent() && !(failure.get().equals(CONTRADICTORY) && joint.isAnySticking())) {
             throw failure(linkage, time, failure.get());
         }
         return true;
@@ -71,7 +74,8 @@ final class CoupledContacts {
             addUp(linkage, force, lambda);
         }
         for (int k = 0; k < joint.touching.count; k++) {
-            joint.touching.findSlip(k, aboutToMove ? push(k) : 1, aboutToMove ? total : force, state);
+            double share = aboutToMove ? joint.touching.share(k, joint.solution, joint.constraintRows()) : 1;
+            joint.touching.findSlip(k, aboutToMove ? push(k) : 1, share, aboutToMove ? total : force, state);
         }
         return solveOnce(linkage, time, force, lambda);
     }
@@ -86,13 +90,11 @@ final class CoupledContacts {
         if (!joint.solve(!contacts.response().holdsOn(), 0)) {
             return Optional.of("no contact forces keep all particles out: friction jams");
         }
-        if (joint.left() > RigidConstraints.CONTRADICTION * scale) {
-            return Optional.of("they contradict each other: no forces can satisfy them all");
-        }
         for (int r = 0; r < joint.constraintRows(); r++) {
             lambda[joint.member(r)] = joint.solution[r];
         }
-        return Optional.empty();
+        left = joint.left() / scale;
+        return left > RigidConstraints.CONTRADICTION ? Optional.of(CONTRADICTORY) : Optional.empty();
     }
 
     private SimulationException failure(Linkage linkage, double time, String reason) {
@@ -105,10 +107,7 @@ final class CoupledContacts {
      * b = -(J W F + J' v) - k_s C - k_d C', with C the distance for contacts; returns the largest acceleration in b.
      */
     private double putRight(Linkage linkage, double time, double[] force) {
-        if (accelerations.length != system.getStateSize()) {
-            accelerations = new double[system.getStateSize()];
-        }
-        system.putAnchorAccelerations(time, accelerations);
+        system.putAnchorAccelerations(time, accelerations(force));
         double scale = 0;
         for (int i : linkage.particles()) {
             for (int f = STRIDE * i + 3; f < STRIDE * (i + 1); f++) {
@@ -132,6 +131,11 @@ final class CoupledContacts {
             scale = Math.max(scale, Math.abs(joint.right[r]));
         }
         return scale;
+    }
+
+    private double[] accelerations(double[] like) {
+        accelerations = accelerations.length < like.length ? new double[like.length] : accelerations;
+        return accelerations;
     }
 
     /** Adds the forces found by {@link #solve}. */
@@ -210,8 +214,14 @@ final class CoupledContacts {
     double holdMargin(Linkage linkage, int particle, double[] state, double[] force, double[] lambda) {
         queryMembers = new int[0];
         rows.evaluate(state);
-        joint.take(linkage, state, particle);
-        if (find(linkage, state, system.getTime(), force, lambda).isPresent()) {
+        system.putAnchorAccelerations(system.getTime(), accelerations(state));
+        if (linkage.isDriven(particle, state, accelerations)) {
+            return -1;
+        }
+        joint.take(linkage, state, i -> i == particle || (contacts.getModes().isSticking(i)
+                || contacts.isSlow(i, state)) && !linkage.isDriven(i, state, accelerations));
+        Optional<String> failure = find(linkage, state, system.getTime(), force, lambda);
+        if (failure.isPresent() || left > RestingContacts.ROUNDING && linkage.isDriven(-1, state, accelerations)) {
             // the rods' motion keeps it from standing still, which is not a failure
             return -1;
         }
@@ -260,7 +270,7 @@ final class CoupledContacts {
      */
     boolean correct(Linkage linkage, double[] state, int place) {
         queryMembers = new int[0];
-        if (!joint.take(linkage, state, -1)) {
+        if (!joint.take(linkage, state)) {
             return false;
         }
         joint.assemble();

@@ -1,6 +1,7 @@
 package particles.reactions;
 
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 import particles.law.Particles;
 import particles.reactions.algebra.ActiveSetMethod;
 import particles.reactions.contact.ContactModes;
@@ -39,17 +40,25 @@ final class JointSystem {
     /**
      * Builds the rows of a linkage.
      *
-     * @param held a sliding particle to be treated as sticking, together with all others that friction may hold and
-     *             that hardly move; or -1 for only those that stick
      * @return whether any of its particles touches anything
      */
-    boolean take(Linkage linkage, double[] state, int held) {
+    boolean take(Linkage linkage, double[] state) {
+        return take(linkage, state, contacts.getModes()::isSticking);
+    }
+
+    /**
+     * Builds the rows of a linkage.
+     *
+     * @param held which particles are treated as sticking
+     * @return whether any of its particles touches anything
+     */
+    boolean take(Linkage linkage, double[] state, IntPredicate held) {
         begin();
         members = linkage.members();
         touching.clear();
         sticking = false;
         for (int i : linkage.particles()) {
-            if (i == held || contacts.getModes().isSticking(i) || held >= 0 && contacts.isSlow(i, state)) {
+            if (held.test(i)) {
                 mobility[i] = 0;
                 sticking = true;
             } else {
@@ -72,6 +81,10 @@ final class JointSystem {
                 }
             }
         }
+    }
+
+    boolean isAnySticking() {
+        return sticking;
     }
 
     private void begin() {

@@ -23,6 +23,7 @@ final class Linkage {
     private static final double SINGULAR = 1e-11;
 
     private final ConstraintRows rows;
+    private final Particles all;
     private final int[] members;                        // the rows, in the matrix's order
     private final int[] particles;
     private final int[] pairs;                          // five ints each: see findPairs
@@ -33,6 +34,7 @@ final class Linkage {
 
     Linkage(ConstraintRows rows, int[] members, Particles all) {
         this.rows = rows;
+        this.all = all;
         this.members = members;
         particles = Arrays.stream(members).flatMap(r -> IntStream.of(rows.first(r), rows.second(r)))
                 .filter(i -> i >= 0 && !all.isFixed(i)).distinct().sorted().toArray();
@@ -75,6 +77,22 @@ final class Linkage {
 
     int[] members() {
         return members;
+    }
+
+    /**
+     * Whether a moving anchor drives a rod, so that friction cannot hold the rod's other end.
+     *
+     * @param particle      the other end; -1 for any
+     * @param accelerations the accelerations of moving anchors (m/s&sup2;), in the entries of their velocities
+     */
+    boolean isDriven(int particle, double[] state, double[] accelerations) {
+        for (int row : members) {
+            if ((particle < 0 || rows.first(row) == particle || rows.second(row) == particle)
+                    && rows.isDraggedByAnchor(row, state, accelerations, all.inverseMasses())) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Factorises A for the present gradients. @param mobility 1/m of each particle, 0 for fixed ones */

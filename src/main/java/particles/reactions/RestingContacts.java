@@ -1,12 +1,15 @@
 package particles.reactions;
 
+import deSolvers.text.Digits;
 import java.util.List;
 import java.util.Optional;
 import particles.ParticleSystem;
 import particles.law.ForceDerivatives;
+import particles.law.Obstacle;
 import particles.law.Particles;
 import particles.law.Reaction;
 import particles.law.Vector3;
+import particles.law.Violation;
 import particles.reactions.contact.ContactModes;
 import particles.reactions.contact.ContactResponse;
 import particles.reactions.contact.ContactSurface;
@@ -29,7 +32,7 @@ public final class RestingContacts implements Reaction {
     private static final int STRIDE = Particles.STRIDE;
 
     /** The largest speed that counts as 0 (m/s). */
-    private static final double ROUNDING = 1e-9;
+    static final double ROUNDING = 1e-9;
 
     /**
      * Safety factor of {@link #mayStopWithin}: yoshida4 looks a third of a step ahead, and several surfaces push
@@ -40,6 +43,7 @@ public final class RestingContacts implements Reaction {
     /** Relative to the speed before: less than this is left where the forces change a little in the step of a stop. */
     private static final double ALMOST_STOPPED = 0.01;
 
+    private final Particles particles;
     private final List<ContactSurface> surfaces;
     private final ContactModes modes;
     private Optional<RigidConstraints> coupled = Optional.empty();
@@ -51,6 +55,7 @@ public final class RestingContacts implements Reaction {
      * @param surfaces  the surfaces
      */
     public RestingContacts(Particles particles, List<ContactSurface> surfaces) {
+        this.particles = particles;
         this.surfaces = List.copyOf(surfaces);
         modes = new ContactModes(particles, surfaces.size());
         response = new ContactResponse(particles, this.surfaces, modes, sliding);
@@ -297,6 +302,26 @@ public final class RestingContacts implements Reaction {
             power = isCoupled(i) ? power : response.addPower(power, i, state, force);
         }
         return power;
+    }
+
+    @Override
+    public Violation getViolation(double[] state) {
+        Violation worst = Violation.NONE;
+        for (int i = 0; i < modes.end(); i++) {
+            for (int p = 0; p < surfaces.size(); p++) {
+                Obstacle obstacle = surfaces.get(p).obstacle();
+                int x = STRIDE * i;
+                double off = modes.get(p, i) == ContactModes.Mode.FREE ? 0
+                        : Math.abs(obstacle.distance(state[x], state[x + 1], state[x + 2]));
+                double part = off * (obstacle.isFlat() ? 1
+                        : Math.abs(obstacle.curvature(state[x], state[x + 1], state[x + 2])));
+                if (part > worst.part()) {
+                    worst = new Violation(part, "'" + particles.id(i) + "' is " + Digits.few(off) + " m off '"
+                            + surfaces.get(p).name() + "'");
+                }
+            }
+        }
+        return worst;
     }
 
     @Override

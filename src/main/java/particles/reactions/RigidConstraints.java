@@ -1,10 +1,12 @@
 package particles.reactions;
 
+import deSolvers.text.Digits;
 import java.util.Optional;
 import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.law.Particles;
 import particles.law.Reaction;
+import particles.law.Violation;
 import particles.reactions.wires.Curve;
 import particles.view.SpringView;
 
@@ -257,6 +259,29 @@ public final class RigidConstraints implements Reaction, SpringView {
         arrange();
         boolean moved = projection.positions(state, time, particles.inverseMasses());
         return projection.velocities(state, particles.inverseMasses()) | moved;
+    }
+
+    @Override
+    public Violation getViolation(double[] state) {
+        Violation worst = Violation.NONE;
+        for (int r = 0; r < rows.rods(); r++) {
+            double length = rows.distance(r, state);
+            double part = Math.abs(length / rows.length(r) - 1);
+            if (part > worst.part()) {
+                worst = new Violation(part, "the rod from '" + particles.id(rows.first(r)) + "' to '"
+                        + particles.id(rows.second(r)) + "' is " + Digits.few(length) + " m long, not "
+                        + Digits.few(rows.length(r)) + " m");
+            }
+        }
+        rows.evaluate(state);
+        for (int r = rows.rods(); r < rows.count(); r++) {
+            double off = Math.abs(rows.value[r]);
+            if (off > worst.part()) {
+                worst = new Violation(off,
+                        "'" + particles.id(rows.first(r)) + "' is " + Digits.few(off) + " m off its wire");
+            }
+        }
+        return worst;
     }
 
     @Override

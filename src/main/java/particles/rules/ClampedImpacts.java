@@ -147,6 +147,9 @@ public final class ClampedImpacts implements Rule {
         Vector3 normal = normal(surface, state, i);
         moveAlong(normal, state, STRIDE * i, depth);
         double speed = normalSpeed(surface, state, i);
+        if (speed >= 0 && !surface.obstacle().isFlat() && Math.abs(distance(surface, before, i)) <= slack(before, i)) {
+            return true;                                // it has just left: below only by the error of its step
+        }
         double gained = normal.dot(velocity(arrived, i).minus(velocity(before, i)));
         double atSurface = Math.sqrt(Math.max(0, speed * speed + 2 * gained / deltaT * depth));
         if (speed < 0) {
@@ -206,12 +209,12 @@ public final class ClampedImpacts implements Rule {
         ContactSurface surface = contacts.getSurfaces().get(p);
         if (!surface.obstacle().isFlat()) {
             addUpForces(system, state);
-            if (contacts.pressure(p, i, state, force) < 0) {
-                modes.set(p, i, Mode.FREE);
-                return true;
-            }
+            boolean leaves = contacts.pressure(p, i, state, force) < 0;
             putOn(surface, state, i);                     // removes drift by the solver's error
-            return false;
+            if (leaves) {
+                modes.set(p, i, Mode.FREE);
+            }
+            return leaves;
         }
         double depth = distance(surface, state, i);
         if (depth > slack(state, i)) {

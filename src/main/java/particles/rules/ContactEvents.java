@@ -87,7 +87,7 @@ final class ContactEvents {
         }
         if (modes.isSticking(i)) {
             return contacts.holdMargin(i, state, force) >= 0 ? Optional.empty()
-                    : Optional.of(new Change(end, s -> holdMargin(s, i), s -> modes.setWhereTouching(i, Mode.SLIDING)));
+                    : Optional.of(new Change(end, s -> holdMargin(s, i), s -> slide(s, i)));
         }
         Vector3 before = velocity(motion.getStartState(), i);
         double speed = before.length();
@@ -97,6 +97,12 @@ final class ContactEvents {
                 - (braking ? slow : 0);
         return speed == 0 || !rubs(i) || moving.applyAsDouble(system) >= 0 ? Optional.empty()
                 : Optional.of(new Change(end, moving, s -> stop(s, i, speed)));
+    }
+
+    /** Ends sticking; the particle starts from rest, and friction acts against the force that moves it. */
+    private void slide(ParticleSystem system, int i) {
+        modes.setWhereTouching(i, Mode.SLIDING);
+        contacts.beginStep(system);
     }
 
     /** Removes the normal velocity on a curved surface: it is the solver's error and would be taken for an impact. */

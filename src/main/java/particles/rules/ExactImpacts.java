@@ -89,12 +89,14 @@ public final class ExactImpacts implements EventRule {
     @Override
     public boolean afterStep(ParticleSystem system, double deltaT) {
         double[] state = system.getOwnState();
-        for (int p = 0; p < contacts.getSurfaces().size() && modes.isAnyTouching(); p++) {
+        for (int p = 0; p < contacts.getSurfaces().size(); p++) {
             ContactSurface surface = contacts.getSurfaces().get(p);
-            for (int i = 0; i < system.getParticles().count() && !surface.obstacle().isFlat(); i++) {
+            for (int i = 0; !surface.obstacle().isFlat() && i < system.getParticles().count(); i++) {
                 if (modes.get(p, i) != Mode.FREE) {
                     putOn(surface, state, i);
                     contacts.stopEntering(i, state);
+                } else if (distance(surface, state, i) < 0 && normalSpeed(surface, state, i) >= 0) {
+                    moveAlong(normal(surface, state, i), state, STRIDE * i, -distance(surface, state, i));
                 }
             }
         }
@@ -148,7 +150,8 @@ public final class ExactImpacts implements EventRule {
         }
         double u = crossing.of(coefficients, count);
         if (!Double.isNaN(u)) {
-            found.add(new Impact(begins ? Math.max(start + u * h, Math.nextUp(start)) : start + u * h, p, i, below));
+            found.add(new Impact(begins ? Math.max(start + u * h, Math.nextUp(start)) : start + u * h, p, i, below,
+                    begins && !surface.obstacle().isFlat()));
         }
     }
 
@@ -181,12 +184,14 @@ public final class ExactImpacts implements EventRule {
         private final int p;
         private final int i;
         private final double below;
+        private final boolean onlyInwards;
 
-        Impact(double time, int p, int i, double below) {
+        Impact(double time, int p, int i, double below, boolean onlyInwards) {
             this.time = time;
             this.p = p;
             this.i = i;
             this.below = below;
+            this.onlyInwards = onlyInwards;
         }
 
         @Override
@@ -196,7 +201,9 @@ public final class ExactImpacts implements EventRule {
 
         @Override
         public double value(ParticleSystem system) {
-            return distance(contacts.getSurfaces().get(p), system.getOwnState(), i) + below;
+            double above = distance(contacts.getSurfaces().get(p), system.getOwnState(), i) + below;
+            return onlyInwards
+                    ? Math.max(above, normalSpeed(contacts.getSurfaces().get(p), system.getOwnState(), i)) : above;
         }
 
         @Override

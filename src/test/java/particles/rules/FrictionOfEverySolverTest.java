@@ -120,7 +120,8 @@ class FrictionOfEverySolverTest {
 
     /**
      * Euler's rope blows up with friction and without. Of the others all of order 3 and more agree in what friction
-     * takes, within 3e-5 J; those of order 2 within 0.0025 J, symplectic Euler too.
+     * takes, 0.07624 J within 3e-5 J; with exact impacts and short steps it is 0.07617 J. Those of order 2 are within
+     * 0.0025 J, and symplectic Euler too.
      */
     @ParameterizedTest
     @MethodSource("solvers")
@@ -134,11 +135,11 @@ class FrictionOfEverySolverTest {
         scene.simulation().run();
         assertEquals(0.8, scene.system().getTime(), 1e-12);
         if (SolverCatalog.info(solver).order() >= 3) {
-            assertEquals(-0.07715, ledger.getWork().get("contact"), 1e-4);
+            assertEquals(-0.07617, ledger.getWork().get("contact"), 1e-4);
             assertEquals(0, ledger.getNumericalError(), 2e-4);          // measured: 0.75e-4 by yoshida4
         } else if (!solver.equals("backward-euler") && !solver.equals("linearised-euler")) {
             // these two damp the motion itself: backward Euler by 0.064 J
-            assertEquals(-0.07715, ledger.getWork().get("contact"), 0.005);
+            assertEquals(-0.07617, ledger.getWork().get("contact"), 0.005);
             assertEquals(0, ledger.getNumericalError(), 0.01);          // measured: 0.0033 by midpoint
         }
     }

@@ -8,6 +8,7 @@ import particles.Simulation;
 import particles.app.cli.Version;
 import particles.experiments.energy.EnergyHistory;
 import particles.experiments.energy.EnergyLedgerRecorder;
+import particles.law.Violation;
 import particles.output.files.RunSummary;
 import particles.scene.Scene;
 
@@ -15,6 +16,8 @@ import particles.scene.Scene;
 final class Summary {
     /** An error above this part of the energy scale gives a warning: a tenth shows in the motion. */
     private static final double LARGE_ERROR = 0.1;
+    /** A larger violation of a rod, wire or contact, relative to its scale, gives a warning. */
+    private static final double VIOLATION = 1e-3;
     /** Solvers that damp motion which their steps do not resolve, and are chosen for that. */
     private static final Set<String> DAMPING_SOLVERS = Set.of("backward-euler", "linearised-euler");
     /** Energies below this part of the energy scale are round-off. */
@@ -76,6 +79,10 @@ final class Summary {
         if (error > LARGE_ERROR && damped) {
             lines.add("warning: numerical damping took " + Math.round(100 * error) + " % of the energy scale; a"
                     + " smaller deltaT loses less.");
+        }
+        Violation violation = scene.simulation().getViolation();
+        if (violation.part() > VIOLATION && !failed) {
+            lines.add("warning: " + violation.what() + "; a smaller deltaT or another solver keeps it better.");
         }
         return lines;
     }

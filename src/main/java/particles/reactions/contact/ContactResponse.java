@@ -84,8 +84,7 @@ public final class ContactResponse {
             derivative.hold();
         }
         for (int p = 0; p < count && !touched.isSticking(); p++) {
-            double factor = sliding.find(touched.surfaces[p].friction(), normals[p], push[p], touched.pressing, state,
-                    STRIDE * i + 3);
+            double factor = findFriction(p, count, state, STRIDE * i + 3);
             derivative.rub(p, factor, sliding, touched.surfaces[p].friction().law());
         }
         derivative.add(i, derivatives);
@@ -153,7 +152,7 @@ public final class ContactResponse {
             hold();
         } else {
             for (int p = 0; p < count; p++) {
-                rub(p, state, STRIDE * i + 3);
+                rub(p, count, state, STRIDE * i + 3);
             }
         }
         return count;
@@ -167,9 +166,23 @@ public final class ContactResponse {
         }
     }
 
+    /**
+     * Finds the direction and factor of one surface's friction. What would move a particle on several surfaces is the
+     * force that all normal forces leave, and the surfaces share the friction against it.
+     */
+    private double findFriction(int p, int count, double[] state, int v) {
+        double all = 0;
+        for (int q = 0; q < count; q++) {
+            all += touched.surfaces[q].friction().ofCoulomb(push[q]);
+        }
+        double own = touched.surfaces[p].friction().ofCoulomb(push[p]);
+        return sliding.find(touched.surfaces[p].friction(), normals[p], push[p], all > 0 ? own / all : 1,
+                count == 1 ? touched.pressing : touched.unheld(), state, v);
+    }
+
     /** Sliding friction of one surface, against the velocity along it. */
-    private void rub(int p, double[] state, int v) {
-        double factor = sliding.find(touched.surfaces[p].friction(), normals[p], push[p], touched.pressing, state, v);
+    private void rub(int p, int count, double[] state, int v) {
+        double factor = findFriction(p, count, state, v);
         for (int c = 0; c < 3 && factor != 0; c++) {
             friction[c] -= factor * sliding.direction[c];
         }

@@ -27,6 +27,14 @@ public record Friction(Law law, double coefficient, double staticCoefficient, do
     /** A surface without friction. */
     public static final Friction NONE = new Friction(Law.NONE, 0, 0, 0);
 
+    /**
+     * @param push the normal force (N)
+     * @return the largest sliding friction by Coulomb's law (N); 0 by any other law
+     */
+    public double ofCoulomb(double push) {
+        return law == Law.COULOMB ? coefficient * Math.max(0, push) : 0;
+    }
+
     /** @throws IllegalArgumentException if a number is out of its range */
     public Friction {
         if (!(coefficient >= 0 && coefficient <= Double.MAX_VALUE && staticCoefficient >= 0

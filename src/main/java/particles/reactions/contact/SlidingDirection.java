@@ -97,11 +97,13 @@ public final class SlidingDirection {
      * any solver can follow it. The error is O(deltaT), as that of the time of the stop.
      *
      * @param push     the normal force (N)
-     * @param pressing the force on the particle before (N)
+     * @param share    the part of the particle's Coulomb friction that this surface can give: 1 if it is the only one
+     * @param pressing the force that would move the particle along the surface, without friction (N)
      * @param v        the index of the particle's velocity in the state
      * @return the factor: friction is minus factor times direction; 0 for no friction
      */
-    public double find(Friction law, Vector3 normal, double push, double[] pressing, double[] state, int v) {
+    public double find(Friction law, Vector3 normal, double push, double share, double[] pressing, double[] state,
+            int v) {
         independent = false;
         towardsStop = false;
         mirrored[0] = 0;
@@ -112,7 +114,7 @@ public final class SlidingDirection {
         }
         double factor = push * law.coefficient();
         if (law.law() == Friction.Law.COULOMB && mayStop(v / Particles.STRIDE)) {
-            return findStop(factor, normal, pressing, v);
+            return findStop(factor, share, normal, pressing, v);
         }
         along(normal, state, v, direction);
         if (law.law() == Friction.Law.COULOMB) {
@@ -122,14 +124,14 @@ public final class SlidingDirection {
                 factor /= speed;
             } else {                                    // about to move: against the force that will move it
                 along(normal, pressing, 0, direction);
-                factor /= Math.max(factor, length(direction));
+                factor = share * length(direction) <= factor ? share : factor / length(direction);
                 independent = true;
             }
         }
         return factor;
     }
 
-    private double findStop(double most, Vector3 normal, double[] pressing, int v) {
+    private double findStop(double most, double share, Vector3 normal, double[] pressing, int v) {
         along(normal, pressing, 0, direction);
         along(normal, stepBegin, v, beginning);
         for (int c = 0; c < 3; c++) {
@@ -138,8 +140,8 @@ public final class SlidingDirection {
         double needed = length(direction);
         independent = true;
         towardsStop = true;
-        stops = needed <= most;
-        return stops ? 1 : most / needed;
+        stops = share * needed <= most;
+        return stops ? share : most / needed;
     }
 
     /**

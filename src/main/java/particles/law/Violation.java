@@ -1,0 +1,18 @@
+package particles.law;
+
+/**
+ * How far a state is off a constraint: a rod's length, a wire, or a surface in contact.
+ *
+ * @param part the distance, as a fraction of the constraint's scale: the length of a rod, the radius of a curved
+ *             surface, or 1 m
+ * @param what the constraint and the distance, in words
+ */
+public record Violation(double part, String what) {
+    /** No violation. */
+    public static final Violation NONE = new Violation(0, "");
+
+    /** @return the larger of two violations */
+    public Violation or(Violation other) {
+        return other.part > part ? other : this;
+    }
+}
