@@ -1,38 +1,18 @@
 package particles.experiments.work;
 
 import deSolvers.RK4Solver;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.BiConsumer;
 import java.util.function.LongSupplier;
-import particles.ParticleSystem;
 import particles.Simulation;
-import particles.effects.Cohesion;
-import particles.effects.Gravity;
-import particles.effects.GustyWind;
-import particles.effects.LinearDrag;
-import particles.effects.PenaltyPlane;
-import particles.effects.PenaltySphere;
-import particles.effects.PointAttraction;
-import particles.effects.QuadraticDrag;
-import particles.effects.TurbulentWind;
-import particles.effects.Wind;
-import particles.effects.springs.SpringForce;
 import particles.experiments.runs.ProgressListener;
-import particles.law.Obstacle;
-import particles.law.Plane;
-import particles.law.Sphere;
-import particles.law.Vector3;
-import particles.reactions.RestingContacts;
-import particles.reactions.contact.ContactSurface;
-import particles.reactions.contact.Friction;
-import particles.rules.ClampedImpacts;
-import particles.rules.ExactImpacts;
-import particles.rules.KillPlane;
-import particles.rules.SpringTear;
+import particles.scene.Scene;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneReader;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
@@ -48,9 +28,39 @@ import particles.view.DataTable;
  */
 public final class EffectCost {
     private static final double DELTA_T = 1e-3;
-    private static final double SPACING = 0.05;
     private static final double TWO_DECIMALS = 10;
-    private static final Vector3 FAR_BELOW = new Vector3(0, -100, 0);
+
+    /** Structural and shear springs; the top row is fixed. It moves, so that nothing is at rest. */
+    private static final String CLOTH = """
+            title: A cloth
+            teaches: What each effect costs.
+            solver: rk4
+            deltaT: %s
+            duration: %s
+            shapes:
+              - cloth: {corner: [0, 0, 0], across: [%s, 0, 0], down: [0, -%s, 0], columns: %d, rows: %d, mass: 0.001,
+                        velocity: [0.01, 0, 0.02], fixed: [top],
+                        structural: {stiffness: 5, damping: 0.001}, shear: {stiffness: 2, damping: 0.001}}
+            """;
+
+    /** By name: the lines that a scene has besides the cloth. */
+    private static final String[][] ADDITIONS = {
+        {"springs", ""},
+        {"+ gravity", "effects: [gravity]"},
+        {"+ drag", "effects: [drag: {coefficient: 0.01}]"},
+        {"+ quadratic drag", "effects: [quadraticDrag: {coefficient: 0.01}]"},
+        {"+ drag in wind", "effects: [drag: {coefficient: 0.01}, wind: {mean: [1, 0, 0], gust: [0, 0, 1]}]"},
+        {"+ drag in turbulence", "effects: [drag: {coefficient: 0.01}, turbulence: {strength: 1}]"},
+        {"+ attraction", "effects: [attraction: {strength: 1, centre: [0, -100, 0], softening: 1}]"},
+        {"+ cohesion", "effects: [cohesion: {range: 0.06, depth: 1e-9}]"},
+        {"+ penalty plane", "effects: [penaltyPlane: {point: [0, -100, 0], stiffness: 1}]"},
+        {"+ penalty sphere", "effects: [penaltySphere: {centre: [0, -100, 0], radius: 1, stiffness: 1}]"},
+        {"+ tear", "rules: [tear: {strain: 10}]"},
+        {"+ kill plane", "rules: [kill: {point: [0, -100, 0]}]"},
+        {"+ ground, clamp", "rules: [ground: {height: -100}]"},
+        {"+ ground, exact", "rules: [ground: {height: -100}]\nimpact: exact"},
+        {"+ sphere, exact", "rules: [sphere: {centre: [0, -100, 0], radius: 1}]\nimpact: exact"}};
+    private static final double SPACING = 0.05;
 
     private EffectCost() {
     }
@@ -65,11 +75,7 @@ public final class EffectCost {
     public record Cost(String name, double seconds, double overBase) {
     }
 
-    private interface Steps {
-        void make(int count);
-    }
-
-    private record Variant(String name, Steps steps) {
+    private record Variant(String name, Runnable round) {
     }
 
     /**
@@ -84,14 +90,14 @@ public final class EffectCost {
      */
     public static List<Cost> measure(int columns, int steps, int rounds, LongSupplier nanoTime,
             ProgressListener progress) {
-        List<Variant> variants = variants(columns);
+        List<Variant> variants = variants(columns, steps);
         double[] fastest = new double[variants.size()];
         Arrays.fill(fastest, Double.POSITIVE_INFINITY);
         for (int round = 0; round < rounds; round++) {
             for (int v = 0; v < fastest.length; v++) {
                 progress.reached((round + (double) v / fastest.length) / rounds, variants.get(v).name());
                 long start = nanoTime.getAsLong();
-                variants.get(v).steps().make(steps);
+                variants.get(v).round().run();
                 fastest[v] = Math.min(fastest[v], (nanoTime.getAsLong() - start) / 1e9 / steps);
             }
         }
@@ -102,98 +108,28 @@ public final class EffectCost {
         return costs;
     }
 
-    private static List<Variant> variants(int columns) {
+    private static List<Variant> variants(int columns, int steps) {
         List<Variant> all = new ArrayList<>();
-        all.add(new Variant("springs, hand-written", byHand(columns)));
-        all.add(with(columns, "springs", (system, simulation) -> { }));
-        all.add(with(columns, "+ gravity",
-                (s, r) -> s.addEffect(new Gravity(s.getParticles(), new Vector3(0, -9.81, 0)))));
-        all.add(with(columns, "+ drag", (s, r) -> s.addEffect(new LinearDrag(s.getParticles(), 0.01, Wind.STILL))));
-        all.add(with(columns, "+ quadratic drag",
-                (s, r) -> s.addEffect(new QuadraticDrag(s.getParticles(), 0.01, Wind.STILL))));
-        all.add(with(columns, "+ drag in wind", (s, r) -> s.addEffect(new LinearDrag(s.getParticles(), 0.01,
-                new GustyWind(new Vector3(1, 0, 0), new Vector3(0, 0, 1), 1)))));
-        all.add(with(columns, "+ drag in turbulence", (s, r) -> s.addEffect(new LinearDrag(s.getParticles(), 0.01,
-                new TurbulentWind(Vector3.ZERO, 1, 1, 1)))));
-        all.add(with(columns, "+ attraction",
-                (s, r) -> s.addEffect(new PointAttraction(s.getParticles(), FAR_BELOW, 1, 1))));
-        all.add(with(columns, "+ cohesion", (s, r) -> s.addEffect(new Cohesion(s.getParticles(), 1.2 * SPACING, SPACING,
-                1e-9, 0))));
-        all.add(with(columns, "+ penalty plane",
-                (s, r) -> s.addEffect(new PenaltyPlane(s.getParticles(), Plane.ground(-100), 1, 0))));
-        all.add(with(columns, "+ penalty sphere", (s, r) -> s.addEffect(
-                new PenaltySphere(s.getParticles(), new Sphere(FAR_BELOW, 1, false), 1, 0))));
-        all.add(with(columns, "+ tear", (s, r) -> r.addRule(new SpringTear((SpringForce) s.getEffects().get(0), 10))));
-        all.add(with(columns, "+ kill plane", (s, r) -> r.addRule(new KillPlane(Plane.ground(-100)))));
-        all.add(with(columns, "+ ground, clamp",
-                (s, r) -> r.addRule(new ClampedImpacts(contacts(s, Plane.ground(-100))))));
-        all.add(with(columns, "+ ground, exact",
-                (s, r) -> r.addEventRule(new ExactImpacts(contacts(s, Plane.ground(-100))),
-                new RK4Solver())));
-        all.add(with(columns, "+ sphere, exact", (s, r) -> r.addEventRule(new ExactImpacts(contacts(s,
-                new Sphere(FAR_BELOW, 1, false))), new RK4Solver())));
+        Scene cloth = scene(columns, steps, "");
+        HandwrittenBaseline source = new HandwrittenBaseline(cloth.system(), cloth.springs());
+        RK4Solver solver = new RK4Solver();
+        all.add(new Variant("springs, hand-written", () -> {
+            for (int step = 0; step < steps; step++) {
+                solver.stepState(source, DELTA_T);
+            }
+        }));
+        for (String[] addition : ADDITIONS) {
+            Simulation simulation = scene(columns, steps, addition[1]).simulation();
+            all.add(new Variant(addition[0], simulation::run));
+        }
         return all;
     }
 
-    private static RestingContacts contacts(ParticleSystem system, Obstacle obstacle) {
-        RestingContacts contacts = new RestingContacts(system.getParticles(),
-                List.of(new ContactSurface("solid", obstacle, 0.5, Friction.NONE, 0.01)));
-        system.addReaction(contacts);
-        return contacts;
-    }
-
-    /** A square of particles with structural and shear springs, its top row fixed. */
-    static ParticleSystem cloth(int columns) {
-        ParticleSystem system = new ParticleSystem();
-        SpringForce springs = new SpringForce(system.getParticles());
-        for (int n = 0; n < columns * columns; n++) {
-            int column = n % columns;
-            int row = n / columns;
-            double z = 0.01 * SPACING * (column * 7 % 5);           // not quite flat, so that nothing is at rest
-            system.addParticle("c" + n, 0.001, new Vector3(SPACING * column, -SPACING * row, z), Vector3.ZERO,
-                    row == 0);
-            double diagonal = SPACING * Math.sqrt(2);
-            if (column > 0) {
-                springs.addSpring(n - 1, n, 5, SPACING, 0.001);
-            }
-            if (row > 0) {
-                springs.addSpring(n - columns, n, 5, SPACING, 0.001);
-            }
-            if (row > 0 && column > 0) {
-                springs.addSpring(n - columns - 1, n, 2, diagonal, 0.001);
-                springs.addSpring(n - columns, n - 1, 2, diagonal, 0.001);
-            }
-        }
-        system.addEffect(springs);
-        return system;
-    }
-
-    private static Steps byHand(int columns) {
-        ParticleSystem system = cloth(columns);
-        HandwrittenBaseline source = new HandwrittenBaseline(system, (SpringForce) system.getEffects().get(0));
-        RK4Solver solver = new RK4Solver();
-        return count -> {
-            for (int step = 0; step < count; step++) {
-                solver.stepState(source, DELTA_T);
-            }
-        };
-    }
-
-    private static Variant with(int columns, String name, BiConsumer<ParticleSystem, Simulation> addition) {
-        ParticleSystem system = cloth(columns);
-        RK4Solver solver = new RK4Solver();
-        return new Variant(name, new Steps() {
-            private Simulation simulation;
-
-            @Override
-            public void make(int count) {
-                if (simulation == null) {
-                    simulation = new Simulation(system, solver, DELTA_T, count * DELTA_T, Double.POSITIVE_INFINITY);
-                    addition.accept(system, simulation);
-                }
-                simulation.run();
-            }
-        });
+    /** @return a square cloth that runs for a number of steps, with more lines in its scene */
+    static Scene scene(int columns, int steps, String addition) {
+        double side = SPACING * (columns - 1);
+        String text = String.format(Locale.ROOT, CLOTH, DELTA_T, steps * DELTA_T, side, side, columns, columns);
+        return SceneBuilder.build(SceneReader.read("a cloth", (text + addition).getBytes(StandardCharsets.UTF_8)));
     }
 
     /**

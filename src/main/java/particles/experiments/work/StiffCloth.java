@@ -5,16 +5,18 @@ import deSolvers.RK4Solver;
 import deSolvers.implicit.BackwardEulerSolver;
 import deSolvers.implicit.ImplicitWork;
 import deSolvers.implicit.LinearisedEulerSolver;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import particles.ParticleSystem;
-import particles.effects.Gravity;
-import particles.effects.springs.SpringForce;
 import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.ProgressListener;
-import particles.law.Vector3;
+import particles.experiments.spectrum.Spectrum;
+import particles.law.Particles;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneReader;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
@@ -22,21 +24,27 @@ import particles.view.DataTable;
 
 /**
  * Compares an implicit with an explicit solver on one frame (1/60 s) of a cloth of 64 x 64 particles with ever stiffer
- * springs. RK4 has to take steps of 2.8284/omega, where omega is the fastest vibration of the cloth, found by power
- * iteration; backward Euler takes one step.
+ * springs. RK4 has to take steps of 2.8284/omega, where omega is the fastest vibration of the cloth, from its spectrum;
+ * backward Euler takes one step.
  */
 public final class StiffCloth {
     static final double FRAME = 1.0 / 60;
     /** The numbers of RK4 steps for which stiffnesses are chosen. */
     public static final List<Long> SWEEP = List.of(1L, 3L, 10L, 30L, 100L, 300L, 1000L, 5000L);
     private static final int EDGE = 64;
-    private static final double MASS = 0.01;
-    private static final double SPACING = 0.05;
-    /**
-     * Offsets of each particle's springs: to its neighbours, across the squares, and to second neighbours against
-     * bending.
-     */
-    private static final int[][] JOINTS = {{0, 1}, {1, 0}, {1, 1}, {1, -1}, {0, 2}, {2, 0}};
+    /** Springs join neighbours, cross the squares, and join second neighbours against bending. */
+    private static final String CLOTH = """
+            title: A stiff cloth
+            teaches: What stiffness costs.
+            solver: rk4
+            deltaT: %1$s
+            duration: 1
+            shapes:
+              - cloth: {corner: [0, 0, 0], across: [3.15, 0, 0], down: [0, -3.15, 0], columns: 64, rows: 64, mass: 0.01,
+                        fixed: [top-left, top-right], structural: {stiffness: %2$s}, shear: {stiffness: %2$s},
+                        bend: {stiffness: %2$s}}
+            effects: [gravity]
+            """;
     private static final double RK4_LIMIT = 2.8284;
     /** The number of RK4 steps that are timed; all cost the same, some 1 ms. */
     private static final int TIMED = 400;
@@ -67,26 +75,11 @@ public final class StiffCloth {
 
     /** A cloth that hangs from two corners, slightly crumpled. */
     private static ParticleSystem cloth(double stiffness) {
-        ParticleSystem system = new ParticleSystem();
+        byte[] yaml = String.format(Locale.ROOT, CLOTH, FRAME, stiffness).getBytes(StandardCharsets.UTF_8);
+        ParticleSystem system = SceneBuilder.build(SceneReader.read("stiff cloth", yaml)).system();
         for (int n = 0; n < EDGE * EDGE; n++) {
-            int row = n / EDGE;
-            int column = n % EDGE;
-            system.addParticle(row + "," + column, MASS, new Vector3(SPACING * column, -SPACING * row,
-                    0.01 * ((7 * row + 13 * column) % 5)), Vector3.ZERO, n == 0 || n == EDGE - 1);
+            system.getOwnState()[Particles.STRIDE * n + 2] = 0.01 * ((7 * (n / EDGE) + 13 * (n % EDGE)) % 5);
         }
-        system.addEffect(new Gravity(system.getParticles(), new Vector3(0, -9.81, 0)));
-        SpringForce springs = new SpringForce(system.getParticles());
-        for (int n = 0; n < EDGE * EDGE; n++) {
-            for (int[] joint : JOINTS) {
-                int row = n / EDGE + joint[0];
-                int column = n % EDGE + joint[1];
-                if (row < EDGE && column >= 0 && column < EDGE) {
-                    double length = SPACING * Math.sqrt(joint[0] * joint[0] + joint[1] * joint[1]);
-                    springs.addSpring(n, row * EDGE + column, stiffness, length, 0);
-                }
-            }
-        }
-        system.addEffect(springs);
         return system;
     }
 
@@ -101,35 +94,9 @@ public final class StiffCloth {
         return ratio * ratio;
     }
 
-    /** omega of the fastest vibration (1/s): the root of the largest eigenvalue of -M^-1 dF/dx. */
+    /** omega of the fastest vibration (1/s). */
     private static double fastest(double stiffness) {
-        ParticleSystem cloth = cloth(stiffness);
-        int n = cloth.getStateSize();
-        double[] direction = new double[n];
-        double[] product = new double[n];
-        for (int x = 0; x < n; x++) {
-            direction[x] = x % 6 < 3 ? (x * 7919 % 101) - 50 : 0;
-        }
-        double eigenvalue = 0;
-        for (int i = 0; i < 200; i++) {                 // converges to 1 %, enough to count steps
-            double length = 0;
-            for (double value : direction) {
-                length += value * value;
-            }
-            length = Math.sqrt(length);
-            for (int x = 0; x < n; x++) {
-                direction[x] /= length;
-            }
-            cloth.getJacobianProduct(direction, product);
-            eigenvalue = 0;
-            for (int x = 0; x < n; x += 6) {
-                for (int c = x; c < x + 3; c++) {
-                    eigenvalue -= direction[c] * product[c + 3];
-                    direction[c] = -product[c + 3];
-                }
-            }
-        }
-        return Math.sqrt(eigenvalue);
+        return Spectrum.of(cloth(stiffness)).modes().get(0).size();
     }
 
     static ImplicitWork linearisedWork(double stiffness) {

@@ -10,8 +10,8 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
-import particles.effects.springs.SpringForce;
 import particles.experiments.work.EffectCost.Cost;
+import particles.scene.Scene;
 import particles.view.ChartData;
 
 /** The measurement by a clock of the test's own, and the hand-written springs against the system's. */
@@ -58,8 +58,9 @@ class EffectCostTest {
     /** In 50 steps; measured: 5e-19 m where the way is 4e-5 m, the rounding of another order of operations. */
     @Test
     void theHandWrittenSpringsMoveAsTheSystem() {
-        ParticleSystem system = EffectCost.cloth(5);
-        HandwrittenBaseline source = new HandwrittenBaseline(system, (SpringForce) system.getEffects().get(0));
+        Scene cloth = EffectCost.scene(5, 50, "");
+        ParticleSystem system = cloth.system();
+        HandwrittenBaseline source = new HandwrittenBaseline(system, cloth.springs());
         RK4Solver solver = new RK4Solver();
         double[] before = new double[system.getStateSize()];
         system.getState(before);
@@ -72,6 +73,6 @@ class EffectCostTest {
         system.getState(expected);
         source.getState(actual);
         assertArrayEquals(expected, actual, 1e-14);
-        assertTrue(Math.abs(before[61] - actual[61]) + Math.abs(before[62] - actual[62]) > 1e-6, "and they do move");
+        assertTrue(Math.abs(before[67] - actual[67]) + Math.abs(before[68] - actual[68]) > 1e-6, "and they do move");
     }
 }
