@@ -91,10 +91,8 @@ class ArchitectureTest {
                                            particles.experiments.runs particles.experiments.spectrum particles.law
                                            particles.scene particles.scene.format particles.view
             particles.experiments.work:    deSolvers deSolvers.catalog deSolvers.implicit deSolvers.problems particles
-                                           particles.effects
-                                           particles.effects.springs particles.experiments.runs particles.law
-                                           particles.reactions particles.reactions.contact particles.rules
-                                           particles.view
+                                           particles.effects particles.effects.springs particles.experiments.runs
+                                           particles.experiments.spectrum particles.law particles.scene particles.view
             particles.lab:                 deSolvers.catalog particles particles.experiments.energy
                                            particles.experiments.stability particles.law
                                            particles.messages particles.scene particles.scene.format particles.spec
