@@ -126,8 +126,7 @@ public final class SceneFiles {
         List<Path> scenes = list(folder);
         List<String> titles = scenes.stream().map(file -> namesOf(file).get(namesOf(file).size() > 1 ? 1 : 0)).toList();
         String bare = wanted.replace('\\', '/').replaceFirst(".*/", "").replaceFirst("\\.yaml$",
-                "").replaceFirst("^\\d+-",
-                "");
+                "").replaceFirst("^\\d+-", "");
         String known = " scenes: " + String.join(", ", scenes.stream().map(file -> name(file).orElseThrow()).toList());
         if (bare.length() < 3 || bare.length() > 60) {
             return ";" + known;

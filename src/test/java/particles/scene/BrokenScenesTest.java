@@ -54,8 +54,8 @@ class BrokenScenesTest {
                 added("output:\n  phase: {particle: bob, axis: X}\n",
                         "x.yaml:9:32: unknown axis 'X'; did you mean 'x'? known: x, y, z, angle"),
                 added("effects:\n  gravity: {}\n",
-                        "x.yaml:9:3: 'effects' is a mapping (key: value); it has to be a list, each entry after"
-                                + " a dash: "
+                        "x.yaml:9:3: 'effects' is a mapping (key: value);"
+                                + " it has to be a list, each entry after a dash: "
                                 + "one of " + EFFECTS + ", or the full name of a class, such as exercises.MyForce,"
                                 + " with its keys below it"),
                 added("effects:\n  - gravity:\n",
@@ -72,9 +72,8 @@ class BrokenScenesTest {
                 added("effects:\n  - gravity\n  - gravity\n",
                         "x.yaml:10:5: 'gravity' is already named at line 9"),
                 added("effects:\n  - wind: {mean: [1, 0, 0]}\n",
-                        "x.yaml:9:5: 'wind' only acts together with 'drag' or 'quadraticDrag', which is"
-                                + " missing; add '- drag: ...' "
-                                + "to 'effects'"),
+                        "x.yaml:9:5: 'wind' only acts together with 'drag' or"
+                                + " 'quadraticDrag', which is missing; add '- drag: ...' to 'effects'"),
                 added("effects:\n  - turbulence: {strength: 1}\n  - wind: {mean: [1, 0, 0]}\n  - drag:"
                         + " {coefficient: 1}\n",
                         "x.yaml:9:5: 'turbulence' and 'wind' cannot be combined; keep one of them"),
@@ -98,8 +97,8 @@ class BrokenScenesTest {
                         "x.yaml:8:10: 'id' is 7; it has to be a name of at most 60 characters without"
                                 + " spaces, brackets, commas, quotes and invisible characters: put "
                                 + "quotes around it, '7'",
-                        "x.yaml:8:13: unknown key 'postion'; did you mean 'position'? known in a particle: id,"
-                                + " position, "
+                        "x.yaml:8:13: unknown key 'postion'; did you mean"
+                                + " 'position'? known in a particle: id, position, "
                                 + "velocity, mass, fixed"),
                 added("  - {id: a b, position: [1, 2, 3], fixed: yes}\n",
                         "x.yaml:8:10: 'id' is the text 'a b'; it has to be a name of at most 60 characters"
@@ -117,8 +116,8 @@ class BrokenScenesTest {
                 added("springs:\n  - {from: bob, to: bbo, stiffness: 1}\n",
                         "x.yaml:9:21: unknown particle 'bbo'; did you mean 'bob'? known: bob"),
                 added("  - {id: tom, position: [0, 1, 0]}\nsprings:\n  - {from: bob, to: tom, stiffness: 1}\n",
-                        "x.yaml:10:21: 'bob' and 'tom' are at the same place; a spring between them would have"
-                                + " no direction"),
+                        "x.yaml:10:21: 'bob' and 'tom' are at the same place;"
+                                + " a spring between them would have no direction"),
                 added("rods:\n  - {from: bob, to: bob}\n",
                         "x.yaml:9:21: a rod from 'bob' to itself; its ends must be two different particles"),
                 added("  - {id: tom, position: [0, 3, 0], velocity: [1, 2, 0]}\nrods:\n  - {from: bob, to: tom}\n",
@@ -150,16 +149,16 @@ class BrokenScenesTest {
                         "x.yaml:9:11: 'rope' needs exactly one of 'mass', 'totalMass'",
                         "x.yaml:9:57: 'particles' is 1; it has to be a whole number from 2 to 1000000"),
                 added("shapes:\n  - rope: {start: [0, 0, 0], end: [0, 0, 0], particles: 5, mass: 1}\n",
-                        "x.yaml:9:5: 'rope' has no extent in one direction: its particles would lie on top of"
-                                + " each other"),
+                        "x.yaml:9:5: 'rope' has no extent in one direction:"
+                                + " its particles would lie on top of each other"),
                 added("shapes:\n  - rope: {start: [0, 0, 0], end: [1, 0, 0], particles: 5, mass: 1, "
                         + "fixed: [strat, \"rope[9]\"]}\n",
                         "x.yaml:9:77: unknown part 'strat'; did you mean 'start'? known: start, end, or the id of a "
                                 + "particle of the shape, such as ID[0] in a rope, ID[3,4] in a cloth"),
                 added("shapes:\n  - cloth: {corner: [0, 1, 0], across: [1, 0, 0], down: [2, 0, 0], "
                         + "columns: 3, rows: 3, mass: 1}\n",
-                        "x.yaml:9:5: 'cloth' has no extent in one direction: its particles would lie on top of"
-                                + " each other"),
+                        "x.yaml:9:5: 'cloth' has no extent in one direction:"
+                                + " its particles would lie on top of each other"),
                 added("shapes:\n  - jelly: {centre: [0, 0, 0], size: [1, 1, 1], "
                         + "columns: 1000, rows: 1000, layers: 1000, mass: 1}\n",
                         "x.yaml:9:5: 'jelly' has 1000000000 particles; a scene may have at most 1000000"),
@@ -185,13 +184,11 @@ class BrokenScenesTest {
                 added("camera: {position: [0, 1, 0], target: [0, 1, 0]}\n",
                         "x.yaml:8:39: the camera's target is at the camera's position; choose another point"),
                 added("camera: {position: [0, 1, 0], target: [0, 0, 0]}\n",
-                        "x.yaml:8:9: the camera looks along its 'up' direction; give another 'up', such as [0,"
-                                + " 0, -1]"),
+                        "x.yaml:8:9: the camera looks along its 'up' direction; give another 'up', such as [0, 0, -1]"),
                 added("look: {particleColour: red, springs: allways}\n",
                         "x.yaml:8:24: 'particleColour' is the text 'red'; it has to be a colour '#rrggbb' in quotes",
-                        "x.yaml:8:38: unknown choice 'allways'; did you mean 'always'? known: always,"
-                                + " beside-surfaces, "
-                                + "never"),
+                        "x.yaml:8:38: unknown choice 'allways'; did you mean"
+                                + " 'always'? known: always, beside-surfaces, never"),
                 added("output: {width: 8, frameRate: 0, phase: {particle: tim, axis: w}}\n",
                         "x.yaml:8:17: 'width' is 8; it has to be a whole number from 16 to 4096",
                         "x.yaml:8:31: 'frameRate' is 0; it has to be a number from 0.001 to 1000 (1/s)",
@@ -233,8 +230,8 @@ class BrokenScenesTest {
                 added("rules: [a\n",
                         "x.yaml:9:1: not valid YAML: the '[' of line 8 is not closed before the end"),
                 whole(HEAD.replace("rk4", "{name: rk4, relativeTolerance: 1e-3}"),
-                        "x.yaml:3:40: solver 'rk4' takes steps of deltaT and has no tolerances; solvers with"
-                                + " tolerances: "
+                        "x.yaml:3:40: solver 'rk4' takes steps of deltaT"
+                                + " and has no tolerances; solvers with tolerances: "
                                 + String.join(", ", SolverCatalog.names().stream()
                                         .filter(name -> SolverCatalog.info(name).adaptive()).toList())),
                 whole(HEAD.replace("rk4", "{name: dormand-prince, tolerance: 2}"),
@@ -281,8 +278,8 @@ class BrokenScenesTest {
                 added("wires:\n  - circle: {bead: bob, centre: [3, -3, 0], radius: 1}\n",
                         "x.yaml:9:20: 'bob' begins about 4 m off its wire; place it on the wire"),
                 added("rules:\n  - sphere: {centre: [0, 0, 0], radius: 0.75, hollow: true}\n",
-                        "x.yaml:7:5: 'bob' begins 0.25 m outside the hollow 'sphere' of line 9; it has to begin"
-                                + " inside"),
+                        "x.yaml:7:5: 'bob' begins 0.25 m outside the hollow"
+                                + " 'sphere' of line 9; it has to begin inside"),
                 whole("title: A\nteaches: B\nsolver: rk4\ndeltaT: 0.01\nduration: 1\n"
                         + "rules: [emitter: {id: jet, position: [0, 0, 0], speed: 1, rate: 9}]\n",
                         "x.yaml:1:1: the scene has no particle at the start, and emitters add theirs only later; add"

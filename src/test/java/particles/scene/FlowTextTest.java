@@ -28,8 +28,7 @@ class FlowTextTest {
     @Test
     void allKindsOfValuesComeBack() {
         assertComesBack(Arrays.asList(1, -1L << 40, 0.5, 1e-30, -1e308, 5e-324, Double.NaN, Double.NEGATIVE_INFINITY,
-                true,
-                null));
+                true, null));
         assertComesBack(List.of("", " ", "~", "a\nb", "true", "null", "12", "1e3", ".inf", "rk4", "cloth[1,2]",
                 "#00ff00",
                 "a: b", "it's", "\"", "\\", "\u00e4\u2028\ud83d\ude00", "- x", "x,y", "y", "a b", "a."));

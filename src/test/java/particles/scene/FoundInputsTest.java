@@ -35,8 +35,8 @@ class FoundInputsTest {
     void massesThatHaveNoInverseAreRefused(String mass) {
         assertEquals(List.of("x.yaml:7:42: 'mass' is " + mass + "; positive numbers in a scene are at least 1e-30"),
                 linesFor("particles:\n  - {id: bob, position: [0, 0, 0], mass: " + mass + "}\n"));
-        assertEquals(List.of("x.yaml:7:71: 'totalMass' is " + mass + "; positive numbers in a scene are at"
-                + " least 1e-30"),
+        assertEquals(List.of("x.yaml:7:71: 'totalMass' is " + mass + "; positive numbers in a"
+                + " scene are at least 1e-30"),
                 linesFor("shapes:\n  - rope: {start: [0, 0, 0], end: [1, 0, 0], particles: 3,"
                         + " totalMass: " + mass + "}\n"));
     }

@@ -56,14 +56,12 @@ class OnlyWhatIsNamedTest {
                 "AirDrag"),
                 Addition.of("effects:\n  - quadraticDrag: {coefficient: 1}\n", "QuadraticDrag", "AirDrag"),
                 Addition.of("effects:\n  - quadraticDrag: {coefficient: 1}\n  - turbulence: {strength: 1}\n",
-                "QuadraticDrag",
-                        "AirDrag"),
+                "QuadraticDrag", "AirDrag"),
                 Addition.of("effects:\n  - attraction: {strength: 1}\n", "PointAttraction"),
                 Addition.of("effects:\n  - cohesion: {range: 2, depth: 1}\n", "Cohesion"),
                 Addition.of("effects:\n  - penaltyPlane: {stiffness: 1}\n", "PenaltyPlane", "Penalty"),
                 Addition.of("effects:\n  - penaltySphere: {centre: [9, 9, 9], radius: 1, stiffness: 1}\n",
-                "PenaltySphere",
-                        "Penalty"),
+                "PenaltySphere", "Penalty"),
                 Addition.of("impact: clamp\nrules: [ground]\n", "RestingContacts", "ClampedImpacts"),
                 Addition.of("impact: exact\nrules: [ground]\n", "RestingContacts", "ExactImpacts"),
                 Addition.of("impact: exact\nrules:\n  - sphere: {centre: [9, 9, 9], radius: 1}\n", "RestingContacts",
@@ -72,8 +70,7 @@ class OnlyWhatIsNamedTest {
                 Addition.of("rules:\n  - shake: {particle: wall, amplitude: [1, 0, 0], period: 1}\n"),
                 Addition.of("rules:\n  - emitter: {id: e, position: [0, 0, 0], speed: 1, rate: 1}\n", "Emitter"),
                 Addition.of("rules:\n  - emitter: {id: e, position: [0, 0, 0], speed: 1, rate: 1, lifetime: 1}\n",
-                "Emitter",
-                        "Lifetimes"),
+                "Emitter", "Lifetimes"),
                 Addition.of("rules:\n  - kill: {point: [0, -9, 0]}\n", "KillPlane"),
                 Addition.of("rules:\n  - samples: {farthest: 9, lightest: 1}\n", "ParticleResampler"));
     }
@@ -87,8 +84,7 @@ class OnlyWhatIsNamedTest {
                 scene.simulation().getRules().stream().<Class<?>>map(Rule::getClass)).flatMap(all -> all);
         List<String> names = built.map(Class::getSimpleName).sorted().toList();
         assertEquals(withSprings(addition).stream().filter(name -> !name.equals("AirDrag") && !name.equals("Penalty"))
-                .toList(),
-                names);
+                .toList(), names);
     }
 
     @ParameterizedTest

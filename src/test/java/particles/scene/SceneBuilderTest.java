@@ -128,8 +128,7 @@ class SceneBuilderTest {
     /** A glow is visible by night only, so night is its default. */
     @Test
     void theSceneSetsTheStyleOfParticles() {
-        ParticleStyle fire = style(BOB + "look: {particlesAs: glow, ageColours: ['#ffffff', '#800000'], trail:"
-                + " 0.5}\n");
+        ParticleStyle fire = style(BOB + "look: {particlesAs: glow, ageColours: ['#ffffff', '#800000'], trail: 0.5}\n");
         assertEquals(new ParticleStyle(ParticleStyle.Kind.GLOW, List.of(0xffffff, 0x800000), 0.5, true), fire);
         ParticleStyle day = style(BOB + "look: {particlesAs: glow, sky: day}\n");
         assertEquals(new ParticleStyle(ParticleStyle.Kind.GLOW, ParticleStyle.STANDARD.ageColours(), 0, false), day);

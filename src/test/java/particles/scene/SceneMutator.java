@@ -18,20 +18,17 @@ import org.snakeyaml.engine.v2.schema.CoreSchema;
  */
 final class SceneMutator {
     private static final List<Object> VALUES = List.of(0, 1, -1, 2, 3, 0.5, 1e-3, 1e-30, 1e30, 1e31, -1e30, 5e-324,
-            1e308,
-            1_000_000,
+            1e308, 1_000_000,
             Integer.MAX_VALUE, Long.MIN_VALUE, Double.NaN, Double.NEGATIVE_INFINITY, true, false, "", " ", "~", "a\nb",
             "rk4", "radau", "verlet", "adams", "backward-euler", "java.lang.String", "particles.scene.Nothing",
             "cloth[1,2]",
             "cloth[99999999999]", "left", "top-left", "corners", "#00ff00", "coulomb", "slide", "gravity", "ground",
-            "exact",
-                    "clamp",
+            "exact", "clamp",
             List.of(), List.of(0, 0, 0), List.of(1, 2, 3), List.of(1e-200, 0, 0), List.of(1e30, -1e30, 1e30),
             List.of(1, 2),
             Map.of(), Map.of("gravity", Map.of()), Map.of("name", "rk4"), Map.of("law", "coulomb", "coefficient", 0.3));
     private static final List<String> KEYS = List.of("mass", "totalMass", "fixed", "velocity", "id", "position",
-            "friction",
-            "static",
+            "friction", "static",
             "coefficient", "name", "surface", "restLength", "camera", "drag", "plane", "impact", "rods", "wires",
             "feedback",
             "columns", "rows", "layers", "lifetime", "rate", "relativeTolerance", "frameRate", "width", "phase",

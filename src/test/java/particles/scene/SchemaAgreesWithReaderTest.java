@@ -80,8 +80,8 @@ class SchemaAgreesWithReaderTest {
             String text = write(changed);
             List<String> problems = problems(text);
             boolean valid = validator.validate(schema, PlainNode.parse(text)).isValid();
-            assertEquals(problems.isEmpty(), valid, () -> "the schema says " + valid + ", the reader " + problems
-                    + ", of\n"
+            assertEquals(problems.isEmpty(), valid, () -> "the schema says " + valid + ", the reader "
+                    + problems + ", of\n"
                     + text);
             right += valid ? 1 : 0;
         }

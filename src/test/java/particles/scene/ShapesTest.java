@@ -22,8 +22,8 @@ class ShapesTest {
     }
 
     private static Scene cloth(int columns, int rows, String more) {
-        return build("shapes:\n  - cloth: {corner: [-1, 0, 0], across: [2, 0, 0], down: [0, -1, 0], columns: " + columns
-                + ", rows: "
+        return build("shapes:\n  - cloth: {corner: [-1, 0, 0], across: [2, 0, 0], down: [0, -1, 0], columns: "
+                + columns + ", rows: "
                 + rows + ", totalMass: 3" + more + "}\n");
     }
 

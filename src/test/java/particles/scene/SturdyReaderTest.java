@@ -50,8 +50,8 @@ class SturdyReaderTest {
             assertEquals(particle(GOOD).position(), particle(same).position());
         }
         assertEquals(List.of("x.yaml:8:1: unknown key 'x'; known in the scene: " + String.join(", ",
-                SceneFormat.SCENE.keys().stream().map(key -> key.name()).toList())), linesFor(GOOD.replace("\n", "\r\n")
-                        + "x: 1\r\n"));
+                SceneFormat.SCENE.keys().stream().map(key -> key.name()).toList())),
+                linesFor(GOOD.replace("\n", "\r\n") + "x: 1\r\n"));
     }
 
     @Test

@@ -136,7 +136,7 @@ public final class LectureFiguresCommand extends ExperimentCommand {
     }
 
     private static String fileName(Figure figure) {
-        return figure.solver().replaceAll("[^\\w-]", "-") + "-" + Digits.exact(figure.deltaT()) + "s-" + figure.steps()
-                + "-steps";
+        return figure.solver().replaceAll("[^\\w-]", "-") + "-" + Digits.exact(figure.deltaT()) + "s-"
+                + figure.steps() + "-steps";
     }
 }

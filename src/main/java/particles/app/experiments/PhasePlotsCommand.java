@@ -44,8 +44,8 @@ public final class PhasePlotsCommand extends ExperimentCommand {
     private String axes;
 
     @Option(names = "--about", paramLabel = "ID",
-            description = "Draws angles about this particle, not positions along axes (default: that of the scene's own"
-                    + " phase plot).")
+            description = "Draws angles about this particle, not positions along"
+                    + " axes (default: that of the scene's own phase plot).")
     private String about;
 
     private Supplier<List<String>> chosenParticles;
@@ -92,8 +92,8 @@ public final class PhasePlotsCommand extends ExperimentCommand {
         if (!known.contains(id)) {
             throw wrong(option, "the scene has no particle '" + id + "'" + DidYouMean.hint(id, known,
                     "'%s'"::formatted)
-                    + " it has " + known.size() + ", from '" + known.get(0) + "' to '" + known.get(known.size() - 1)
-                    + "'");
+                    + " it has " + known.size() + ", from '" + known.get(0) + "' to '"
+                    + known.get(known.size() - 1) + "'");
         }
     }
 

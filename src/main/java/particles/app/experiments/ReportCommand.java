@@ -40,8 +40,8 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 
 /** {@code gradle report}: the experiments on one page, for the course or for a scene. */
-@Command(name = ReportCommand.NAME, description = "Runs all experiments, of the course or of a scene, and writes one"
-        + " HTML page.")
+@Command(name = ReportCommand.NAME, description = "Runs all experiments, of the course or"
+        + " of a scene, and writes one HTML page.")
 public final class ReportCommand extends ResultsCommand {
     static final String NAME = "report";
     static final String FILE = "report.html";

@@ -42,8 +42,7 @@ final class SceneStabilityPage {
                 + " or on it, lie inside the solver's outline.",
                 Panel.map(SceneStabilityCharts.plane(planeTitle(scene, fastest), spectrum, scene.deltaT(), outlined))));
         ChartData growth = SceneStabilityCharts.growth("Steps are safe until the factor of some mode exceeds"
-                + " 1", spectrum,
-                limits);
+                + " 1", spectrum, limits);
         if (!growth.series().isEmpty()) {
             pictures.add(Picture.chart("growth",
                     "Lines: the largest factor of any mode in one step, as predicted. Points: the step at"

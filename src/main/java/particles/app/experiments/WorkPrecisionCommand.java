@@ -112,8 +112,7 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
         List<Picture> pictures = new ArrayList<>();
         all.forEach((solved, curves) -> {
             String caption = solved.title() + " over " + Digits.few(solved.duration()) + " s; reference: "
-                    + solved.origin()
-                    + ".";
+                    + solved.origin() + ".";
             pictures.add(Picture.stacked(solved.name() + "-evaluations", caption
                     + " The slope is fitted through the filled points."
                     + FAILURES, WorkCharts.byEvaluations(solved, curves)));

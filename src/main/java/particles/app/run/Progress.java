@@ -50,8 +50,8 @@ final class Progress implements Observer {
         double part = motion.getEndTime() / duration;
         if (part < 1 && (part - lastPart >= NEWS || seconds - lastTime >= LONG_PAUSE)) {
             out.println("t = " + Digits.few(motion.getEndTime()) + " s of " + Digits.few(duration) + " s, "
-                    + (int) (100 * part) + " %, about " + Digits.few(Math.ceil(seconds * (1 - part) / part))
-                    + " s to go");
+                    + (int) (100 * part) + " %, about "
+                    + Digits.few(Math.ceil(seconds * (1 - part) / part)) + " s to go");
             out.flush();
             lastTime = seconds;
             lastPart = part;

@@ -53,8 +53,8 @@ final class Summary {
      */
     List<String> lines(boolean failed) {
         List<String> lines = new ArrayList<>();
-        lines.add(scene.description().title() + ": " + record.solver() + ", deltaT = " + Digits.exact(record.deltaT())
-                + " s");
+        lines.add(scene.description().title() + ": " + record.solver() + ", deltaT = "
+                + Digits.exact(record.deltaT()) + " s");
         boolean endedEarly = record.endTime() < record.duration() * (1 - 1e-9);
         lines.add(Digits.few(record.endTime()) + " s"
                 + (endedEarly ? " of " + Digits.few(record.duration()) + " s" : "") + " simulated in "

@@ -78,9 +78,10 @@ public final class DriftCharts {
                     drift.outcome().seconds(),
                     drift.outcome().failure().orElse("")));
         }
-        return new DataTable("drift", "Numerical energy error as a part of the energy scale of an accurate run, "
-                + new BigDecimal(comparison.scale()).round(new MathContext(4)).stripTrailingZeros().toPlainString()
-                + " J",
+        String scale = new BigDecimal(comparison.scale()).round(new MathContext(4)).stripTrailingZeros()
+                .toPlainString();
+        return new DataTable("drift",
+                "Numerical energy error as a part of the energy scale of an accurate run, " + scale + " J",
                 List.of(DataTable.column("solver"), DataTable.column("deltaT (s)"), DataTable.column("tolerance"),
                         new DataTable.Column("end drift", 3), new DataTable.Column("largest", 3),
                         new DataTable.Column("slope (1/s)", 3), DataTable.column("error over time"),

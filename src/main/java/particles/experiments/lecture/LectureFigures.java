@@ -35,8 +35,7 @@ public final class LectureFigures {
     private static final List<Figure> ON_SLIDES = List.of(
             new Figure("euler", 0.11737, 161), new Figure("midpoint", 1, 11), new Figure("midpoint", 0.5, 100),
             new Figure("midpoint", 0.1, 5000), new Figure("rk4", 1, 8), new Figure("rk4", 1, 100),
-            new Figure("rk4", 0.4,
-                    1250));
+            new Figure("rk4", 0.4, 1250));
 
     /**
      * The parameters of a run.

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
+import particles.ParticleSystem;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SceneRun;
 import particles.experiments.runs.SceneRun.Outcome;
@@ -16,7 +17,6 @@ import particles.experiments.spectrum.Mode;
 import particles.experiments.spectrum.Spectrum;
 import particles.experiments.stability.PerturbationGrowth.Twins;
 import particles.law.Particles;
-import particles.ParticleSystem;
 import particles.scene.format.SceneDescription;
 import particles.view.DataTable;
 
@@ -125,8 +125,7 @@ public final class SceneStability {
             return bisected(solver, Double.NaN, 2 / fastest.size(), fastest);
         }
         SpectrumLimit theory = new SpectrumLimit(Amplification.of(solver.info().get()),
-                solver.info().get().secondOrder(),
-                spectrum);
+                solver.info().get().secondOrder(), spectrum);
         double predicted = theory.deltaT();
         Mode most = theory.growingMost(scene.deltaT());
         if (solver.adaptive() || predicted == Double.POSITIVE_INFINITY) {

@@ -76,8 +76,7 @@ public final class SceneStabilityCharts {
                 }
                 series.add(new Series(limit.solver().label() + ", spectrum", Mark.LINE, array(x), array(y)));
                 series.add(new Series(limit.solver().label() + String.format(Locale.ROOT, ", run: %.4g s",
-                        limit.measured()),
-                        Mark.POINTS,
+                        limit.measured()), Mark.POINTS,
                         new double[] {limit.measured()}, new double[] {1}));
             }
         }

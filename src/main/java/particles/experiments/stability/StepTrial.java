@@ -83,8 +83,8 @@ public record StepTrial(Optional<Amplification> amplification, double noise, Str
             StepMatrix half = StepMatrix.of(maker.get(), source.apply(2.0), steps, 0.5, 1);
             double apart = springs ? Math.abs(one.radius() - half.radius()) : one.difference(half);
             if (!(apart <= MOST_NOISE)) {
-                return refused("a step with half the deltaT and twice the lambda is another one: it does not follow"
-                        + " deltaT");
+                return refused("a step with half the deltaT and twice the lambda"
+                        + " is another one: it does not follow deltaT");
             }
             noise = Math.max(noise, Math.max(bent, apart));
             still &= one.isIdentity();

@@ -77,8 +77,7 @@ public final class WorkCharts {
         }
         String title = problem.title() + ": " + first(curves);
         return charts(new ChartData(title, "CPU time, median (s)", problem.errorLabel(), true, true,
-                series),
-                curves,
+                series), curves,
                 Point::seconds);
     }
 
@@ -139,8 +138,7 @@ public final class WorkCharts {
                 curve.solver().order()))
                 .toArray();
         return Optional.of(new Series(String.format(Locale.ROOT, "%s at order %.0f", curve.solver().label(),
-                curve.solver().order()),
-                Mark.LINE,
+                curve.solver().order()), Mark.LINE,
                 fitted.stream().mapToDouble(Point::evaluations).toArray(), y));
     }
 

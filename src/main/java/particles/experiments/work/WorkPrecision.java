@@ -36,7 +36,7 @@ public final class WorkPrecision {
         /** Its error grew beyond any use, or beyond all numbers. */
         UNSTABLE,
         /** An iteration within the step did not converge, or the sub-steps became too short. */
-        NOT_CONVERGED
+        NOT_CONVERGED,
     }
 
     /**

@@ -105,8 +105,7 @@ public final class WorkProblems {
         for (int i = 0; i < n * n; i++) {
             boolean fixed = i == 0 || i == n - 1;
             system.addParticle("p" + i, 1, new Vector3(i % n, -(i / n), 0), fixed ? Vector3.ZERO : new Vector3(0.3,
-                    0.1 * (i % n), 0.2),
-                    fixed);
+                    0.1 * (i % n), 0.2), fixed);
         }
         for (int i = 0; i < n * n; i++) {
             if (i % n < n - 1) {

@@ -156,8 +156,8 @@ final class ConstraintChecks {
         Vector3 x = index.position(bead);
         Vector3 v = index.velocity(bead);
         if (index.isFixed(bead)) {
-            problems.add(wire.values().place(WireKind.BEAD), Wording.quote(bead) + " is fixed; a bead must be"
-                    + " free to move");
+            problems.add(wire.values().place(WireKind.BEAD), Wording.quote(bead) + " is fixed; a bead must"
+                    + " be free to move");
         } else {
             Curve curve = wire.kind().curve(wire.values(), x);
             double[] off = new double[Curve.ROWS];

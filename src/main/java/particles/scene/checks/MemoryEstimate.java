@@ -80,9 +80,9 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
         MemoryEstimate needed = of(scene);
         if (needed.bytes() > allowed) {
             problems.add(scene.places().get(SceneFormat.SHAPES), String.format(Locale.ROOT,
-                    "the scene needs about %.0f MiB of memory for %.0f particles and %.0f springs with %s, and"
-                            + " Java may use"
-                    + " %.0f MiB; use fewer particles, or give Java more memory: JAVA_TOOL_OPTIONS=-Xmx%.0fg",
+                    "the scene needs about %.0f MiB of memory for %.0f"
+                            + " particles and %.0f springs with %s, and Java may use"
+                            + " %.0f MiB; use fewer particles, or give Java more memory: JAVA_TOOL_OPTIONS=-Xmx%.0fg",
                     needed.bytes() / MEGABYTE,
                     needed.particles(), needed.springs(), scene.solver(), allowed / MEGABYTE,
                     Math.ceil(needed.bytes() / MEGABYTE / 1024)));

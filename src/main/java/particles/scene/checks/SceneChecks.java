@@ -236,8 +236,8 @@ public final class SceneChecks {
                     isKnown(phase, Phase.ABOUT);
                     boolean angle = phase.find(Phase.AXIS).equals(Optional.of(Phase.ANGLE));
                     if (angle && phase.isSound() && phase.find(Phase.ABOUT).isEmpty()) {
-                        problems.add(phase.place(Phase.AXIS), "'axis: angle' needs 'about', the particle that the angle"
-                                + " is seen from");
+                        problems.add(phase.place(Phase.AXIS), "'axis: angle' needs 'about', the"
+                                + " particle that the angle is seen from");
                     } else if (!angle && phase.isSound() && phase.find(Phase.ABOUT).isPresent()) {
                         problems.add(phase.place(Phase.ABOUT), "'about' goes with 'axis: angle'");
                     } else if (phase.isSound() && phase.find(Phase.ABOUT).equals(phase.find(Phase.PARTICLE))) {

@@ -40,10 +40,8 @@ public record OutputDescription(Frames frames, boolean energy, Optional<Phase> p
 
     /** The kind of film. */
     public enum Video {
-        /** No film. */
-        NONE,
-        /** H.264 in an MP4 file. */
-        MP4;
+        /** No film. */ NONE,
+        /** H.264 in an MP4 file. */ MP4;
 
         /** @return the names in scenes and options */
         public static List<String> names() {

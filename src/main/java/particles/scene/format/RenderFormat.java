@@ -51,8 +51,8 @@ public final class RenderFormat {
             "The strain, stretch divided by rest length, at which a spring has its full colour.");
     static final Key<String> PARTICLE_COLOUR = colour("particleColour", STANDARD.particleColour(),
             "The colour of particles and trails; a glow has its own.");
-    static final Key<String> FIXED_COLOUR = colour("fixedColour", STANDARD.fixedColour(), "The colour of fixed"
-            + " particles.");
+    static final Key<String> FIXED_COLOUR = colour("fixedColour", STANDARD.fixedColour(),
+            "The colour of fixed particles.");
     static final Key<String> FRONT_COLOUR = colour("frontColour", STANDARD.frontColour(),
             "The colour of a surface's front.");
     static final Key<String> BACK_COLOUR = colour("backColour", STANDARD.backColour(), "The colour of a"

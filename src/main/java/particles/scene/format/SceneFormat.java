@@ -51,8 +51,8 @@ public final class SceneFormat {
             List.of(),
             "Rigid rods between any two particles. The length of a rod is the initial distance of its particles.");
     public static final Key<List<Chosen<WireKind>>> WIRES = Key.withDefault("wires",
-            ListType.of("a wire", new KindType<>("wire", WireKind.ALL)), List.of(), "Wires that particles slide"
-                    + " along.");
+            ListType.of("a wire", new KindType<>("wire", WireKind.ALL)), List.of(),
+            "Wires that particles slide along.");
     public static final Key<Values> CONSTRAINTS = Key.optional("constraints", ConstraintDescription.TYPE,
             "How rods and wires are enforced.");
     public static final Key<List<Chosen<EffectKind>>> EFFECTS = Key.withDefault("effects",
@@ -65,8 +65,7 @@ public final class SceneFormat {
                     .notToConfuseWith("effect", "effects", EffectCatalog.ALL)), List.of(),
             "Rules that act between steps, such as bounces; only rules named here act.");
     public static final Key<String> IMPACT = Key.withDefault("impact",
-            NameType.of("kind of impact", List.of("clamp", "exact")),
-            "clamp",
+            NameType.of("kind of impact", List.of("clamp", "exact")), "clamp",
             "exact: each step is divided at the moment of impact. clamp: after each step, particles below a"
                     + " surface are moved onto it and bounce, so impacts come up to deltaT late. With clamp, particles"
                     + " in a groove may keep jumping by about g deltaT^2.");

@@ -19,8 +19,7 @@ final class BirthAndDeath {
     }
 
     private static final Key<Double> STRAIN = Key.required("strain", NumberType.positive(""),
-            "A spring tears at this strain, stretch divided by rest length: 0.5 means at 1.5 times its rest"
-                    + " length.");
+            "A spring tears at this strain, stretch divided by rest length: 0.5 means at 1.5 times its rest length.");
 
     static final RuleKind TEAR = new RuleKind("tear", "Removes springs that are stretched too far.", STRAIN) {
         @Override
@@ -84,8 +83,7 @@ final class BirthAndDeath {
         }
     };
 
-    private static final Key<Vector3> POINT = Key.required("point", VectorType.of("m"), "Any point of the plane"
-            + " (m).");
+    private static final Key<Vector3> POINT = Key.required("point", VectorType.of("m"), "Any point of the plane (m).");
     private static final Key<Vector3> NORMAL = Key.withDefault("normal", VectorType.notZero(""), new Vector3(0, 1, 0),
             "A vector to the side where particles survive; its length does not matter.");
 
@@ -102,8 +100,8 @@ final class BirthAndDeath {
     };
 
     private static final Key<String> SAMPLE_ID = Key.withDefault("id", ParticleDescription.NEW_ID, "sample",
-            "The ids of new particles begin with this name. It must differ from the ids of particles, shapes"
-                    + " and emitters.");
+            "The ids of new particles begin with this name. It must"
+                    + " differ from the ids of particles, shapes and emitters.");
     private static final Key<Double> FARTHEST = Key.required("farthest", NumberType.positive("m"),
             "A particle with no other within this distance splits in two (m).");
     private static final Key<Double> CLOSEST = Key.withDefault("closest", NumberType.between(0.01, 0.49, ""), 0.3,

@@ -29,8 +29,8 @@ public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireK
             RigidConstraints.USUAL_FEEDBACK, "The rate at which errors of length decay (1/s); values far above"
                     + " 0.1/deltaT make the run less accurate.");
     static final Key<Boolean> PROJECTION = Key.withDefault("projection", FlagType.FLAG, false,
-            "true: after every step, particles are moved so that rods have their exact length and beads are on their"
-                    + " wires.");
+            "true: after every step, particles are moved so that rods"
+                    + " have their exact length and beads are on their wires.");
     public static final MappingType TYPE = MappingType.of("'constraints'", FEEDBACK, PROJECTION);
 
     /** @return the rods and wires with these values */

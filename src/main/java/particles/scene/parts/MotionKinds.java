@@ -65,11 +65,10 @@ abstract class MotionKinds extends RuleKind {
         }
     };
 
-    private static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"), "Any point of the"
-            + " axis (m).");
+    private static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"), "Any point of the axis (m).");
     private static final Key<Vector3> AXIS = Key.withDefault("axis", VectorType.notZero(""), new Vector3(0, 0, 1),
-            "The axis of rotation; the motion is counter-clockwise if the axis points at you. Its length does not"
-                    + " matter.");
+            "The axis of rotation; the motion is counter-clockwise"
+                    + " if the axis points at you. Its length does not matter.");
 
     static final RuleKind CIRCLE = new MotionKinds("circle", "Moves a particle round an axis, like a"
             + " crank.", PARTICLE,

@@ -30,8 +30,7 @@ public record ParticleDescription(String id, Vector3 position, Vector3 velocity,
 
     public static final Key<String> ID = Key.required("id", NEW_ID, "The particle's name; it must differ from the ids"
             + " of other particles and shapes.");
-    static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"), "Its position at the"
-            + " start (m).");
+    static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"), "Its position at the start (m).");
     public static final Key<Vector3> VELOCITY = Key.withDefault("velocity", VectorType.of("m/s"), Vector3.ZERO,
             "Its velocity at the start (m/s).");
     static final Key<Double> MASS = Key.withDefault("mass", NumberType.positive("kg"), 1.0, "Its mass (kg).");

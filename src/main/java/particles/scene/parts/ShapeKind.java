@@ -99,8 +99,8 @@ public abstract class ShapeKind extends Kind {
 
     private static final Key<Vector3> START = Key.required("start", VectorType.of("m"), "The position of its"
             + " first particle (m).");
-    private static final Key<Vector3> END = Key.required("end", VectorType.of("m"), "The position of its last"
-            + " particle (m).");
+    private static final Key<Vector3> END = Key.required("end", VectorType.of("m"), "The position of its"
+            + " last particle (m).");
     private static final Key<Integer> PARTICLES = Key.required("particles", COUNT, "The number of particles.");
 
     private static final ShapeKind ROPE = new ShapeKind("rope",
@@ -121,8 +121,7 @@ public abstract class ShapeKind extends Kind {
     private static final Key<Vector3> DOWN = Key.required("down", VectorType.notZero("m"),
             "The vector from the top-left to the bottom-left particle (m).");
     private static final Key<Integer> COLUMNS = Key.required("columns", COUNT, "The number of particles across.");
-    private static final Key<Integer> ROWS = Key.required("rows", COUNT, "The number of particles from top to"
-            + " bottom.");
+    private static final Key<Integer> ROWS = Key.required("rows", COUNT, "The number of particles from top to bottom.");
 
     private static final ShapeKind CLOTH = new ShapeKind("cloth",
             "Particles cloth[column,row] in a rectangle or parallelogram;"

@@ -35,12 +35,12 @@ public abstract class WireKind extends Kind {
         }
     };
 
-    private static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"), "The centre of the"
-            + " ring (m).");
+    private static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"),
+            "The centre of the ring (m).");
     private static final Key<Vector3> AXIS = Key.withDefault("axis", VectorType.notZero(""), new Vector3(0, 0, 1),
             "A vector perpendicular to the ring; its length does not matter.");
-    private static final Key<Double> RADIUS = Key.required("radius", NumberType.positive("m"), "The ring's"
-            + " radius (m).");
+    private static final Key<Double> RADIUS = Key.required("radius", NumberType.positive("m"),
+            "The ring's radius (m).");
 
     private static final WireKind CIRCLE = new WireKind("circle", "A circular wire.", BEAD, CENTRE, AXIS, RADIUS) {
         @Override

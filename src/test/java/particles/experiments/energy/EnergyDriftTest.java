@@ -91,8 +91,7 @@ class EnergyDriftTest {
     void bouncesArePhysicsAndNoDrift() {
         SceneDescription ball = TestScenes.named("06-bouncing-ball");
         Comparison comparison = compare(ball.withSolver("rk4").withDeltaT(0.002).withDuration(1.5),
-                "rk4, verlet, symplectic-euler",
-                false);
+                "rk4, verlet, symplectic-euler", false);
         for (Drift drift : comparison.drifts().subList(0, 2)) {
             assertEquals(Kind.ROUNDING, drift.kind(), drift.setting().solver().name());
             assertTrue(drift.largest() < 2e-13, "measured 2.2e-14, now " + drift.largest());

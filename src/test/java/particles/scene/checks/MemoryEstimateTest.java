@@ -21,8 +21,7 @@ class MemoryEstimateTest {
     private static SceneDescription cloth(int side, String solver) {
         return read("solver: " + solver + "\nshapes:\n  - cloth: {corner: [-1, 1, 0], across: [2, 0, 0], down:"
                 + " [0, -1, 0], columns: "
-                + side + ", rows: " + side + ", totalMass: 1, structural: {stiffness: 10}, shear: {stiffness:"
-                + " 10}}\n");
+                + side + ", rows: " + side + ", totalMass: 1, structural: {stiffness: 10}, shear: {stiffness: 10}}\n");
     }
 
     private static SceneDescription read(String text) {
