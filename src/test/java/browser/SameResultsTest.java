@@ -35,7 +35,7 @@ class SameResultsTest {
     /** Those that have the same bits after three steps of any solver. */
     private static final Set<String> ALWAYS_SAME_BITS = Set.of("01", "02", "03", "06", "07", "13", "21", "22", "26",
             "27", "40", "41", "43");
-    /** Of the largest number of the state. Measured at most 2.6e-11, in the stiff curtain, 1.6e-11 in the torn cloth. */
+    /** Of the state's largest number. Measured at most 2.6e-11, in the stiff curtain, 1.6e-11 in the torn cloth. */
     private static final double BOUND = 1e-10;
     /**
      * Of scene 18, where radau's iterations stop at a tolerance of 1e-6. Measured 8.2e-10 after 2 s, and at most 9.0e-9

@@ -2,7 +2,7 @@ package particles.lab.browser;
 
 import deSolvers.DESolver;
 
-/** Replaces methods that a page lacks, or that are wrong or slow there, by methods with the same names and parameters. */
+/** Replaces methods that a page lacks, or that are wrong or slow there, by methods of the same names and parameters. */
 public final class Missing {
     private static final long MEMORY = 1L << 30;
 

@@ -18,7 +18,8 @@ import org.teavm.model.instructions.InvokeInstruction;
 public final class Substitutions implements ClassHolderTransformer {
     private static final String MISSING = "particles.lab.browser.Missing";
     private static final Set<String> REPLACED = Set.of("java.lang.Math.fma", "java.lang.Math.ulp",
-            "java.lang.Runtime.maxMemory", "deSolvers.catalog.SolverCatalog.ofClass", "particles.effects.springs.SpringKernel.isOrdinary");
+            "java.lang.Runtime.maxMemory", "deSolvers.catalog.SolverCatalog.ofClass",
+            "particles.effects.springs.SpringKernel.isOrdinary");
 
     @Override
     public void transformClass(ClassHolder owner, ClassHolderTransformerContext context) {
