@@ -1,7 +1,7 @@
 package particles.reactions;
 
-import java.util.ArrayList;
-import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import particles.law.Particles;
 
 /**
@@ -14,12 +14,14 @@ final class StaticFrictionFeasibility {
     private static final double GOLDEN = (Math.sqrt(5) - 1) / 2;
     private static final int SECTIONS = 90;
     private static final int SWEEPS = 20;
+    /** A sweep that gains less than this, relative to the forces on the ends, is the last one. */
+    private static final double PROGRESS = 1e-6;
     /** The largest load that is tried, relative to the forces on the ends. */
     private static final double MOST = 100;
 
     private final ConstraintRows rows;
     private final RestingContacts contacts;
-    private final List<Integer> ends = new ArrayList<>();
+    private final Set<Integer> ends = new TreeSet<>();
 
     StaticFrictionFeasibility(ConstraintRows rows, RestingContacts contacts) {
         this.rows = rows;
@@ -41,63 +43,72 @@ final class StaticFrictionFeasibility {
                 size += Math.abs(total[f]) + Math.abs(total[f + 1]) + Math.abs(total[f + 2]);
             }
         }
-        if (leastMargin(state, total) > 0) {
-            // friction holds without any load
-            return;
-        }
-        int idle = 0;
-        for (int r = 0; r < joint.constraintRows(); r++) {
-            idle += joint.isIdle(r) ? 1 : 0;
-        }
-        for (int sweep = 0; sweep < (idle > 1 ? SWEEPS : idle); sweep++) {
-            for (int r = 0; r < joint.constraintRows(); r++) {
+        double least = leastMargin(-1, state, total);
+        for (int sweep = 0; sweep < SWEEPS && least <= 0; sweep++) {
+            double before = least;
+            int idle = 0;
+            for (int r = 0; r < joint.constraintRows() && least <= 0; r++) {
                 if (joint.isIdle(r)) {
                     load(joint.member(r), MOST * size, state, total);
+                    least = leastMargin(-1, state, total);
+                    idle++;
                 }
+            }
+            if (idle <= 1 || least - before <= PROGRESS * size) {
+                return;
             }
         }
     }
 
+    /** Adds the load of a row that is best for the smallest margin: that of its own ends, as others do not feel it. */
     private void load(int row, double most, double[] state, double[] total) {
+        double others = leastMargin(row, state, total);
         double low = -most;
         double high = most;
         double x = high - GOLDEN * (high - low);
         double y = low + GOLDEN * (high - low);
-        double atX = leastMargin(row, x, state, total);
-        double atY = leastMargin(row, y, state, total);
+        double atX = marginWith(row, x, state, total);
+        double atY = marginWith(row, y, state, total);
         for (int section = 0; section < SECTIONS; section++) {
             if (atX >= atY) {
                 high = y;
                 y = x;
                 atY = atX;
                 x = high - GOLDEN * (high - low);
-                atX = leastMargin(row, x, state, total);
+                atX = marginWith(row, x, state, total);
             } else {
                 low = x;
                 x = y;
                 atX = atY;
                 y = low + GOLDEN * (high - low);
-                atY = leastMargin(row, y, state, total);
+                atY = marginWith(row, y, state, total);
             }
         }
         double best = low + (high - low) / 2;
-        if (leastMargin(row, 0, state, total) < leastMargin(row, best, state, total)) {
+        double without = Math.min(others, marginWith(row, 0, state, total));
+        if (without < Math.min(others, marginWith(row, best, state, total))) {
             rows.addForce(row, best, total);
         }
     }
 
-    private double leastMargin(int row, double load, double[] state, double[] total) {
+    /** The smaller margin of a row's ends under an additional load. */
+    private double marginWith(int row, double load, double[] state, double[] total) {
         rows.addForce(row, load, total);
-        double least = leastMargin(state, total);
+        double least = Math.min(margin(rows.first(row), state, total), margin(rows.second(row), state, total));
         rows.addForce(row, -load, total);
         return least;
     }
 
-    /** The smallest margin of all ends. */
-    private double leastMargin(double[] state, double[] total) {
+    private double margin(int i, double[] state, double[] total) {
+        return ends.contains(i) ? contacts.response().holdSlack(i, state, total) : Double.POSITIVE_INFINITY;
+    }
+
+    /** The smallest margin of all ends but those of a row. */
+    private double leastMargin(int row, double[] state, double[] total) {
         double least = Double.POSITIVE_INFINITY;
         for (int i : ends) {
-            least = Math.min(least, contacts.response().holdSlack(i, state, total));
+            least = row >= 0 && (i == rows.first(row) || i == rows.second(row)) ? least
+                    : Math.min(least, contacts.response().holdSlack(i, state, total));
         }
         return least;
     }
