@@ -1,15 +1,42 @@
 /**
- * Forces that depend on the sum of all others: contact forces and friction, and the constraint forces of rods and
- * wires. They are added after all effects.
+ * Forces that depend on the sum of all others: contact, friction, rods and wires. They are added after all effects.
+ * This page is their theory.
  *
- * <p>{@link particles.reactions.RestingContacts} computes the contact forces on a single particle directly, by a
- * formula. {@link particles.reactions.RigidConstraints} solves a system of linear equations for the forces in rods and
- * wires. A particle on a surface and on a rod needs both at once: contacts can only push, so the equations come with
- * conditions of sign (a linear complementarity problem).
+ * <p><b>Unknowns.</b> A constraint r is a function C<sub>r</sub>(x): the length of a rod, the distance from a wire, or
+ * the distance d of a particle from a surface with normal N. Its force is lambda<sub>r</sub> times the gradient of
+ * C<sub>r</sub>. With J the gradients of all rows, W the inverse masses and F the sum of all effects, C'' = J W F + J W
+ * J<sup>T</sup> lambda + J' v. Demanding C'' = 0 gives the system A lambda = b with A = J W J<sup>T</sup> and b = -(J W
+ * F + J' v). The particles of a rod whose motion is prescribed enter b with their velocity (in J' v) and with their
+ * acceleration. Errors of steps decay by two more terms in b, see {@link particles.reactions.RigidConstraints}.
  *
- * <p>The forces are not always unique: a square of rods with both diagonals, or a prop between rough walls, is
- * statically indeterminate. As long as the same particles stick, the accelerations are the same for each solution. Rods
- * take the solution with the least sum of squares. Static friction holds if at least one solution stays within its
- * limits.
+ * <p><b>Complementarity.</b> A rod pulls and pushes; a contact only pushes, and only while it touches: lambda &ge; 0,
+ * d'' &ge; 0 and lambda d'' = 0. For one particle on one plane that is the slides' rule: 0 for N . F &ge; 0, otherwise
+ * lambda = -(N . F); on a sphere of radius R the term m v<sub>t</sub>&sup2;/R is added. Rods and contacts that share
+ * particles form a block and are solved together, by an active-set method: all contacts are taken to push, and one that
+ * would pull, or that would let its particle in, changes sides until none is wrong.
+ *
+ * <p><b>Friction.</b> The friction of a contact lies in a cone, |F<sub>t</sub>| &le; mu lambda. While a particle
+ * slides, it is mu lambda against the velocity v<sub>t</sub> (slide: k<sub>f</sub> lambda v<sub>t</sub>); at the start
+ * from rest, against the force that moves the particle. Several surfaces share it in the ratio of their limits. A
+ * particle at rest sticks if the cones of its surfaces hold the whole of the other forces on it. A rod to a moving
+ * anchor is stronger than any friction: its end cannot stick while the anchor moves along the rod.
+ *
+ * <p><b>What is unique.</b> The accelerations are, while the same particles stick and friction is not so large that it
+ * jams (P. Painlev&eacute; 1895: then no forces may exist, and the run says so). The forces need not be: a square of
+ * rods with both diagonals, or a prop between rough walls, is statically indeterminate. Rods take the solution with the
+ * least sum of squares; static friction holds if at least one solution stays in all cones. Rods in one line that close
+ * a triangle have no finite forces across the line, and are refused when a scene is read.
+ *
+ * <p><b>From impacts to contacts.</b> At an impact the normal velocity v<sub>n</sub> becomes -r v<sub>n</sub>; impulses
+ * obey the same equations with velocities in place of accelerations. A bounce slower than the surface's rest speed
+ * becomes a contact. Which contacts push, slide and stick is fixed within a step, and rules change it between steps or
+ * at located events, by the forces and velocities at the end of the solver's own step. A contact ends where lambda
+ * becomes negative. On a curved surface the next step of a method of order 1 may end below it by O(deltaT&sup2;)
+ * although v<sub>n</sub> points outwards: that is an error of the step and no impact.
+ *
+ * <p>At the end of each run the largest violation of a rod, wire or contact is checked. Sources: the slides "Particle/
+ * Plane Contact" and "Particle/Plane Collisions"; A. Witkin, "Constrained Dynamics", SIGGRAPH course notes 1997; D.
+ * Baraff, "Fast contact force computation for nonpenetrating rigid bodies", SIGGRAPH 1994; K. Murty, "Note on a
+ * Bard-type scheme for solving the complementarity problem", Opsearch 1974.
  */
 package particles.reactions;
