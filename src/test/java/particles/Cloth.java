@@ -33,6 +33,35 @@ public final class Cloth {
             }
         }
         system.addEffect(new Gravity(system.getParticles(), Systems.GRAVITY));
+        addSprings(system, n, spacing, stiffness, damping);
+        return system;
+    }
+
+    /** A level cloth of 2 m x 2 m and 0.6 kg, held at two corners: it buckles as soon as it falls. */
+    static ParticleSystem level(int n, double stiffness) {
+        double spacing = 2.0 / (n - 1);
+        ParticleSystem system = new ParticleSystem();
+        for (int i = 0; i < n * n; i++) {
+            system.addParticle("" + i, 0.6 / (n * n), new Vector3(spacing * (i % n), 0, spacing * (i / n)),
+                    Vector3.ZERO, i == 0 || i == n - 1);
+        }
+        system.addEffect(new Gravity(system.getParticles(), Systems.GRAVITY));
+        addSprings(system, n, spacing, stiffness, 0);
+        return system;
+    }
+
+    /** A cloth in free flight: stretched, crumpled and thrown. */
+    static ParticleSystem thrown(int n, double stiffness) {
+        ParticleSystem system = new ParticleSystem();
+        for (int i = 0; i < n * n; i++) {
+            system.addParticle("" + i, 0.001, new Vector3(0.0525 * (i % n), -0.05 * (i / n), 0.002 * (i % 7)),
+                    new Vector3(1 + 0.05 * (i % 5), 2, 0.05 * (i % 3)), false);
+        }
+        addSprings(system, n, 0.05, stiffness, 0.01);
+        return system;
+    }
+
+    private static void addSprings(ParticleSystem system, int n, double spacing, double stiffness, double damping) {
         SpringForce springs = new SpringForce(system.getParticles());
         for (int row = 0; row < n; row++) {
             for (int column = 0; column < n; column++) {
@@ -47,6 +76,5 @@ public final class Cloth {
             }
         }
         system.addEffect(springs);
-        return system;
     }
 }

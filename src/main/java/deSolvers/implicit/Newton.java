@@ -14,7 +14,8 @@ import java.util.Arrays;
  * <p>The line search adds the largest part of deltaM, at most all of it, at which the slope along deltaM has not turned
  * round by more than half. For particles the slope is that of an energy, whose minimum is the solution; {@link
  * ShiftedJacobian#slope} defines it for other sources. If deltaM does not lead down, or no part of it is acceptable, a
- * variant of J is used that leads down: {@link Kind#CAREFUL}.
+ * variant of J is used that leads down: {@link Kind#CAREFUL}. A small correction that shrinks the next one to a tenth
+ * is taken even if it does not lead down: a cloth that is about to buckle has a solution where its energy has a saddle.
  *
  * <p>A correction that has become a hundredth of the one before is good enough with the old matrix; otherwise J is set
  * up anew.
@@ -36,7 +37,12 @@ final class Newton {
     private static final double GOOD_CONTRACTION = 0.01;
     /** A correction that shrinks less than this with a new matrix is either round-off, or the matrix is poor. */
     private static final double STAGNATION = 0.5;
-    private static final int MOST_ITERATIONS = 60;
+    /** A stiff cloth that begins to buckle needs some hundreds. */
+    private static final int MOST_ITERATIONS = 1000;
+    /** Corrections below this size may lead to a stationary point of the energy that is not a minimum. */
+    private static final double NEAR = 1e-4;
+    /** Such corrections have to shrink by this factor. */
+    private static final double NEAR_CONTRACTION = 0.1;
     private static final double SMALLEST_PART = 1e-4;
     /** The line search allows the slope to reverse to this fraction of its first value. */
     private static final double MOST_REVERSED = 0.5;
@@ -45,6 +51,8 @@ final class Newton {
      * factor again.
      */
     private static final double LINEAR_TOLERANCE = 1e-4;
+    /** The same for the only correction of a linearised step: its residual is momentum that appears or vanishes. */
+    private static final double LINEARISED_TOLERANCE = 1e-10;
 
     private final ImplicitWork.Counter work = new ImplicitWork.Counter();
     private final JacobianChoice choice = new JacobianChoice(work);
@@ -52,6 +60,7 @@ final class Newton {
     private ShiftedJacobian jacobian;
     private double[] start;
     private double g;
+    private double tolerance;                           // of linear systems
     private double[] slope = {};
     private double[] residual = {};
     private double[] correction = {};
@@ -79,7 +88,7 @@ final class Newton {
      * @throws DESolverException if the iteration does not converge
      */
     void solve(StepTransaction source, double[] start, double g, double[] m) {
-        begin(source, start, g, m);
+        begin(source, start, g, m, LINEAR_TOLERANCE);
         jacobian.guess(m);
         evaluate(m);
         source.requireFinite(slope);
@@ -98,7 +107,7 @@ final class Newton {
      * @throws DESolverException if the linear system cannot be solved
      */
     void solveLinearised(StepTransaction source, double[] start, double g, double[] m) {
-        begin(source, start, g, m);
+        begin(source, start, g, m, LINEARISED_TOLERANCE);
         evaluate(m);
         source.requireFinite(slope);
         iterations = 1;
@@ -109,7 +118,8 @@ final class Newton {
         jacobian.complete(start, g, m);
     }
 
-    private void begin(StepTransaction source, double[] start, double g, double[] m) {
+    private void begin(StepTransaction source, double[] start, double g, double[] m, double tolerance) {
+        this.tolerance = tolerance;
         this.source = source;
         this.start = start;
         this.g = g;
@@ -183,7 +193,7 @@ final class Newton {
         work.newtonIterations++;
         size = Double.POSITIVE_INFINITY;
         jacobian.setJacobian(source, m, slope, g, kind);
-        if (!jacobian.prepare(g) || !correct(correction)) {
+        if (!jacobian.prepare(g, tolerance) || !correct(correction)) {
             return false;
         }
         jacobian.terms(m, slope, g, roundOff);
@@ -194,23 +204,24 @@ final class Newton {
     }
 
     private boolean correct(double[] result) {
-        return NewtonUpdate.solve(jacobian, residual, result, LINEAR_TOLERANCE);
+        return NewtonUpdate.solve(jacobian, residual, result, tolerance);
     }
 
     /**
      * Adds as much of the correction as the line search allows, and computes the next one; false if no part will do.
      */
     private boolean search(double[] m) {
-        for (part = 1; part >= SMALLEST_PART && slope0 >= 0;) {
+        boolean nearSaddle = slope0 < 0 && size <= NEAR;
+        for (part = 1; part >= SMALLEST_PART && (slope0 >= 0 || nearSaddle && part == 1);) {
             System.arraycopy(m, 0, trial, 0, m.length);
             add(correction, part, trial);
             jacobian.complete(start, g, trial);
             evaluate(trial);
             boolean solved = FiniteCheck.firstNonFinite(residual) < 0 && correct(nextCorrection);
             double turned = solved ? jacobian.slope(residual, nextCorrection, correction) : Double.NEGATIVE_INFINITY;
-            if (turned >= -MOST_REVERSED * slope0) {
+            nextSize = solved ? NewtonUpdate.size(nextCorrection, trial, start, roundOff) : Double.POSITIVE_INFINITY;
+            if (nearSaddle ? nextSize <= NEAR_CONTRACTION * size : turned >= -MOST_REVERSED * slope0) {
                 System.arraycopy(trial, 0, m, 0, m.length);
-                nextSize = NewtonUpdate.size(nextCorrection, m, start, roundOff);
                 return true;
             }
             if (isConverged(size, correction)) {

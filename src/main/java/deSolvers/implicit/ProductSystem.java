@@ -56,7 +56,7 @@ final class ProductSystem implements ShiftedJacobian {
     }
 
     @Override
-    public boolean prepare(double g) {
+    public boolean prepare(double g, double tolerance) {
         this.g = g;
         return true;
     }

@@ -92,9 +92,9 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
     }
 
     @Override
-    public boolean prepare(double g) {
+    public boolean prepare(double g, double tolerance) {
         this.g = g;
-        return solver.prepare(matrix, exact ? matrix : products, blocks.combine(g, matrix));
+        return solver.prepare(matrix, exact ? matrix : products, blocks.combine(g, matrix), tolerance);
     }
 
     @Override

@@ -49,8 +49,8 @@ interface ShiftedJacobian {
     default void forget() {
     }
 
-    /** Prepares for a real g; false if the matrix is found to be singular. */
-    boolean prepare(double g);
+    /** Prepares for a real g and systems solved to a tolerance; false if the matrix is found to be singular. */
+    boolean prepare(double g, double tolerance);
 
     /** Prepares for a complex g besides; false if the matrix is found to be singular. */
     boolean prepareComplex(double gRe, double gIm);

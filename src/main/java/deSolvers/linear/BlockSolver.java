@@ -13,11 +13,8 @@ package deSolvers.linear;
 public final class BlockSolver implements LinearSolver {
     /** Up to this number of rows the matrix is always factorised. */
     private static final int SMALL = 64;
-    /**
-     * Conjugate gradients need about this number times the square root of the condition number of iterations for four
-     * digits.
-     */
-    private static final double ITERATIONS = 2.6;
+    /** Conjugate gradients need about this number of iterations per digit, times the root of the condition number. */
+    private static final double ITERATIONS = 2.6 / 1.9;
     /** GMRES, which restarts, needs about this many times more. */
     private static final double BY_GMRES = 2;
     /** Up to this number of expected iterations no factorisation is considered. */
@@ -38,6 +35,7 @@ public final class BlockSolver implements LinearSolver {
     private LinearOperator operator;
     private BlockFactors factors;                       // null until a matrix of this pattern may need them
     private boolean factorised;                         // whether they are those of this matrix or an earlier one
+    private boolean current;                            // whether they are those of this matrix
     private boolean symmetric;
     private long fewest;                                // iterations of a solution with these factors
     private long most;
@@ -63,18 +61,20 @@ public final class BlockSolver implements LinearSolver {
      * @param matrix    A, or an approximation from which the preconditioner is made
      * @param operator  A
      * @param condition an estimate of the condition number of A after scaling by its diagonal blocks
+     * @param tolerance the tolerance with which systems will be solved
      * @return false if it is found to be singular
      */
-    public boolean prepare(BlockMatrix matrix, LinearOperator operator, double condition) {
+    public boolean prepare(BlockMatrix matrix, LinearOperator operator, double condition, double tolerance) {
         if (this.matrix == null || this.matrix.pattern() != matrix.pattern()) {
             factors = null;
             factorised = false;
         }
         this.matrix = matrix;
         this.operator = operator;
+        current = false;
         spent = 0;
         symmetric = matrix.isSymmetric();
-        boolean direct = matrix.pattern().rows <= SMALL || iterationsCostMore(expected(condition));
+        boolean direct = matrix.pattern().rows <= SMALL || iterationsCostMore(expected(condition, tolerance));
         if (direct && factorised && most <= fewest + MOST_MORE) {
             return true;
         }
@@ -82,8 +82,10 @@ public final class BlockSolver implements LinearSolver {
         return direct && factorise() || blockJacobi.prepare(matrix);
     }
 
-    private double expected(double condition) {
-        return (symmetric ? 1 : BY_GMRES) * ITERATIONS * Math.sqrt(condition);
+    /** The first two digits of a solution take few iterations; each further one takes as many. */
+    private double expected(double condition, double tolerance) {
+        double digits = -StrictMath.log10(tolerance);
+        return (symmetric ? 1 : BY_GMRES) * ITERATIONS * Math.sqrt(condition) * (digits - 2.1);
     }
 
     private boolean iterationsCostMore(double expected) {
@@ -101,6 +103,7 @@ public final class BlockSolver implements LinearSolver {
 
     private boolean factorise() {
         factorised = factors().fit() && factors.factorise(matrix, symmetric);
+        current = factorised;
         fewest = Long.MAX_VALUE / 2;
         most = 0;
         return factorised;
@@ -114,7 +117,7 @@ public final class BlockSolver implements LinearSolver {
                 && conjugateGradients.solve(matrix, blockJacobi, b, x, tolerance);
         spent += work.iterations - before;
         return solved || solve(gmres, operator, inverse, b, x, tolerance)
-                || !factorised && factorise() && solve(gmres, operator, factors, b, x, tolerance);
+                || !current && factorise() && solve(gmres, operator, factors, b, x, tolerance);
     }
 
     /**
