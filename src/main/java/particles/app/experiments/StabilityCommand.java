@@ -97,47 +97,50 @@ public final class StabilityCommand extends ExperimentCommand {
                 "Every number was measured on the solver's code, by bisection on the test equation y' = lambda"
                         + " y. Beside it is the theory, as in the catalogue. A spring without damping lies on"
                         + " the imaginary axis, lambda = i omega; pure decay lies on the negative real axis.",
-                "An adaptive solver makes its sub-steps shorter before anything grows. What is measured of it is one"
-                        + " sub-step as long as deltaT, which a tolerance that allows everything makes it take: beyond"
-                        + " its limit it has to take more of them, and that is what a stiff system costs it."
+                "An adaptive solver makes its sub-steps shorter before anything grows. With an unlimited tolerance"
+                        + " it takes one sub-step of deltaT; that sub-step is measured. Beyond its limit it has to"
+                        + " take more sub-steps, and that is what a stiff system costs it."
                         + " bulirsch-stoer states no limits, as every number of lines of its table has its own;"
                         + " measured are those with which it begins.",
                 "Symplectic solvers need positions and velocities: what is measured is a damped spring with the"
                         + " eigenvalues lambda and its conjugate, on the real axis the critically damped one. verlet"
                         + " and yoshida4 refuse a step whose last kick they cannot solve; that counts as unstable, and"
                         + " with strong damping it is their limit."),
-                List.of(region("slides",
+                List.of(new Region("slides",
                                 "Explicit methods are stable in the shaded region: deltaT times each eigenvalue"
                                 + " has to lie there",
                                 "The slides' solvers and adams. Of the imaginary axis, only 0 belongs to the regions"
                                 + " of euler, midpoint and adams; the outline of adams runs so close beside the axis,"
                                 + " up to 0.9, that the picture cannot show it: at 0.8 a step still grows by 0.7 %.",
-                                List.of("euler", "midpoint", "rk4", "adams"), new Window(-3.5, 1, 3.5, 0.05), progress,
-                                0.5),
-                        region("adaptive",
+                                List.of("euler", "midpoint", "rk4", "adams"), new Window(-3.5, 1, 3.5, 0.05))
+                                        .draw(progress, 0.5),
+                        new Region("adaptive",
                                 "One sub-step of the explicit adaptive solvers is stable in the shaded region",
                                 "Longer steps are divided, so these outlines show the cost of a stiff system.",
                                 List.of("step-doubling", "dormand-prince", "bulirsch-stoer"),
-                                new Window(-14, 4, 12, 0.15),
-                                progress, 0.6),
-                        region("symplectic", "Symplectic methods on a damped spring are stable in the shaded region",
-                                "Without damping, on the imaginary axis, the limit is 2, of yoshida4 1.57; damping"
-                                + " takes from it.",
-                                List.of("symplectic-euler", "verlet", "yoshida4"), new Window(-2.5, 1, 2.5, 0.04),
-                                progress, 0.7),
-                        region("implicit", "Implicit methods are stable for all that decays, and for fast growth too",
-                                "All that decays is stable. implicit-midpoint has the imaginary axis itself for an"
-                                        + " outline: what grows grows, and what decays decays. The others damp what"
-                                        + " grows too, if it is fast.",
-                                List.of("backward-euler", "implicit-midpoint", "radau"), new Window(-3, 13, 8, 0.15),
-                                progress, 0.85)),
+                                new Window(-14, 4, 12, 0.15)).draw(progress, 0.6),
+                        new Region("symplectic",
+                                "Symplectic methods on a damped spring are stable in the shaded region",
+                                "Without damping, on the imaginary axis, the limit is 2 (1.57 for yoshida4);"
+                                        + " damping lowers it.",
+                                List.of("symplectic-euler", "verlet", "yoshida4"), new Window(-2.5, 1, 2.5, 0.04))
+                                        .draw(progress, 0.7),
+                        new Region("implicit",
+                                "Implicit methods are stable for all that decays, and for fast growth too",
+                                "All that decays is stable. The boundary of implicit-midpoint is the imaginary axis:"
+                                        + " it reproduces growth as growth and decay as decay. The others also damp"
+                                        + " growth, if it is fast.",
+                                List.of("backward-euler", "implicit-midpoint", "radau"), new Window(-3, 13, 8, 0.15))
+                                        .draw(progress, 0.85)),
                 List.of(limits));
     }
 
-    private static Picture region(String name, String title, String caption, List<String> solvers, Window window,
-                                  ProgressListener progress, double done) {
-        progress.reached(done, "regions of " + String.join(", ", solvers));
-        return Picture.compared("region-" + name, caption, title,
-                solvers.stream().map(solver -> Panel.map(StabilityRegion.filled(solver, window))).toList());
+    /** A picture of stability regions: its name, title and caption, and the solvers shown in a part of the plane. */
+    private record Region(String name, String title, String caption, List<String> solvers, Window window) {
+        Picture draw(ProgressListener progress, double done) {
+            progress.reached(done, "regions of " + String.join(", ", solvers));
+            return Picture.compared("region-" + name, caption, title,
+                    solvers.stream().map(solver -> Panel.map(StabilityRegion.filled(solver, window))).toList());
+        }
     }
 }

@@ -27,7 +27,7 @@ public final class StiffClothCommand extends ExperimentCommand {
         return new ResultPage(NAME, StiffCloth.finding(rows), List.of(
                 "The stiffer the springs, the more steps of rk4 a frame needs to be stable: as many as the root of the"
                         + " stiffness. linearised-euler, backward Euler with one linear solve, takes one step whatever"
-                        + " the stiffness; that it takes no more is paid with damping.",
+                        + " the stiffness; the price of the single step is numerical damping.",
                 "Its first step also orders the equations, once for each cloth. backward-euler iterates to its"
                         + " tolerance; where rk4 needs 100 steps or more, it does not converge."),
                 List.of(Picture.chart("stiff-cloth", "CPU time of a frame, on logarithmic axes; medians of nine"
