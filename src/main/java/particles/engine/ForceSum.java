@@ -19,9 +19,27 @@ public final class ForceSum {
     private final List<Effect> effects;
     private final List<Reaction> reactions;
     private Optional<ParallelDerivative> parallel = Optional.empty();
+    /** Clearing the derivative comes before the effects that act on each particle separately. */
+    private final List<PerParticleEffect> passes = new ArrayList<>(List.of(new Clearing()));
     private final List<PerParticleEffect> perParticle = new ArrayList<>();
     private final List<Effect> others = new ArrayList<>();
     private int sorted;                                 // how many effects are in the two lists
+
+    /**
+     * Sets a range of the derivative to 0. As an effect among effects it makes the call in {@link #begin} one of three
+     * or more kinds, so that Java compiles each loop by itself: inlined into one nest they take 1.5 times as long.
+     */
+    private static final class Clearing implements PerParticleEffect {
+        @Override
+        public String getName() {
+            return "clearing";
+        }
+
+        @Override
+        public void addForces(double[] state, double time, double[] force, int from, int to) {
+            Arrays.fill(force, STRIDE * from, STRIDE * to, 0.0);
+        }
+    }
 
     /** Keeps the lists, which may grow later. */
     public ForceSum(Particles particles, List<Effect> effects, List<Reaction> reactions) {
@@ -66,6 +84,7 @@ public final class ForceSum {
         for (; sorted < effects.size(); sorted++) {
             if (effects.get(sorted) instanceof PerParticleEffect effect) {
                 perParticle.add(effect);
+                passes.add(effect);
             } else {
                 others.add(effects.get(sorted));
             }
@@ -76,9 +95,8 @@ public final class ForceSum {
     public void begin(double[] state, double time, double[] dSdt, int first, int end) {
         for (int from = first; from < end; from += STRETCH) {
             int to = Math.min(end, from + STRETCH);
-            Arrays.fill(dSdt, STRIDE * from, STRIDE * to, 0.0);
-            for (int e = 0; e < perParticle.size(); e++) {
-                perParticle.get(e).addForces(state, time, dSdt, from, to);
+            for (int e = 0; e < passes.size(); e++) {
+                passes.get(e).addForces(state, time, dSdt, from, to);
             }
         }
     }

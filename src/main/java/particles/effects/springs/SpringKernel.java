@@ -27,42 +27,81 @@ final class SpringKernel {
         }
     }
 
-    /** Spring by spring: faster if a particle begins one or two springs, as in a chain. */
+    /**
+     * Spring by spring: faster if a particle begins one or two springs. In a chain each spring begins where the one
+     * before it ended: that particle's position and force stay in registers, and its force is stored once.
+     */
     private static void addSingly(SpringTable table, double[] state, double[] force, int first, int end) {
         int[] from = table.from;
         int[] to = table.to;
         double[] stiffness = table.stiffness;
         double[] restLength = table.restLength;
         double[] damping = table.damping;
+        int i = from[first];
+        double x = state[i];
+        double y = state[i + 1];
+        double z = state[i + 2];
+        double fx = force[i + 3];
+        double fy = force[i + 4];
+        double fz = force[i + 5];
         for (int s = first; s < end; s++) {
-            int i = from[s];
-            int j = to[s];
-            double rx = state[j] - state[i];
-            double ry = state[j + 1] - state[i + 1];
-            double rz = state[j + 2] - state[i + 2];
-            double square = Math.fma(rx, rx, Math.fma(ry, ry, rz * rz));
-            if (!isOrdinary(square)) {
-                addExtremeForce(table, s, state, force);
-                continue;
+            int next = from[s];
+            if (next != i) {
+                force[i + 3] = fx;
+                force[i + 4] = fy;
+                force[i + 5] = fz;
+                i = next;
+                x = state[i];
+                y = state[i + 1];
+                z = state[i + 2];
+                fx = force[i + 3];
+                fy = force[i + 4];
+                fz = force[i + 5];
             }
-            double length = Math.sqrt(square);
-            double stretching = Math.fma(rx, state[j + 3] - state[i + 3],
-                    Math.fma(ry, state[j + 4] - state[i + 4], rz * (state[j + 5] - state[i + 5])));
-            double inverse = 1 / length;
-            double perLength = Math.fma(damping[s] * stretching, inverse,
-                    stiffness[s] * (length - restLength[s])) * inverse;
-            force[i + 3] = Math.fma(perLength, rx, force[i + 3]);
-            force[i + 4] = Math.fma(perLength, ry, force[i + 4]);
-            force[i + 5] = Math.fma(perLength, rz, force[i + 5]);
-            force[j + 3] = Math.fma(-perLength, rx, force[j + 3]);
-            force[j + 4] = Math.fma(-perLength, ry, force[j + 4]);
-            force[j + 5] = Math.fma(-perLength, rz, force[j + 5]);
+            int j = to[s];
+            double xj = state[j];
+            double yj = state[j + 1];
+            double zj = state[j + 2];
+            double rx = xj - x;
+            double ry = yj - y;
+            double rz = zj - z;
+            double square = Math.fma(rx, rx, Math.fma(ry, ry, rz * rz));
+            if (isOrdinary(square)) {
+                double length = Math.sqrt(square);
+                double stretching = Math.fma(rx, state[j + 3] - state[i + 3],
+                        Math.fma(ry, state[j + 4] - state[i + 4], rz * (state[j + 5] - state[i + 5])));
+                double inverse = 1 / length;
+                double perLength = Math.fma(damping[s] * stretching, inverse,
+                        stiffness[s] * (length - restLength[s])) * inverse;
+                force[i + 3] = Math.fma(perLength, rx, fx);
+                force[i + 4] = Math.fma(perLength, ry, fy);
+                force[i + 5] = Math.fma(perLength, rz, fz);
+                fx = Math.fma(-perLength, rx, force[j + 3]);
+                fy = Math.fma(-perLength, ry, force[j + 4]);
+                fz = Math.fma(-perLength, rz, force[j + 5]);
+            } else {
+                force[i + 3] = fx;
+                force[i + 4] = fy;
+                force[i + 5] = fz;
+                addExtremeForce(table, s, state, force);
+                fx = force[j + 3];
+                fy = force[j + 4];
+                fz = force[j + 5];
+            }
+            i = j;
+            x = xj;
+            y = yj;
+            z = zj;
         }
+        force[i + 3] = fx;
+        force[i + 4] = fy;
+        force[i + 5] = fz;
     }
 
     /**
-     * Particle by particle, with the first particle's data in registers for all of its springs: faster for cloth. It is
-     * a single loop because nested loops of a handful of springs each do not get fast.
+     * Particle by particle, with the first particle's position and force in registers for all of its springs: faster
+     * for cloth. (There are not enough registers for its velocity too.) It is a single loop because nested loops of a
+     * handful of springs each do not get fast.
      */
     private static void addGrouped(SpringTable table, double[] state, double[] force, int first, int end) {
         int[] from = table.from;
@@ -74,9 +113,6 @@ final class SpringKernel {
         double x = state[i];
         double y = state[i + 1];
         double z = state[i + 2];
-        double vx = state[i + 3];
-        double vy = state[i + 4];
-        double vz = state[i + 5];
         double sumX = 0;
         double sumY = 0;
         double sumZ = 0;
@@ -90,9 +126,6 @@ final class SpringKernel {
                 x = state[i];
                 y = state[i + 1];
                 z = state[i + 2];
-                vx = state[i + 3];
-                vy = state[i + 4];
-                vz = state[i + 5];
                 sumX = 0;
                 sumY = 0;
                 sumZ = 0;
@@ -104,8 +137,8 @@ final class SpringKernel {
             double square = Math.fma(rx, rx, Math.fma(ry, ry, rz * rz));
             if (isOrdinary(square)) {
                 double length = Math.sqrt(square);
-                double stretching = Math.fma(rx, state[j + 3] - vx,
-                        Math.fma(ry, state[j + 4] - vy, rz * (state[j + 5] - vz)));
+                double stretching = Math.fma(rx, state[j + 3] - state[i + 3],
+                        Math.fma(ry, state[j + 4] - state[i + 4], rz * (state[j + 5] - state[i + 5])));
                 double inverse = 1 / length;
                 double perLength = Math.fma(damping[s] * stretching, inverse,
                         stiffness[s] * (length - restLength[s])) * inverse;
