@@ -8,6 +8,7 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Program;
 import particles.app.cli.ProgramCommand;
+import particles.app.cli.StandardOutput;
 import particles.app.experiments.EffectCostCommand;
 import particles.app.experiments.EnergyDriftCommand;
 import particles.app.experiments.ExperimentCommand;
@@ -54,7 +55,7 @@ public final class Main {
         StopRequest stop = new StopRequest();
         stop.listen();
         Program program = new Program(commands(OptionStyle.current(), stop), OptionStyle.current(),
-                new PrintWriter(System.out, true), new PrintWriter(System.err, true));
+                new PrintWriter(new StandardOutput(), true), new PrintWriter(System.err, true));
         ExitCode code = program.execute(args);
         try {
             ResultsIndex.update(RESULTS);

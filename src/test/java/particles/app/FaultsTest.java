@@ -144,6 +144,17 @@ class FaultsTest {
         }
     }
 
+    /** The other side of the pipe has gone before the first line, as head does after its lines. */
+    @ParameterizedTest
+    @ValueSource(strings = {"scenes", "solvers", "exercises", "--help", "checkSolver --solver=rk4", "run"})
+    void aPipeThatNobodyReadsIsNoFault(String command) throws Exception {
+        assumeTrue(Files.exists(Path.of("/dev/stdout")), "needs pipes with names");
+        String[] args = (command.equals("run") ? "run --scene=" + scene(SHORT) + " --out=" + out : command).split(" ");
+        ChildProgram.End end = child().startedBy("sh", "-c", "{ \"$@\"; echo \"exit $?\" >&2; } | true", "sh")
+                .run(args);
+        assertEquals("exit 0", end.lines().strip());
+    }
+
     /** A device that is always full takes the lines of a run; what is lost is said on the other stream. */
     @Test
     void linesThatCannotBePrintedAreNotLostInSilence() throws Exception {
