@@ -73,12 +73,12 @@ final class Summary {
                 : " (" + Digits.few(error) + " of the energy scale, " + joules(record.energyScale()) + ")")
                 + (damped ? ", by numerical damping" : ""));
         if (error > LARGE_ERROR && !endedEarly && !failed && !damped) {
-            lines.add("warning: the numerical error is " + Math.round(100 * error) + " % of the energy; do not trust"
+            lines.add("warning: the numerical error is " + share(error) + " the energy; do not trust"
                     + " this motion. Try a smaller deltaT or another solver.");
         }
         if (error > LARGE_ERROR && damped) {
-            lines.add("warning: numerical damping took " + Math.round(100 * error) + " % of the energy scale; a"
-                    + " smaller deltaT loses less.");
+            lines.add("warning: numerical damping took " + share(error) + " the energy scale; a smaller deltaT loses"
+                    + " less.");
         }
         Violation violation = scene.simulation().getViolation();
         if (violation.part() > VIOLATION && !failed) {
@@ -90,6 +90,12 @@ final class Summary {
     /** Formats an energy; round-off relative to the energy scale is shown as 0. */
     private String joules(double energy) {
         return (Math.abs(energy) < ROUND_OFF * record.energyScale() ? "0" : Digits.few(energy)) + " J";
+    }
+
+    /** An error beside the energy scale: a part of it, or from 100 % on an energy. */
+    private String share(double error) {
+        return error < 1 ? Math.round(100 * error) + " % of"
+                : joules(record.largestNumericalError()) + ", " + Digits.few(error) + " times";
     }
 
     private static String counted(long count, String thing) {

@@ -22,9 +22,12 @@ class SummaryTest {
     /** The lines for a mass on a spring, x'' = -x from x = 1: 0.5 J for ever. */
     private static List<String> lines(String solver, double deltaT, double duration) throws IOException {
         Path file = Path.of("scenes/02-one-spring.yaml");
-        String text = Files.readString(file).replaceFirst("solver: \\S+", "solver: " + solver)
+        return lines(file, Files.readString(file).replaceFirst("solver: \\S+", "solver: " + solver)
                 .replaceFirst("deltaT: \\S+", "deltaT: " + deltaT)
-                .replaceFirst("duration: \\S+", "duration: " + duration);
+                .replaceFirst("duration: \\S+", "duration: " + duration));
+    }
+
+    private static List<String> lines(Path file, String text) {
         Scene scene = SceneBuilder.build(SceneReader.read(file.toString(), text.getBytes()));
         EnergyHistory energy = new EnergyHistory();
         EnergyLedgerRecorder books = new EnergyLedgerRecorder(1);
@@ -55,6 +58,31 @@ class SummaryTest {
                 lines.get(3));
         assertEquals("warning: numerical damping took 63 % of the energy scale; a smaller deltaT loses less.",
                 lines.get(4));
+    }
+
+    /**
+     * A hand shakes a block of 1 kg at its period, 1 s, with A = 2 cm. Its power is lost by numerical damping, gamma =
+     * (2 pi)^2 deltaT per second, until the work of every period is: the loss grows without bound, the energy does not.
+     */
+    @Test
+    void dampingOfMoreThanTheEnergyScaleIsToldAsEnergy() {
+        String text = """
+                title: A shaken block
+                teaches: Damping takes the work of a hand.
+                solver: backward-euler
+                deltaT: 0.02
+                duration: 20
+                particles:
+                  - {id: hand, position: [0, 0, 0], fixed: true}
+                  - {id: block, position: [0, -1, 0], mass: 1}
+                springs:
+                  - {from: hand, to: block, stiffness: 39.47841760435743, restLength: 1}
+                rules:
+                  - shake: {particle: hand, amplitude: [0, 0.02, 0], period: 1}
+                """;
+        List<String> lines = lines(Path.of("x.yaml"), text);
+        assertTrue(lines.get(4).matches("warning: numerical damping took \\d[.]\\d+ J, \\d\\d times the energy scale; a"
+                + " smaller deltaT loses less."), lines.get(4));
     }
 
     @Test
