@@ -108,8 +108,9 @@ class ArchitectureTest {
             particles.output.charts:       particles.output.files particles.output.text particles.view java.awt
                                            javax.xml org.apache.batik org.jfree org.w3c.dom
             particles.output.files:        particles particles.law com.fasterxml.jackson
-            particles.output.frames:       particles particles.law particles.output.files particles.output.painters
-                                           particles.output.raster particles.output.text particles.view java.awt
+            particles.output.frames:       deSolvers.text particles particles.law particles.output.files
+                                           particles.output.painters particles.output.raster
+                                           particles.output.text particles.view java.awt
             particles.output.painters:     particles particles.law particles.output.raster particles.view
             particles.output.race:         particles particles.output.animation particles.output.charts
                                            particles.output.files particles.output.frames particles.output.painters
@@ -129,9 +130,9 @@ class ArchitectureTest {
                                            particles.effects.springs particles.law particles.reactions particles.rules
                                            particles.scene.checks particles.scene.format particles.scene.parts
                                            particles.spec particles.spec.messages particles.view
-            particles.scene.checks:        deSolvers.catalog particles.effects particles.law particles.reactions.wires
-                                           particles.scene.format particles.scene.parts particles.spec
-                                           particles.spec.messages particles.view
+            particles.scene.checks:        deSolvers.catalog deSolvers.text particles.effects particles.law
+                                           particles.reactions.wires particles.scene.format particles.scene.parts
+                                           particles.spec particles.spec.messages particles.view
             particles.scene.format:        deSolvers deSolvers.adaptive deSolvers.catalog particles.effects
                                            particles.law particles.scene.parts particles.spec
                                            particles.spec.documents particles.spec.messages particles.view

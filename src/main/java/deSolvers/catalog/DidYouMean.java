@@ -3,12 +3,17 @@ package deSolvers.catalog;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 
 /** Suggests the known name that was probably meant, for messages about unknown names. */
 public final class DidYouMean {
     private static final int LONGEST_BEGINNING = 5;
+    /** What other programs and books call the same, in lower case. */
+    private static final Map<String, String> OTHER_WORDS = Map.of("dt", "deltaT", "h", "deltaT", "step", "deltaT",
+            "timestep", "deltaT", "integrator", "solver", "method", "solver", "fps", "frameRate", "k", "stiffness",
+            "m", "mass");
 
     private DidYouMean() {
     }
@@ -16,18 +21,22 @@ public final class DidYouMean {
     /**
      * @param found a name that is not known
      * @param known the names that are
-     * @return the known name that is nearest, if one is near: one wrong letter in three, or the same first letters
+     * @return the known name that means the same or is nearest, if one is near: one wrong letter in three, or the same
+     *         first letters; one or two letters are near only to the same letters in the other case
      */
     public static Optional<String> nearest(String found, Collection<String> known) {
         String lower = found.toLowerCase(Locale.ROOT);
+        String other = OTHER_WORDS.getOrDefault(lower, "");
+        if (known.contains(other) || lower.length() <= 2) {
+            return known.stream().filter(name -> name.equals(other) || name.equalsIgnoreCase(found)).findFirst();
+        }
         Comparator<String> byDistance = Comparator.comparingInt(name -> distance(lower, name.toLowerCase(Locale.ROOT)));
         Optional<String> nearest = known.stream().min(byDistance)
                 .filter(name -> distance(lower, name.toLowerCase(Locale.ROOT))
                         <= Math.max(1, Math.min(lower.length(), name.length()) / 3));
         String beginning = lower.substring(0, Math.min(lower.length(), LONGEST_BEGINNING));
-        return nearest.isPresent() || lower.length() < 2 ? nearest
-                : known.stream().filter(name -> name.toLowerCase(Locale.ROOT).startsWith(beginning))
-                .min(Comparator.naturalOrder());
+        return nearest.or(() -> known.stream().filter(name -> name.toLowerCase(Locale.ROOT).startsWith(beginning))
+                .min(Comparator.naturalOrder()));
     }
 
     /**

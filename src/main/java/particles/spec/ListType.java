@@ -44,7 +44,9 @@ public final class ListType<T> extends Type<List<T>> {
         List<T> elements = new ArrayList<>();
         if (node instanceof SequenceNode) {
             for (Node item : ((SequenceNode) node).getValue()) {
-                element.read(item, elementName, in).ifPresent(elements::add);
+                if (!in.problems().isFull()) {
+                    element.read(item, elementName, in).ifPresent(elements::add);
+                }
             }
         } else if (bareAllowed) {
             element.read(node, what, in).ifPresent(elements::add);

@@ -80,7 +80,9 @@ public final class MappingType extends Type<Values> {
         Set<String> seen = new HashSet<>();
         Set<String> misspelt = new HashSet<>();
         for (NodeTuple tuple : ((MappingNode) node).getValue()) {
-            readEntry(tuple.getKeyNode(), tuple.getValueNode(), seen, misspelt, values, in);
+            if (!in.problems().isFull()) {
+                readEntry(tuple.getKeyNode(), tuple.getValueNode(), seen, misspelt, values, in);
+            }
         }
         for (Key<?> key : keys) {
             if (key.required() && !values.isGiven(key) && !misspelt.contains(key.name())) {

@@ -22,9 +22,10 @@ final class NumberMistake {
     private static final Pattern POWER = Pattern.compile("(?:([-+]?\\d+\\.?\\d*)\\s*[*x\u00d7\u00b7]\\s*)?"
             + "10\\s*(?:\\^|\\*\\*)\\s*\\(?([-+]?\\d+)\\)?");
     private static final Pattern WITH_UNIT = Pattern.compile("(" + NUMBER + ")\\s*([\\p{L}\u00b5%\u00b0][^,]{0,20})");
-    /** Dashes that look like a minus sign: the mathematical one, the en dash, the hyphen that does not break. */
-    private static final Pattern OTHER_MINUS = Pattern.compile("[\u2212\u2013\u2011]");
-    private static final Pattern NO_BREAK_SPACE = Pattern.compile("[\u00a0\u202f\u2007]");
+    private static final Pattern HEXADECIMAL = Pattern.compile("[-+]?0[xX][0-9a-fA-F.]+([pP][-+]?\\d+)?");
+    /** Characters that look like those of a number: dashes such as the mathematical minus, full-width ones, spaces. */
+    private static final String LOOKALIKES = "\u2212\u2013\u2011\uff0d\uff0b\uff0e\uff0c\u00a0\u202f\u2007\u3000";
+    private static final String MEANT = "----+.,    ";
     /** Conversion factors from the first unit to the second, which is that of the key. */
     private static final Map<String, Double> FACTORS = Map.ofEntries(Map.entry("ms s", 1e-3), Map.entry("us s", 1e-6),
             Map.entry("\u00b5s s", 1e-6), Map.entry("min s", 60.0), Map.entry("mm m", 1e-3), Map.entry("cm m", 1e-2),
@@ -43,18 +44,14 @@ final class NumberMistake {
             return Optional.empty();
         }
         String typed = ((ScalarNode) node).getValue();
-        String text = NO_BREAK_SPACE.matcher(typed).replaceAll(" ").strip();
-        if (((ScalarNode) node).getScalarStyle() != ScalarStyle.PLAIN && PLAIN.matcher(text).matches()) {
-            return Optional.of("a number has no quotes; write " + text);
+        String text = ordinary(typed).strip();
+        if (PLAIN.matcher(text).matches()) {
+            return Optional.of((((ScalarNode) node).getScalarStyle() == ScalarStyle.PLAIN
+                    ? "a character of it only looks like an ordinary digit, sign or space" : "a number has no quotes")
+                    + "; write " + text);
         }
-        if (NO_BREAK_SPACE.matcher(typed).find() && PLAIN.matcher(text).matches()) {
-            return Optional.of("it contains a no-break space; type an ordinary space instead");
-        }
-        if (OTHER_MINUS.matcher(text).find()) {
-            String mended = OTHER_MINUS.matcher(text).replaceAll("-");
-            return PLAIN.matcher(mended).matches()
-                    ? Optional.of("its minus sign is not an ordinary hyphen; write " + mended)
-                    : Optional.empty();
+        if (HEXADECIMAL.matcher(text).matches()) {
+            return Optional.of("a hexadecimal number has no sign, point or exponent; write it in decimal digits");
         }
         Matcher comma = COMMA.matcher(text);
         if (comma.matches()) {
@@ -62,6 +59,17 @@ final class NumberMistake {
                     + comma.group(2));
         }
         return calculated(text).or(() -> withUnit(text, unit));
+    }
+
+    /** The text with ordinary characters in place of those that look like them. */
+    private static String ordinary(String text) {
+        StringBuilder ordinary = new StringBuilder();
+        text.codePoints().forEach(c -> {
+            int index = LOOKALIKES.indexOf(c);
+            ordinary.appendCodePoint(index >= 0 ? MEANT.charAt(index)
+                    : Character.isDigit(c) ? '0' + Character.digit(c, 10) : c);
+        });
+        return ordinary.toString();
     }
 
     private static Optional<String> calculated(String text) {

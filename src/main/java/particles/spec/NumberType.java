@@ -3,6 +3,7 @@ package particles.spec;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
@@ -12,8 +13,10 @@ import particles.spec.messages.Wording;
 public final class NumberType extends Type<Double> {
     /** The largest number allowed in a scene; products of a few such numbers are still finite. */
     private static final double HUGE = 1e30;
-    /** The smallest positive number allowed; its inverse is finite. */
-    public static final double TINY = 1e-30;
+    /** The smallest positive number allowed, far below an electron's mass in kg; its inverse is finite. */
+    public static final double TINY = 1e-40;
+    /** A number over 0, however small; Java reads 1e-400 as 0. */
+    private static final Pattern OVER_ZERO = Pattern.compile("[+]?[0.]*[1-9].*");
 
     private final double least;
     private final boolean leastAllowed;
@@ -56,13 +59,13 @@ public final class NumberType extends Type<Double> {
             return mistake.isPresent() ? Optional.empty() : wrong(node, what, in);
         }
         double value = number.get();
+        if (value >= 0 && value < TINY && OVER_ZERO.matcher(((ScalarNode) node).getValue()).matches()) {
+            in.problem(node, what + " is " + Wording.describe(node) + "; positive numbers in a scene are at least "
+                    + Wording.number(TINY));
+            return Optional.empty();
+        }
         if (value <= most && value >= smallest()) {
             return number;
-        }
-        if (value > 0 && value < TINY) {
-            in.problem(node, what + " is " + Wording.describe(node)
-                    + "; positive numbers in a scene are at least 1e-30");
-            return Optional.empty();
         }
         if (Double.isNaN(value) && !isNotANumber(node) || Math.abs(value) > HUGE) {
             in.problem(node, what + " is " + Wording.describe(node) + "; numbers in a scene are at most 1e30");

@@ -2,9 +2,12 @@ package particles.spec;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
+import particles.spec.messages.Wording;
 
 /**
  * The context of reading one source: its name, its problems and the classes it may name.
@@ -15,6 +18,8 @@ import particles.spec.messages.Problems;
  * @param format   the format of the whole source, once it is known; for hints about misplaced keys
  */
 public record Reading(String source, Problems problems, ClassNames classes, Optional<MappingType> format) {
+
+    private static final Pattern CURLY_QUOTED = Pattern.compile("^[" + Wording.CURLY_QUOTES + "]");
 
     /** A source whose format is not known yet. */
     public Reading(String source, Problems problems, ClassNames classes) {
@@ -33,7 +38,9 @@ public record Reading(String source, Problems problems, ClassNames classes, Opti
     }
 
     void problem(Node node, String message) {
-        problems.add(place(node), message);
+        boolean curly = node instanceof ScalarNode scalar && CURLY_QUOTED.matcher(scalar.getValue()).find();
+        problems.add(place(node), message + (curly ? "; curly quotes are part of the text: type ordinary ones, or none"
+                : ""));
     }
 
     /** A value from an option has no position; its place is the whole option. */

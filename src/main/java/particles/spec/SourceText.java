@@ -75,7 +75,7 @@ public final class SourceText {
         CharBuffer characters = CharBuffer.allocate(bytes.length);
         CoderResult result = StandardCharsets.UTF_8.newDecoder().onMalformedInput(CodingErrorAction.REPORT)
                 .decode(ByteBuffer.wrap(bytes), characters, true);
-        String text = characters.flip().toString();
+        String text = characters.flip().toString().replaceAll("\r\n?", "\n");
         if (result.isError()) {
             in.problems().add(end(text, in), "a byte here is not UTF-8; save the file as UTF-8");
             return Optional.empty();
@@ -84,7 +84,7 @@ public final class SourceText {
         int word = 0;
         for (int i = 0; i < text.length(); i += Character.charCount(text.codePointAt(i))) {
             int c = text.codePointAt(i);
-            word = c == ' ' || c == '\t' || c == '\n' || c == '\r' ? 0 : word + 1;
+            word = c == ' ' || c == '\t' || c == '\n' ? 0 : word + 1;
             if (word > LONGEST_WORD) {
                 in.problems().add(end(text.substring(0, i), in), "more than " + LONGEST_WORD
                         + " characters without a space between"
@@ -102,7 +102,7 @@ public final class SourceText {
 
     /** The place right after the end of a text. */
     static Place end(String text, Reading in) {
-        String[] lines = text.split("\r\n|\r|\n", -1);
+        String[] lines = text.split("\n", -1);
         String last = lines[lines.length - 1];
         return new Place(in.source(), lines.length, last.codePointCount(0, last.length()) + 1);
     }

@@ -1,6 +1,8 @@
 package particles.spec;
 
 import java.util.Optional;
+import java.util.function.Function;
+import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.snakeyaml.engine.v2.api.LoadSettings;
@@ -11,11 +13,13 @@ import org.snakeyaml.engine.v2.events.CollectionStartEvent;
 import org.snakeyaml.engine.v2.events.Event;
 import org.snakeyaml.engine.v2.events.NodeEvent;
 import org.snakeyaml.engine.v2.events.ScalarEvent;
+import org.snakeyaml.engine.v2.exceptions.Mark;
 import org.snakeyaml.engine.v2.exceptions.MarkedYamlEngineException;
 import org.snakeyaml.engine.v2.exceptions.YamlEngineException;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.schema.CoreSchema;
 import particles.spec.messages.Place;
+import particles.spec.messages.Wording;
 
 /**
  * Parses YAML 1.2 (core schema, so that 1e-3 is a number) into a tree of nodes with places. Deep nesting, aliases (ten
@@ -24,14 +28,18 @@ import particles.spec.messages.Place;
 public final class YamlText {
     private static final int DEEPEST = 20;
     private static final int MOST_VALUES = 200_000;
-    /** Invalid escapes on which the parser itself fails: at the end of the text, or with a code larger than an int. */
-    private static final Pattern NO_CHARACTER = Pattern.compile("\\\\(?:[xuU]\\z|U[89A-Fa-f][0-9A-Fa-f]{7})");
-
-    /** A line with a YAML version. */
-    private static final Pattern VERSION = Pattern.compile("(?m)^%YAML");
-    /** {@code deltaT:0.01}, and the same after spaces of which one is not an ordinary space. */
-    private static final Pattern NO_SPACE = Pattern.compile("^(\\s*(?:-\\s+)?)([A-Za-z]\\w*):(?=[^\\s/:])");
-    private static final Pattern NO_BREAK_SPACE = Pattern.compile("[\u00a0\u2007\u202f]");
+    /** Before an escape on which the parser itself fails: at the end of the text, or with a code larger than an int. */
+    private static final Pattern NO_CHARACTER = Pattern.compile("(?=\\\\(?:[xuU]\\z|U[89A-Fa-f][0-9A-Fa-f]{7}))");
+    private static final String WRONG_ESCAPE = "not valid YAML: an escape has to give a character's number in"
+            + " hexadecimal digits, such as \\xe9, \\u00e9 or \\U000000e9";
+    /** Before a line that begins with %, other than the head of a YAML 1 file. */
+    private static final Pattern PERCENT = Pattern.compile("(?m)^(?=%(?!YAML 1[.]\\d+\\s|TAG ))");
+    /** {@code deltaT:0.01} up to the colon, and the same after spaces of which one is not an ordinary space. */
+    private static final Pattern NO_SPACE = Pattern.compile("^\\s*(?:-\\s+)?([A-Za-z]\\w*):(?=([^\\s/:].*))");
+    private static final Pattern NO_BREAK_SPACE = Pattern.compile("(?=[\u00a0\u2007\u202f])");
+    /** Before a quotation mark of printed text at the beginning of a value. */
+    private static final Pattern CURLY_QUOTE = Pattern.compile("(?:^|[:-]\\s|[\\[{,])\\s*(?=[" + Wording.CURLY_QUOTES
+            + "])");
 
     private YamlText() {
     }
@@ -60,20 +68,18 @@ public final class YamlText {
                 in.problems().add(Place.of(in.source()), "the file is empty");
             }
             return root;
-        } catch (MarkedYamlEngineException e) {
-            if (!typingMistake(text, e.getProblemMark().map(mark -> mark.getLine()).orElse(0), in)) {
-                in.problems().add(Place.of(in.source(), e.getProblemMark()), "not valid YAML: " + reason(e, text));
-            }
         } catch (YamlEngineException e) {
-            Matcher directive = VERSION.matcher(text);
-            in.problems().add(directive.find() ? SourceText.end(text.substring(0, directive.start()), in)
-                    : Place.of(in.source()), "not valid YAML: " + e.getMessage());
+            Optional<Mark> mark = e instanceof MarkedYamlEngineException marked ? marked.getProblemMark()
+                    : Optional.empty();
+            if (!report(PERCENT, text, 0, found -> "a line cannot begin with %; a comment begins with #", in)
+                    && !typingMistake(text, mark.map(Mark::getLine).orElse(0), in)) {
+                in.problems().add(Place.of(in.source(), mark), "not valid YAML: "
+                        + (e instanceof MarkedYamlEngineException marked ? reason(marked, text) : e.getMessage()));
+            }
         } catch (NumberFormatException e) {
-            Matcher escape = NO_CHARACTER.matcher(text);
-            in.problems().add(escape.find() ? SourceText.end(text.substring(0, escape.start()), in)
-                    : Place.of(in.source()),
-                    "not valid YAML: an escape has to give a character's number in hexadecimal digits, such as \\xe9,"
-                    + " \\u00e9 or \\U000000e9");
+            if (!report(NO_CHARACTER, text, 0, found -> WRONG_ESCAPE, in)) {
+                in.problems().add(Place.of(in.source()), WRONG_ESCAPE);
+            }
         }
         return Optional.empty();
     }
@@ -85,27 +91,39 @@ public final class YamlText {
      * @return whether a mistake was found and reported in that line or in the last line before it that is not empty
      */
     static boolean typingMistake(String text, int noticed, Reading in) {
-        String[] lines = text.split("\r\n|\r|\n", -1);
+        String[] lines = text.split("\n", -1);
         int looked = 0;
         for (int n = Math.min(noticed, lines.length - 1); n >= 0 && looked < 2; n--) {
-            String line = lines[n];
-            looked += line.isBlank() ? 0 : 1;
-            Matcher space = NO_BREAK_SPACE.matcher(line);
-            if (space.find()) {
-                in.problems().add(new Place(in.source(), n + 1, line.codePointCount(0, space.start()) + 1),
-                        "a no-break space is here, which YAML does not take for a space; type an ordinary space"
-                                + " instead");
-                return true;
-            }
-            Matcher key = NO_SPACE.matcher(line);
-            if (key.find()) {
-                in.problems().add(new Place(in.source(), n + 1, line.codePointCount(0, key.end()) + 1),
-                        "a space is missing after '" + key.group(2) + ":'; write '" + key.group(2) + ": "
-                                + line.substring(key.end()).strip() + "'");
+            looked += lines[n].isBlank() ? 0 : 1;
+            if (report(NO_BREAK_SPACE, lines[n], n, found -> "a no-break space is here, which YAML does not take for a"
+                    + " space; type an ordinary space instead", in)
+                    || report(NO_SPACE, lines[n], n, found -> "a space is missing after '" + found.group(1)
+                    + ":'; write '" + found.group(1) + ": " + found.group(2).strip() + "'", in)
+                    || looked < 2 && report(CURLY_QUOTE, lines[n], n, found -> "a curly quote is here, which YAML does"
+                    + " not take for a quote; type an ordinary ' or \" instead", in)) {
                 return true;
             }
         }
         return false;
+    }
+
+    /**
+     * Reports a mistake if its pattern is found.
+     *
+     * @param mistake ends before the place to report
+     * @param text    the whole text or a line of it
+     * @param lines   the number of lines before it
+     * @return whether it was found
+     */
+    private static boolean report(Pattern mistake, String text, int lines, Function<MatchResult, String> message,
+                                  Reading in) {
+        Matcher found = mistake.matcher(text);
+        boolean is = found.find();
+        if (is) {
+            Place place = SourceText.end(text.substring(0, found.end()), in);
+            in.problems().add(new Place(in.source(), lines + place.line(), place.column()), message.apply(found));
+        }
+        return is;
     }
 
     private static void lookThrough(Iterable<Event> events, Reading in) {
@@ -167,7 +185,8 @@ public final class YamlText {
             String found = problem.substring(problem.indexOf("but got ") + "but got ".length());
             String open = problem.contains("'}'") ? "{" : "[";
             return "the '" + open + "' of line " + (e.getContextMark().get().getLine() + 1) + " is not closed before "
-                    + (found.equals("<stream end>") ? "the end" : "this '" + found + "'")
+                    + (found.equals("<stream end>") ? "the end" : found.startsWith("<")
+                    ? "this; a comma or the closing bracket is missing" : "this '" + found + "'")
                     + (found.equals("[") ? " (an id such as cloth[3,4] needs quotes here)" : "");
         }
         if (problem.startsWith("expected <block end>")) {

@@ -92,13 +92,13 @@ class BlowUpMessageTest {
         assertTrue(energy < 0.1, energy + " J after " + line);  // 0.005 J and what the springs hold at the start
     }
 
-    /** Damping of 1e30 N s/m on masses of 1e-30 kg decays at 1e60 /s and more; no option takes a step so short. */
+    /** Damping of 1e30 N s/m on masses of 1e-40 kg decays at 1e70 /s and more; no option takes a step so short. */
     @Test
     void noStepIsAdvisedThatTheOptionRefuses() {
         String text = CHAIN.replace("SOLVER", "rk4").replace("DAMPING", ", damping: 1e30")
-                .replaceAll("(\\{id: [abc],)", "$1 mass: 1e-30,");
+                .replaceAll("(\\{id: [abc],)", "$1 mass: 1e-40,");
         String line = blowUp(TestScenes.build(text));
-        assertTrue(line.endsWith("\ntry softer springs or larger masses, as no deltaT may be below 1e-30 s"), line);
+        assertTrue(line.endsWith("\ntry softer springs or larger masses, as no deltaT may be below 1e-40 s"), line);
     }
 
     /** c = 3 N s/m: Euler is stable up to c/k = 7.5 ms, so "at any deltaT" would not be true. */
@@ -144,16 +144,6 @@ class BlowUpMessageTest {
         String lines = blowUp(scene);
         assertTrue(lines.matches("rk4 stopped at t = 4\\.06 s: contacts make no headway: .*\nwith restSpeed 0, bounces"
                 + " become ever smaller and never end\ntry restSpeed: 0\\.01 in the scene's rule"), lines);
-    }
-
-    /** omega = 2e30 rad/s needs a deltaT below 1e-30 s, which every scene and option refuses. */
-    @Test
-    void noDeltaTIsAdvisedThatTheOptionRefuses() {
-        String text = CHAIN.replace("SOLVER", "verlet").replace("DAMPING", "").replace("400", "1e30")
-                .replaceAll("(id: [abc], )", "$1mass: 1e-30, ");
-        Scene scene = TestScenes.build(text);
-        String lines = blowUp(scene);
-        assertTrue(lines.endsWith("\ntry softer springs or larger masses, as no deltaT may be below 1e-30 s"), lines);
     }
 
     /** A rope of rods that swings down from the horizontal and cracks like a whip. */

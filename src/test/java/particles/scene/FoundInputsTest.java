@@ -29,14 +29,17 @@ class FoundInputsTest {
         return assertThrows(SceneException.class, () -> TestScenes.build(head + scene)).getLines();
     }
 
-    /** A mass whose inverse is infinite, and one whose half is 0: both ended in an IllegalArgumentException. */
+    /**
+     * A mass whose inverse is infinite, and one whose half is 0: both ended in an IllegalArgumentException. Java reads
+     * 1e-400 as 0.
+     */
     @ParameterizedTest
-    @CsvSource({"4.9e-324", "1e-310", "1e-31"})
-    void massesThatHaveNoInverseAreRefused(String mass) {
-        assertEquals(List.of("x.yaml:7:42: 'mass' is " + mass + "; positive numbers in a scene are at least 1e-30"),
+    @CsvSource({"4.9e-324", "1e-310", "1e-41", "1e-400"})
+    void massesThatHaveNoInverseOrAreRoundedTo0AreRefused(String mass) {
+        assertEquals(List.of("x.yaml:7:42: 'mass' is " + mass + "; positive numbers in a scene are at least 1e-40"),
                 linesFor("particles:\n  - {id: bob, position: [0, 0, 0], mass: " + mass + "}\n"));
-        assertEquals(List.of("x.yaml:7:71: 'totalMass' is " + mass + "; positive numbers in a"
-                + " scene are at least 1e-30"),
+        assertEquals(List.of("x.yaml:7:71: 'totalMass' is " + mass + "; positive numbers in a scene are at"
+                + " least 1e-40"),
                 linesFor("shapes:\n  - rope: {start: [0, 0, 0], end: [1, 0, 0], particles: 3,"
                         + " totalMass: " + mass + "}\n"));
     }

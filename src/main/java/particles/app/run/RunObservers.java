@@ -42,7 +42,6 @@ final class RunObservers implements AutoCloseable {
     private static final String ENERGY = "energy.png";
     private static final String PHASE = "phase.png";
     private static final int ANIMATION_WIDTH = 640;
-    private static final int MOST_DECIMALS = 6;
 
     private final Scene scene;
     private final OutputFolder folder;
@@ -112,14 +111,14 @@ final class RunObservers implements AutoCloseable {
     private void addFrames(Camera camera, Frames format) {
         FrameSetup stage = new FrameSetup(camera, scene.description().drawing().look(), scene.scenery(),
                 scene.description().title(), caption());
-        int decimals = (int) Math.max(0, Math.min(MOST_DECIMALS, Math.ceil(Math.log10(format.rate()))));
+        int decimals = (int) Math.max(0, Math.ceil(Math.log10(format.rate())));
         FrameRenderer renderer = new FrameRenderer(stage, format.width(), format.height(), decimals);
         List<FrameSink> sinks = new ArrayList<>(List.of(new PngFrames(folder, format.width(), format.height())));
         if (format.animation()) {
-            sinks.add(new GifAnimation(folder, renderer, ANIMATION_WIDTH, format.rate()));
+            sinks.add(new GifAnimation(folder, renderer, ANIMATION_WIDTH, format.playbackRate()));
         }
         if (format.video() == Video.MP4) {
-            sinks.add(new Film(folder, format.width(), format.height(), format.rate()));
+            sinks.add(new Film(folder, format.width(), format.height(), format.playbackRate()));
         }
         FrameObserver observer = new FrameObserver(renderer, format.rate(), sinks);
         frames = Optional.of(observer);

@@ -40,8 +40,8 @@ public final class FrameObserver implements Observer, AutoCloseable {
      * @param sinks    receive the frames; closed after the last one
      */
     public FrameObserver(FrameRenderer renderer, double fps, List<? extends FrameSink> sinks) {
-        if (!(fps > 0) || !(fps <= 1e6)) {
-            throw new IllegalArgumentException("frames a second have to be positive and at most 1e6, not " + fps);
+        if (!(fps > 0) || !Double.isFinite(fps)) {
+            throw new IllegalArgumentException("frames a second have to be positive and finite, not " + fps);
         }
         this.fps = fps;
         style = renderer.style();

@@ -1,5 +1,6 @@
 package particles.output.frames;
 
+import deSolvers.text.Digits;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
@@ -123,7 +124,10 @@ final class FrameText {
         }
     }
 
-    private String seconds(FrameState state) {
+    String seconds(FrameState state) {
+        if (decimals > MOST_DECIMALS) {
+            return Digits.few(state.time);              // an atom, for example
+        }
         BigDecimal time = BigDecimal.valueOf(state.time);
         BigDecimal exact = time.setScale(MOST_DECIMALS, RoundingMode.HALF_EVEN).stripTrailingZeros();
         boolean between = !state.notes.isEmpty() && exact.scale() > decimals;

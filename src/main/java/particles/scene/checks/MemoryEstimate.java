@@ -2,6 +2,7 @@ package particles.scene.checks;
 
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
+import deSolvers.text.Digits;
 import java.util.Locale;
 import particles.scene.format.OutputDescription.Frames;
 import particles.scene.format.SceneDescription;
@@ -36,6 +37,8 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
     private static final double SAMPLES_PER_FRAME = 4;
     private static final double MOST_SAMPLES = 1000;
     private static final double MEGABYTE = 1 << 20;
+    /** Nobody is advised to give Java more memory than a large personal computer has. */
+    private static final double MOST_GIGABYTES = 64;
 
     static MemoryEstimate of(SceneDescription scene) {
         double springs = scene.contents().springs().size();
@@ -79,13 +82,13 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
     public static void check(SceneDescription scene, double allowed, Problems problems) {
         MemoryEstimate needed = of(scene);
         if (needed.bytes() > allowed) {
-            problems.add(scene.places().get(SceneFormat.SHAPES), String.format(Locale.ROOT,
-                    "the scene needs about %.0f MiB of memory for %.0f"
-                            + " particles and %.0f springs with %s, and Java may use"
-                            + " %.0f MiB; use fewer particles, or give Java more memory: JAVA_TOOL_OPTIONS=-Xmx%.0fg",
-                    needed.bytes() / MEGABYTE,
-                    needed.particles(), needed.springs(), scene.solver(), allowed / MEGABYTE,
-                    Math.ceil(needed.bytes() / MEGABYTE / 1024)));
+            double gigabytes = Math.ceil(needed.bytes() / MEGABYTE / 1024);
+            String more = gigabytes > MOST_GIGABYTES ? ""
+                    : ", or give Java more memory: JAVA_TOOL_OPTIONS=-Xmx" + (int) gigabytes + "g";
+            problems.add(scene.places().get(SceneFormat.SHAPES), String.format(Locale.ROOT, """
+                    the scene needs about %s MiB of memory for %.0f particles and %.0f springs with %s, and Java may \
+                    use %s MiB; use fewer particles%s""", Digits.few(needed.bytes() / MEGABYTE), needed.particles(),
+                    needed.springs(), scene.solver(), Digits.few(allowed / MEGABYTE), more));
         }
     }
 }

@@ -1,5 +1,6 @@
 package particles.scene.checks;
 
+import deSolvers.text.Digits;
 import java.util.Map;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
@@ -12,6 +13,7 @@ import particles.spec.messages.Wording;
 public final class RunLimits {
     private static final double MOST_STEPS = 1e10;
     private static final double MOST_FRAMES = 1e6;
+    private static final double SOME_FRAMES = 1000;
 
     private RunLimits() {
     }
@@ -37,7 +39,9 @@ public final class RunLimits {
         if (scene.output().frames().drawn() && scene.duration() * frameRate > MOST_FRAMES) {
             problems.add(scene.places().get(SceneFormat.DURATION), "a duration of "
                     + Wording.number(scene.duration()) + " s needs more than a million pictures at frameRate = "
-                    + Wording.number(frameRate) + "; " + option + "=false draws none");
+                    + Wording.number(frameRate) + "; in the scene, output: {frameRate: "
+                    + Digits.roundedDown(SOME_FRAMES / scene.duration()) + "} draws " + (int) SOME_FRAMES + ", and "
+                    + option + "=false none");
         }
     }
 }

@@ -36,6 +36,11 @@ public record OutputDescription(Frames frames, boolean energy, Optional<Phase> p
      * @param video     the film to make of them
      */
     public record Frames(boolean drawn, double rate, int width, int height, boolean animation, Video video) {
+
+        /** @return frames per second of the animation and the film (1/s) */
+        public double playbackRate() {
+            return rate >= 1 && rate <= 1000 ? rate : 25;
+        }
     }
 
     /** The kind of film. */
@@ -91,9 +96,9 @@ public record OutputDescription(Frames frames, boolean energy, Optional<Phase> p
         }
     }
 
-    public static final Key<Double> FRAME_RATE = Key.withDefault("frameRate", NumberType.between(0.001, 1000, "1/s"),
-            25.0,
-            "Frames per second of simulated time (1/s).");
+    public static final Key<Double> FRAME_RATE = Key.withDefault("frameRate", NumberType.positive("1/s"), 25.0,
+            "Frames per second of simulated time (1/s). From 1 to 1000 /s, animation and film run in simulated time;"
+                    + " with other rates, such as 1e17 /s for an atom, they show 25 frames a second.");
     static final Key<Integer> WIDTH = Key.withDefault("width", new WholeNumberType(16, 4096), 960,
             "The width of a frame (pixels).");
     static final Key<Integer> HEIGHT = Key.withDefault("height", new WholeNumberType(16, 4096), 540,

@@ -35,7 +35,7 @@ public final class RenderFormat {
                     + " of light that add up and fade with age if particles have a lifetime.");
     static final Key<List<String>> AGE_COLOURS = Key.optional("ageColours", ListType.of("a colour", COLOUR),
             "The colours of a glow from birth to death, evenly spaced; by default those of a flame.");
-    static final Key<Double> TRAIL = Key.withDefault("trail", NumberType.between(0, 1000, "s"),
+    static final Key<Double> TRAIL = Key.withDefault("trail", NumberType.notNegative("s"),
             ParticleStyle.STANDARD.trail(),
             "The time for which a particle's path stays visible as a fading line (s); 0 for no trail.");
     static final Key<String> SKY = Key.optional("sky", NameType.of("sky", SKIES),
@@ -58,7 +58,7 @@ public final class RenderFormat {
     static final Key<String> BACK_COLOUR = colour("backColour", STANDARD.backColour(), "The colour of a"
             + " surface's back.");
 
-    static final Key<Double> VELOCITY_ARROWS = Key.withDefault("velocityArrows", NumberType.between(0, 1000, "s"), 0.0,
+    static final Key<Double> VELOCITY_ARROWS = Key.withDefault("velocityArrows", NumberType.notNegative("s"), 0.0,
             "Draws each particle's velocity as an arrow, as long as its path in this time (s) at its present speed;"
                     + " 0 for no arrows.");
     public static final Key<List<Values>> MARKS = Key.withDefault("marks", ListType.of("a mark", MarkFormat.TYPE),

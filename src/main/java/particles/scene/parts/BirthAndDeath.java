@@ -47,7 +47,7 @@ final class BirthAndDeath {
             "The largest angle between a particle's velocity and the direction (degrees).");
     private static final Key<Double> SPEED = Key.required("speed", NumberType.notNegative("m/s"), "Their speed"
             + " at birth (m/s).");
-    private static final Key<Double> RATE = Key.required("rate", NumberType.between(1e-6, 1e6, "1/s"),
+    private static final Key<Double> RATE = Key.required("rate", NumberType.positive("1/s"),
             "The number of particles born per second (1/s).");
     private static final Key<Double> MASS = Key.withDefault("mass", NumberType.positive("kg"), 1.0,
             "The mass of each (kg).");

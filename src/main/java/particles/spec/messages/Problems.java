@@ -6,7 +6,7 @@ import java.util.List;
 
 /** Collects the problems of one source, so that all are reported together. */
 public final class Problems {
-    /** The largest number reported; the rest is counted. */
+    /** The largest number reported. */
     static final int LIMIT = 50;
 
     private record Problem(Place place, String message) {
@@ -26,12 +26,12 @@ public final class Problems {
         }
     }
 
-    /** @return whether further problems are only counted, so that their texts are not needed */
+    /** @return whether no further problem is reported, so that nobody needs to look for any */
     public boolean isFull() {
         return problems.size() >= LIMIT;
     }
 
-    /** @return the number of problems */
+    /** @return the number of problems, or more than are reported if reading ended there */
     public int count() {
         return count;
     }
@@ -42,7 +42,7 @@ public final class Problems {
         problems.stream().sorted(Comparator.comparing(Problem::place))
                 .forEach(problem -> lines.add(problem.place() + ": " + problem.message()));
         if (count > problems.size()) {
-            lines.add(problems.get(0).place().source() + ": and " + (count - problems.size()) + " more");
+            lines.add(problems.get(0).place().source() + ": and more; these are the first " + LIMIT);
         }
         return lines;
     }

@@ -16,6 +16,9 @@ import org.snakeyaml.engine.v2.nodes.Tag;
 
 /** Building blocks of messages: quoted text, unknown names with suggestions, numbers; always one line. */
 public final class Wording {
+    /** Quotation marks of printed text, for a character class. */
+    public static final String CURLY_QUOTES = "\u2018-\u201f\u00ab\u00bb";
+
     private static final int LONGEST_QUOTE = 40;
     /** For a key of more parts than this, such as 'position', a hint at the parts would be useless. */
     private static final int MOST_OWNERS = 5;
@@ -62,13 +65,10 @@ public final class Wording {
     /**
      * @param found an unknown name
      * @param known the names that are allowed
-     * @return {@code "; did you mean 'gravity'?"}, or {@code ";"} if no name is similar; one or two letters are similar
-     *         only to the same letters in the other case
+     * @return {@code "; did you mean 'gravity'?"}, or {@code ";"} if no name is similar
      */
     public static String hint(String found, Collection<String> known) {
-        Collection<String> candidates = found.length() > 2 ? known
-                : known.stream().filter(found::equalsIgnoreCase).toList();
-        return found.length() > LONGEST_QUOTE ? ";" : DidYouMean.hint(found, candidates, Wording::quote);
+        return found.length() > LONGEST_QUOTE ? ";" : DidYouMean.hint(found, known, Wording::quote);
     }
 
     /** @return the names, or the first of them if there are many */

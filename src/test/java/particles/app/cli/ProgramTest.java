@@ -113,6 +113,13 @@ class ProgramTest {
     }
 
     @Test
+    void theCommonNameOfAnOptionIsUnderstood() {
+        assertRefused(OptionStyle.GRADLE,
+                "unknown option -Pdt; did you mean -PdeltaT? allowed: -PdeltaT, -Pframes, -Pscene, -Phelp",
+                "try", "--dt=0.1");
+    }
+
+    @Test
     void unknownOptionIsWrittenAsItWasTyped() {
         assertRefused(OptionStyle.SHELL,
                 "unknown option --scenes; did you mean --scene? allowed: --deltaT, --frames, --scene, --help",

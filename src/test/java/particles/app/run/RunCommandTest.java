@@ -116,9 +116,35 @@ class RunCommandTest {
                 """);
         assertEquals(ExitCode.BAD_INPUT, run("--scene=2"));
         assertEquals(scenes.resolve("02-far.yaml") + ":5:11: a duration of 1000000 s needs more than a million"
-                + " pictures at frameRate = 25; -Pframes=false draws none", errors.toString().strip());
+                + " pictures at frameRate = 25; in the scene, output: {frameRate: 0.001} draws 1000, and"
+                + " -Pframes=false none", errors.toString().strip());
         assertFalse(Files.exists(out), "nothing is written");
         assertEquals(ExitCode.DONE, run("--scene=2", "--frames=false"));
+    }
+
+    /** Bohr's electron: v = 2.18769e6 m/s at 5.2918e-11 m from the proton, k e^2/m = 253.27 m^3/s^2, T = 1.52e-16 s. */
+    @Test
+    void anAtomRunsInSiUnits() throws IOException {
+        Files.writeString(scenes.resolve("02-atom.yaml"), """
+                title: Hydrogen
+                teaches: An electron circles a proton.
+                solver: verlet
+                deltaT: 1e-18
+                duration: 1.52e-16
+                particles:
+                  - {id: proton, position: [0, 0, 0], mass: 1.6726e-27, fixed: true}
+                  - {id: electron, position: [5.2918e-11, 0, 0], velocity: [0, 2.18769e6, 0], mass: 9.109e-31}
+                effects:
+                  - attraction: {centre: [0, 0, 0], strength: 253.27}
+                look: {trail: 1e-16, velocityArrows: 1e-17}
+                output: {frameRate: 5e16, width: 64, height: 48, phase: {particle: electron, axis: x}}
+                """);
+        assertEnds(ExitCode.DONE, "", "--scene=2");
+        assertTrue(files().containsAll(Set.of("frames/frame-00007.png", "animation.gif")), files()::toString);
+        String[] end = Files.readString(out.resolve("trajectory.csv")).strip().replaceFirst("(?s).*\n", "").split(",");
+        assertEquals(5.2918e-11, Double.parseDouble(end[2]), 1e-14);     // back where it began; measured: 1.6e-15 m
+        assertTrue(lines.toString().contains("energy: -2.18e-18 J at the start, -2.18e-18 J at the end"),
+                lines::toString);
     }
 
     @Test

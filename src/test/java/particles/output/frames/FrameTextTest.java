@@ -54,6 +54,17 @@ class FrameTextTest {
         }
     }
 
+    /** Frames of an atom come 1e17 times a second: the time has three digits. */
+    @Test
+    void theTimeOfAnAtomHasAnExponent() {
+        Camera camera = new Camera(new Vector3(0, 0, 5), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
+        FrameSetup setup = new FrameSetup(camera, RenderOptions.STANDARD, Scenery.NONE, "A title", "rk4");
+        FrameState state = new FrameState();
+        state.time = 1.234e-16;
+        assertEquals("1.23e-16", new FrameText(setup, H, 17).seconds(state));
+        assertEquals("0.00", new FrameText(setup, H, 2).seconds(state));
+    }
+
     private static int ground(BufferedImage picture, Rectangle2D box) {
         return picture.getRGB((int) box.getX() - 3, (int) box.getCenterY());
     }

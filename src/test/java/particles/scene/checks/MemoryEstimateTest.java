@@ -59,6 +59,17 @@ class MemoryEstimateTest {
         assertEquals(1, problems.count());
     }
 
+    /** A billion particles: no computer of a student has that much, and Java refuses to start with -Xmx745059g. */
+    @Test
+    void moreMemoryThanAComputerHasIsNotAdvised() {
+        String text = "solver: rk4\nparticles:\n  - {id: source, position: [0, 0, 0], fixed: true}\nrules:\n"
+                + "  - emitter: {id: spark, position: [0, 0, 0], speed: 1, rate: 1e8, lifetime: 100}\n";
+        Problems problems = new Problems();
+        MemoryEstimate.check(read(text), 4096 * MEGABYTE, problems);
+        assertEquals(List.of("x.yaml:1:1: the scene needs about 763000 MiB of memory for 1000000001 particles and 0"
+                + " springs with rk4, and Java may use 4100 MiB; use fewer particles"), problems.lines());
+    }
+
     /**
      * 64,000 points with trails of half a second, sampled 100 times a second: 63 samples were alive, 955 bytes a
      * particle; and 499 MiB after collections, with all else, where 250,000 had such trails.
