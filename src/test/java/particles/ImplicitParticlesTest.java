@@ -79,7 +79,7 @@ class ImplicitParticlesTest {
         assertTrue(system.getEvaluations() < 300, system.getEvaluations() + " evaluations");
     }
 
-    /** Without the step near a saddle, or a factorisation for each matrix whose old factors fail, each of these fails. */
+    /** Each of these needs the step near a saddle, and new factors where those of an earlier matrix fail. */
     @ParameterizedTest
     @CsvSource({"12, backward-euler", "16, implicit-midpoint"})
     void aLevelClothOfStiffSpringsBuckles(int n, String solver) {

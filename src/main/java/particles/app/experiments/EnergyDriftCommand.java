@@ -45,7 +45,7 @@ public final class EnergyDriftCommand extends ExperimentCommand {
         return new ResultPage(NAME, DriftCharts.finding(comparison), List.of(
                 "The energy error is the change of the total energy minus the work of drag, damping,"
                         + " wind, contacts and collisions: it is the solver's error. It is divided by the largest"
-                        + " kinetic plus spring energy of the run, so the zero of the potential does not matter.",
+                        + " kinetic plus stored energy of the run, so the zero of the potential does not matter.",
                 "Where nothing damps or drives the motion, an error drifts if the straight line through it rises by"
                         + " more than twice the scatter about it and it still grows in the second half, or ends at its"
                         + " largest; otherwise it is bounded. Symplectic solvers trade energy back and forth; the"

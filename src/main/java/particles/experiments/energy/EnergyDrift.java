@@ -163,7 +163,7 @@ public final class EnergyDrift {
         return straight && goesOn ? Kind.SECULAR : Kind.BOUNDED;
     }
 
-    /** The largest kinetic plus spring energy of a very accurate run. */
+    /** The largest kinetic plus stored energy of a very accurate run. */
     private static double scale(SceneDescription scene) {
         EnergyHistory history = new EnergyHistory();
         Setting setting = new Setting(SolverChoice.of("dormand-prince"), scene.deltaT(),

@@ -37,8 +37,10 @@ public final class EnergyHistory implements Observer {
     private final List<MinMaxThinning> stored = new ArrayList<>();
     private double[] values = {};
     private long step;
-    private double motionAndSprings;
-    private double largestOfMotionAndSprings;
+    private double internal;                            // kinetic plus stored energy, latest
+    private double largestInternal = Double.NEGATIVE_INFINITY;
+    private double[] lowest = {};                       // the lowest energy of each effect's bonds, 0 or less
+    private double lowestInternal;                      // their sum
     private double restScale;
 
     /** Creates a history that records every step. */
@@ -62,8 +64,10 @@ public final class EnergyHistory implements Observer {
         effects.addAll(system.getEffects());
         effects.forEach(effect -> stored.add(new MinMaxThinning(BUCKETS)));
         values = new double[effects.size()];
+        lowest = new double[effects.size()];
         restScale = RestScale.of(system);
         record(system, system.getOwnState(), system.getTime());
+        restScale -= lowestInternal;
     }
 
     @Override
@@ -90,22 +94,23 @@ public final class EnergyHistory implements Observer {
 
     private void record(ParticleSystem system, double[] state, double time) {
         double motion = system.getKineticEnergy(state);
-        double internal = motion;
         double sum = 0;
+        internal = motion;
         for (int e = 0; e < values.length; e++) {
             Effect effect = effects.get(e);
             values[e] = effect.getPotentialEnergy(state, time);
             sum += values[e];
             if (effect.getTraits().contains(Effect.Trait.INTERNAL)) {
                 internal += values[e];
+                lowest[e] = Math.min(lowest[e], values[e]);
             }
             stored.get(e).add(time, values[e]);
         }
         kinetic.add(time, motion);
         potential.add(time, sum);
         total.add(time, motion + sum);
-        motionAndSprings = internal;
-        largestOfMotionAndSprings = Math.max(largestOfMotionAndSprings, internal);
+        lowestInternal = Arrays.stream(lowest).sum();
+        largestInternal = Math.max(largestInternal, internal);
     }
 
     /** @return the total energy at the start, with the chart's zero (J) */
@@ -143,16 +148,21 @@ public final class EnergyHistory implements Observer {
     }
 
     /**
-     * @return the energy scale by which errors are divided (J): the largest kinetic plus spring energy of the run, or
-     *         for a scene at rest its weight times its height. It does not depend on the zero of gravity's potential.
+     * The energy scale: the largest kinetic plus stored energy of the run. What springs and bonds store counts from the
+     * lowest value in the run where that is negative, as it is for particles that attract each other: of a bound pair,
+     * which swings, the scale is its largest kinetic energy. A scene at rest has its weight times its height and the
+     * energy of its bonds instead. The zero of gravity's potential does not matter.
+     *
+     * @return the energy by which errors are divided (J)
      */
     public double getScale() {
-        return largestOfMotionAndSprings > AT_REST * restScale ? largestOfMotionAndSprings : restScale;
+        double largest = largestInternal - lowestInternal;
+        return largest > AT_REST * restScale ? largest : restScale;
     }
 
-    /** The latest kinetic plus spring energy (J). */
+    /** The latest kinetic plus stored energy, counted as in the energy scale (J). */
     double getLatest() {
-        return motionAndSprings;
+        return internal - lowestInternal;
     }
 
     /** The energy scale of the scene if nothing moved (J). */

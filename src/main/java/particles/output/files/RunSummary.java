@@ -17,7 +17,7 @@ import java.util.Map;
  * @param secondsTaken       wall-clock time of the run (s)
  * @param startEnergy        total energy at the start (J)
  * @param endEnergy          total energy at the end (J)
- * @param energyScale        the energy by which errors are divided (J): the largest kinetic plus spring energy of the
+ * @param energyScale        the energy by which errors are divided (J): the largest kinetic plus stored energy of the
  *                           run, or for a scene at rest its weight times its height
  * @param largestEnergyDrift the total energy's largest distance from its start during the run (J)
  * @param work               the work of each kind of physics, by name (J); negative if it took energy out
