@@ -195,8 +195,8 @@ class ParticleStylesTest {
         List<int[]> frames = new ArrayList<>();
         try (FrameObserver observer = new FrameObserver(renderer, 10, List.of(new FrameSink() {
             @Override
-            public void add(int index, int[] rgb) {
-                frames.add(rgb.clone());
+            public Runnable prepare(int index, int[] rgb) {
+                return () -> frames.add(rgb.clone());
             }
 
             @Override

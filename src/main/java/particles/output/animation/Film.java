@@ -39,7 +39,8 @@ public final class Film implements FrameSink {
     private final OutputFolder folder;
     private final double fps;
     private final int rowLength;
-    private final Picture picture;
+    private final int width;
+    private final int height;
     private final H264Encoder encoder;
     private final int ticksPerSecond;
     private ByteBuffer buffer;
@@ -62,7 +63,8 @@ public final class Film implements FrameSink {
         this.folder = folder;
         this.fps = fps;
         rowLength = width;
-        picture = Picture.create(width & ~1, height & ~1, ColorSpace.YUV420J);
+        this.width = width & ~1;
+        this.height = height & ~1;
         encoder = new FilmEncoder();
         encoder.setKeyInterval((int) Math.max(1, Math.min(250, Math.round(KEY_FRAMES_SECONDS * fps))));
         encoder.setMotionSearchRange(SEARCH_RANGE);
@@ -75,12 +77,17 @@ public final class Film implements FrameSink {
     }
 
     @Override
-    public void add(int index, int[] rgb) {
+    public Runnable prepare(int index, int[] rgb) {
+        Picture picture = Picture.create(width, height, ColorSpace.YUV420J);
+        FilmColours.convert(rgb, rowLength, picture);
+        return () -> add(index, picture);
+    }
+
+    private void add(int index, Picture picture) {
         try {
             if (muxer == null) {
-                begin(index);
+                begin(index, picture);
             }
-            FilmColours.convert(rgb, rowLength, picture);
             buffer.clear();
             EncodedFrame frame = encoder.encodeFrame(picture, buffer);
             track.addFrame(Packet.createPacket(frame.getData(), due(index), ticksPerSecond, due(index + 1) - due(index),
@@ -90,13 +97,13 @@ public final class Film implements FrameSink {
         }
     }
 
-    private void begin(int index) throws IOException {
+    private void begin(int index, Picture picture) throws IOException {
         first = index;
         buffer = ByteBuffer.allocate(encoder.estimateBufferSize(picture));
         file = folder.create(FILE);
         muxer = MP4Muxer.createMP4Muxer(new FilmChannel(file), Brand.MP4);
         track = muxer.addVideoTrack(Codec.H264, VideoCodecMeta.createSimpleVideoCodecMeta(
-                new Size(picture.getWidth(), picture.getHeight()), ColorSpace.YUV420J));
+                new Size(width, height), ColorSpace.YUV420J));
     }
 
     /** Ends the file; the last frame stays as long as the others do. */

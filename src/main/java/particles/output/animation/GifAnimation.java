@@ -35,8 +35,7 @@ public final class GifAnimation implements FrameSink {
     private final Shrinker shrinker;
     private final int width;
     private final int height;
-    private final int[] small;
-    private final int[] before;
+    private int[] before = {};
     private final byte[] shown;
     private final byte[] current;
     private Palette palette;
@@ -73,8 +72,6 @@ public final class GifAnimation implements FrameSink {
         shrinker = new Shrinker(frameWidth, frameHeight, (frameWidth + width - 1) / width);
         this.width = shrinker.width;
         this.height = shrinker.height;
-        small = new int[this.width * this.height];
-        before = new int[this.width * this.height];
         shown = new byte[this.width * this.height];
         current = new byte[this.width * this.height];
     }
@@ -85,15 +82,20 @@ public final class GifAnimation implements FrameSink {
     }
 
     @Override
-    public void add(int index, int[] rgb) {
+    public Runnable prepare(int index, int[] rgb) {
+        int[] small = new int[width * height];
+        shrinker.shrink(rgb, small);
+        return () -> add(index, small);
+    }
+
+    private void add(int index, int[] small) {
         if (writer != null && due(index) - due(pending) < SHORTEST) {
             return;         // too fast to be shown
         }
         try {
-            shrinker.shrink(rgb, small);
             boolean first = writer == null;
             if (first) {
-                begin(index);
+                begin(index, small);
             } else {
                 writePending(due(index) - due(pending));
             }
@@ -105,13 +107,13 @@ public final class GifAnimation implements FrameSink {
                 }
             }
             keepChanges(index);
-            System.arraycopy(small, 0, before, 0, small.length);
+            before = small;
         } catch (IOException e) {
             throw new OutputException(folder.getPath().resolve(FILE), "write", e);
         }
     }
 
-    private void begin(int index) throws IOException {
+    private void begin(int index, int[] small) throws IOException {
         first = index;
         palette = Palette.of(small, importantColours, TRANSPARENT);
         int[] table = Arrays.copyOf(palette.colours(), TRANSPARENT + 1);

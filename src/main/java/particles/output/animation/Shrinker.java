@@ -1,22 +1,27 @@
 package particles.output.animation;
 
+import java.util.Arrays;
+
 /** Makes pictures smaller by a whole number: each pixel is the mean of a square of them. */
 final class Shrinker {
-    /** One in each of three sums of 20 bits, which share a long. */
-    private static final long ONES = 1L << 40 | 1L << 20 | 1L;
-    /** So that 20 bits hold a sum. */
+    /** So that 16 bits hold the sum of a column, and 20 bits that of a square. */
     private static final int LARGEST = 64;
+    /** A quotient is a product and a shift by so many bits, exact for sums of 20 bits: a division takes much longer. */
+    private static final int SHIFT = 32;
 
     final int width;
     final int height;
     private final int fullWidth;
     private final int factor;
+    private final long reciprocal;
 
     Shrinker(int fullWidth, int fullHeight, int factor) {
         this.fullWidth = fullWidth;
         this.factor = Math.min(factor, Math.min(LARGEST, Math.min(fullWidth, fullHeight)));
         width = fullWidth / this.factor;
         height = fullHeight / this.factor;
+        int n = this.factor * this.factor;
+        reciprocal = ((1L << SHIFT) + n - 1) / n;
     }
 
     /**
@@ -24,20 +29,52 @@ final class Shrinker {
      * @param small receives the smaller one
      */
     void shrink(int[] rgb, int[] small) {
-        int n = factor * factor;
-        for (int y = 0, p = 0; y < height; y++) {
-            for (int x = 0; x < width; x++, p++) {
-                long sum = n / 2 * ONES;
-                int row = factor * (y * fullWidth + x);
-                for (int dy = 0; dy < factor; dy++, row += fullWidth) {
-                    for (int q = row; q < row + factor; q++) {
-                        int c = rgb[q];
-                        sum += (c & 0xff0000L) << 24 | (c & 0xff00L) << 12 | c & 0xffL;
-                    }
-                }
-                small[p] = (int) (sum >> 40) / n << 16 | (int) (sum >> 20 & 0xfffff) / n << 8 | (int) (sum & 0xfffff)
-                        / n;
+        if (factor == 1) {
+            System.arraycopy(rgb, 0, small, 0, small.length);
+            return;
+        }
+        int[] redBlue = new int[fullWidth];
+        int[] green = new int[fullWidth];
+        for (int y = 0; y < height; y++) {
+            Arrays.fill(redBlue, 0);
+            Arrays.fill(green, 0);
+            for (int row = factor * y; row < factor * (y + 1); row++) {
+                addRow(rgb, row * fullWidth, redBlue, green);
+            }
+            for (int x = 0; x < width; x++) {
+                small[y * width + x] = factor == 2 ? meanOfTwo(redBlue, green, 2 * x) : mean(redBlue, green, factor * x);
             }
         }
+    }
+
+    /** A loop of its own, so short that it runs on vectors. */
+    private static void addRow(int[] rgb, int from, int[] redBlue, int[] green) {
+        for (int x = 0; x < redBlue.length; x++) {
+            redBlue[x] += rgb[from + x] & 0xff00ff;
+            green[x] += rgb[from + x] >> 8 & 0xff;
+        }
+    }
+
+    private int mean(int[] redBlue, int[] green, int from) {
+        int half = factor * factor / 2;
+        int r = half;
+        int g = half;
+        int b = half;
+        for (int q = from; q < from + factor; q++) {
+            r += redBlue[q] >>> 16;
+            g += green[q];
+            b += redBlue[q] & 0xffff;
+        }
+        return quotient(r) << 16 | quotient(g) << 8 | quotient(b);
+    }
+
+    /** The same for the usual factor, in less than half the time. */
+    private static int meanOfTwo(int[] redBlue, int[] green, int from) {
+        return redBlue[from] + redBlue[from + 1] + 0x020002 >> 2 & 0xff00ff
+                | green[from] + green[from + 1] + 2 >> 2 << 8;
+    }
+
+    private int quotient(int sum) {
+        return (int) (sum * reciprocal >>> SHIFT);
     }
 }

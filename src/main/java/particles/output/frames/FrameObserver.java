@@ -12,7 +12,7 @@ import particles.view.ParticleStyle;
 
 /**
  * An observer that draws frames at regular simulated times, frame i at i / fps. Between two steps the motion is
- * interpolated. The states are copied and drawn by another thread; closing waits for it.
+ * interpolated. The states are copied and drawn by other threads; closing waits for them.
  */
 public final class FrameObserver implements Observer, AutoCloseable {
     /** A clock that is early by this part of a frame's time is so by round-off. */
@@ -35,18 +35,23 @@ public final class FrameObserver implements Observer, AutoCloseable {
     private int structure;
 
     /**
-     * @param renderer draws the frames; from now on used by another thread alone
+     * @param renderer draws the frames; from now on used by other threads alone
      * @param fps      frames a second of simulated time, positive
      * @param sinks    receive the frames; closed after the last one
      */
     public FrameObserver(FrameRenderer renderer, double fps, List<? extends FrameSink> sinks) {
+        this(renderer, fps, sinks, Pipeline.threads(renderer.bytes()));
+    }
+
+    /** @param threads the number of threads that draw; the frames are the same with any number */
+    FrameObserver(FrameRenderer renderer, double fps, List<? extends FrameSink> sinks, int threads) {
         if (!(fps > 0) || !Double.isFinite(fps)) {
-            throw new IllegalArgumentException("frames a second have to be positive and finite, not " + fps);
+            throw new IllegalArgumentException("frames per second have to be positive and finite, not " + fps);
         }
         this.fps = fps;
         style = renderer.style();
         trails = new TrailRecorder(style.trail(), fps);
-        worker = new FrameWorker(renderer, List.copyOf(sinks));
+        worker = new FrameWorker(renderer, List.copyOf(sinks), threads);
     }
 
     @Override

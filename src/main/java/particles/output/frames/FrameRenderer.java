@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import particles.law.Vector3;
 import particles.output.painters.BlobPainter;
 import particles.output.painters.DrawnSizes;
 import particles.output.painters.FrameState;
@@ -36,6 +35,9 @@ import particles.view.RenderOptions.Visibility;
  * particles in their style, on planes with a grid and soft shadows under a sky. For one thread at a time.
  */
 public final class FrameRenderer {
+    /** A picture, its samples, the layers of trails or light, and the compressed file. */
+    private static final int BYTES_PER_PIXEL = 60;
+
     private final FrameSetup stage;
     private final BufferedImage image;
     private final int[] pixels;
@@ -102,6 +104,27 @@ public final class FrameRenderer {
         this.text = text;
     }
 
+    /**
+     * A renderer of the same pictures for another thread; the first one asked for is this one.
+     *
+     * @param opening the first frame, which decides the sizes of balls and the background
+     */
+    synchronized FrameRenderer another(FrameState opening) {
+        if (backdrop == null) {
+            prepare(opening);
+            return this;
+        }
+        FrameRenderer other = new FrameRenderer(stage, getWidth(), getHeight(), text);
+        other.setSizes(sizes);
+        other.setBackdrop(backdrop.another());
+        return other;
+    }
+
+    /** @return about the memory that a renderer takes (bytes) */
+    long bytes() {
+        return (long) BYTES_PER_PIXEL * pixels.length;
+    }
+
     /** @return the width of the pictures (pixels) */
     public int getWidth() {
         return image.getWidth();
@@ -150,6 +173,12 @@ public final class FrameRenderer {
         if (backdrop == null) {
             prepare(state);
         }
+        springsSeen |= draw(state);
+        return label(state, springsSeen);
+    }
+
+    /** Draws a frame without its text, and returns whether a spring is visible whose colour shows its strain. */
+    boolean draw(FrameState state) {
         projected.take(state);
         raster.clear();
         surfaces.ifPresent(painter -> stage.scenery().surfaces().forEach(each -> painter.paint(each, state,
@@ -157,17 +186,22 @@ public final class FrameRenderer {
         if (springs.isEmpty() && state.springs > 0 && stage.look().springs() != Visibility.NEVER) {
             springs = Optional.of(new SpringPainter(shapes, view, stage.look(), sizes));
         }
-        springs.ifPresent(painter -> springsSeen |= painter.paint(state, projected, shown));
+        boolean strained = springs.isPresent() && springs.get().paint(state, projected, shown);
         wires.ifPresent(WirePainter::paint);
         particles.paint(state, projected);
         shadows.ifPresent(painter -> backdrop.shadows.forEach(map -> painter.paint(map, state)));
         compose();
         trails.ifPresent(layer -> layer.paint(state, shown, stage.look().particleColour(), raster, backdrop, pixels));
         glow.ifPresent(layer -> layer.paint(state, projected, shown, sizes.ball(), raster, backdrop, pixels));
+        return strained;
+    }
+
+    /** Adds the text, and returns the pixels. */
+    int[] label(FrameState state, boolean withStrain) {
         if (text.isPresent() || marks.isPresent()) {
             Graphics2D g = image.createGraphics();
             marks.ifPresent(layer -> layer.draw(g, state, sizes.ball()));
-            text.ifPresent(words -> words.draw(g, getWidth(), getHeight(), state, springsSeen));
+            text.ifPresent(words -> words.draw(g, getWidth(), getHeight(), state, withStrain));
             g.dispose();
         }
         return pixels;
@@ -181,17 +215,22 @@ public final class FrameRenderer {
     }
 
     private void prepare(FrameState state) {
-        sizes = DrawnSizes.of(state, stage.look(), view.viewHeight);
+        setSizes(DrawnSizes.of(state, stage.look(), view.viewHeight));
+        setBackdrop(new Backdrop(view, lighting, stage.scenery(), Sky.of(style().night()), stage.camera().target(),
+                particles.reach(state), stage.camera().up().normalized()));
+    }
+
+    private void setSizes(DrawnSizes sizes) {
+        this.sizes = sizes;
         particles = new ParticlePainter(shapes, blobs, view, stage.look(), shown, sizes);
-        Vector3 target = stage.camera().target();
-        wires = stage.scenery().wires().isEmpty() ? Optional.empty()
-                : Optional.of(new WirePainter(shapes, view, stage.scenery().wires(), target, sizes.railing()));
-        backdrop = new Backdrop(view, lighting, stage.scenery(), Sky.of(style().night()), target,
-                particles.reach(state),
-                stage.camera().up().normalized());
+        wires = stage.scenery().wires().isEmpty() ? Optional.empty() : Optional.of(new WirePainter(shapes, view,
+                stage.scenery().wires(), stage.camera().target(), sizes.railing()));
+    }
+
+    private void setBackdrop(Backdrop backdrop) {
+        this.backdrop = backdrop;
         shadows = backdrop.shadows.isEmpty() ? Optional.empty() : Optional.of(new ShadowPainter(shown, sizes,
-                stage.scenery(),
-                particles, blobs.map(BlobPainter::surface), wires));
+                stage.scenery(), particles, blobs.map(BlobPainter::surface), wires));
     }
 
     /**

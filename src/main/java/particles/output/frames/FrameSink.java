@@ -2,17 +2,21 @@ package particles.output.frames;
 
 import particles.output.files.OutputException;
 
-/** A receiver of drawn frames, such as a film. It is called by one thread, which need not be the simulation's. */
+/**
+ * A receiver of drawn frames, such as a film. Several threads draw, so it takes a frame in two parts: what needs no
+ * other frame, such as compressing, by the thread that drew it, and the rest in the order of the frames.
+ */
 public interface FrameSink extends AutoCloseable {
 
     /**
-     * Takes a frame.
+     * Prepares a frame; several threads may call it at a time.
      *
      * @param index its number; frame i shows time i / fps
-     * @param rgb   the pixels, 0xRRGGBB row by row from the top; valid during this call only
-     * @throws OutputException if it cannot be written
+     * @param rgb   the pixels, 0xRRGGBB row by row from the top; valid until the returned action has run
+     * @return the rest of the work, such as writing; run by one thread at a time in the order of the frames
+     * @throws OutputException if it cannot be written; so does the action
      */
-    void add(int index, int[] rgb);
+    Runnable prepare(int index, int[] rgb);
 
     /**
      * Completes the output after the last frame.

@@ -25,8 +25,8 @@ public final class LastFrame implements FrameSink {
     }
 
     @Override
-    public void add(int index, int[] rgb) {
-        last = rgb.clone();
+    public Runnable prepare(int index, int[] rgb) {
+        return () -> last = rgb.clone();
     }
 
     @Override

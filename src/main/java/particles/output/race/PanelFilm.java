@@ -112,18 +112,16 @@ final class PanelFilm implements Observer, AutoCloseable {
         ByteBuffer.wrap(bytes).asIntBuffer().get(rgb);
     }
 
-    /** Takes frames from the drawing thread; they are read when that has ended. */
+    /** Takes frames from the drawing threads; they are read when those have ended. */
     private final class Packer implements FrameSink {
-        private final Deflater deflater = new Deflater(Deflater.BEST_SPEED);
-        private final byte[] bytes = new byte[Integer.BYTES * width * height];
-        private byte[] out = new byte[bytes.length / 4];
-
         @Override
-        public void add(int index, int[] rgb) {
-            ByteBuffer.wrap(bytes).asIntBuffer().put(rgb);
-            deflater.reset();
+        public Runnable prepare(int index, int[] rgb) {
+            ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES * rgb.length);
+            bytes.asIntBuffer().put(rgb);
+            Deflater deflater = new Deflater(Deflater.BEST_SPEED);
             deflater.setInput(bytes);
             deflater.finish();
+            byte[] out = new byte[bytes.capacity() / 4];
             int n = 0;
             while (!deflater.finished()) {
                 if (n == out.length) {
@@ -131,12 +129,14 @@ final class PanelFilm implements Observer, AutoCloseable {
                 }
                 n += deflater.deflate(out, n, out.length - n);
             }
-            packed.add(Arrays.copyOf(out, n));
+            deflater.end();
+            byte[] frame = Arrays.copyOf(out, n);
+            return () -> packed.add(frame);
         }
 
         @Override
         public void close() {
-            deflater.end();
+            // the frames are kept
         }
     }
 }

@@ -15,6 +15,7 @@ import particles.output.charts.SolverStyle;
 import particles.output.charts.StripChart;
 import particles.output.files.OutputFolder;
 import particles.output.frames.FrameSetup;
+import particles.output.frames.Pipeline;
 import particles.view.ChartData;
 
 /**
@@ -24,12 +25,21 @@ import particles.view.ChartData;
 public final class RaceFilm implements AutoCloseable {
     /** The grey of the ghost. */
     private static final int GREY = 0x6f747c;
+    /** A page, its panels and its copies for the file. */
+    private static final long BYTES_PER_PIXEL = 20;
 
     private final RacePage page;
     private final double rate;
     private final double playback;
     private final List<PanelFilm> films = new ArrayList<>();
     private PanelFilm ghost;
+
+    /** What one thread draws on; a chart cannot be drawn by two threads at a time. */
+    private record Canvas(BufferedImage image, StripChart chart) {
+        Canvas(RacePage page, ChartData strip) {
+            this(new BufferedImage(page.width(), page.height(), BufferedImage.TYPE_INT_RGB), new StripChart(strip));
+        }
+    }
 
     /**
      * The text above all panels.
@@ -103,19 +113,24 @@ public final class RaceFilm implements AutoCloseable {
     public void write(ChartWriter writer, OutputFolder folder, String sheet, Head head, List<Words> words,
                       ChartData strip, DoubleConsumer progress) {
         close();
-        StripChart chart = new StripChart(strip);
-        BufferedImage image = new BufferedImage(page.width(), page.height(), BufferedImage.TYPE_INT_RGB);
-        int[] rgb = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
+        int last = ghost.count() - 1;
         try (GifAnimation gif = new GifAnimation(folder, page.width(), page.height(), importantColours(), page.width(),
-                playback)) {
-            for (int index = 0; index < ghost.count(); index++) {
-                page.draw(image, head, index / rate, words, panels(index), chart);
-                gif.add(index, rgb);
-                progress.accept((index + 1.0) / ghost.count());
+                playback);
+                Pipeline<Canvas> pipeline = new Pipeline<>(Pipeline.threads(BYTES_PER_PIXEL * page.width()
+                        * page.height()), () -> new Canvas(page, strip))) {
+            for (int k = 0; k <= last; k++) {
+                int index = k;
+                pipeline.add(canvas -> {
+                    page.draw(canvas.image, head, index / rate, words, panels(index), canvas.chart);
+                    Runnable rest = gif.prepare(index, pixels(canvas.image));
+                    return () -> {
+                        rest.run();
+                        progress.accept((index + 1.0) / ghost.count());
+                    };
+                });
             }
         }
-        int last = ghost.count() - 1;
-        RaceSheet.write(writer, sheet, head, words, panels(last), chart, last / rate);
+        RaceSheet.write(writer, sheet, head, words, panels(last), new StripChart(strip), last / rate);
     }
 
     /** @return each run's picture, over the ghost */
@@ -125,12 +140,16 @@ public final class RaceFilm implements AutoCloseable {
         List<BufferedImage> panels = new ArrayList<>();
         for (PanelFilm film : films) {
             BufferedImage panel = new BufferedImage(page.panelWidth(), page.panelHeight(), BufferedImage.TYPE_INT_RGB);
-            int[] rgb = ((DataBufferInt) panel.getRaster().getDataBuffer()).getData();
+            int[] rgb = pixels(panel);
             film.get(index, rgb);
             GhostLayer.add(rgb, shape, ghost.backdrop());
             panels.add(panel);
         }
         return panels;
+    }
+
+    private static int[] pixels(BufferedImage image) {
+        return ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
     }
 
     private int[] importantColours() {

@@ -59,6 +59,22 @@ public final class Backdrop {
         }
     }
 
+    private Backdrop(Backdrop shared) {
+        shadows = shared.shadows.stream().map(ShadowMap::another).toList();
+        sky = shared.sky;
+        width = shared.width;
+        colour = shared.colour;
+        near = shared.near;
+        planeAt = shared.planeAt;
+        column = shared.column;
+        row = shared.row;
+    }
+
+    /** @return the same with shadows of its own, for another thread */
+    public Backdrop another() {
+        return new Backdrop(this);
+    }
+
     private static boolean isSeen(CameraProjection view, Plane plane) {
         return view.perspective ? plane.distance(view.eye.x(), view.eye.y(), view.eye.z()) > 0
                 : plane.normal().dot(view.back) > 0;

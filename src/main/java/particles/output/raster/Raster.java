@@ -9,8 +9,13 @@ import java.util.Arrays;
 public final class Raster {
     /** Samples a pixel in each direction. */
     public static final int SAMPLES = 2;
-    /** The largest value that truncates to 255. */
-    private static final double BRIGHTEST = 255.99;
+    /** Fixed-point colours have 16 bits after the point, and start a little above the value for round-off below 0. */
+    private static final double ONE = 1 << 16;
+    private static final double GUARD = ONE / 128;
+    /** Widens each row a little, so that neighbouring triangles leave no gap (samples). */
+    private static final double OVERLAP = 1e-9;
+    /** Triangles with less than this part of their bounding square, or of one sample, have the colour of a corner. */
+    private static final double THINNEST = 1e-9;
 
     /** The number of samples in a row. */
     public final int width;
@@ -19,13 +24,10 @@ public final class Raster {
     public final int[] colour;
     /** The nearness of each sample; negative infinity if nothing was drawn there. */
     public final float[] near;
-    // colours of the current triangle: blue, green, red at its first corner, and differences to the others
-    private final int[] base = new int[3];
-    private final int[] toB = new int[3];
-    private final int[] toC = new int[3];
-    // and along a row of samples, with their increments
-    private final int[] value = new int[3];
-    private final int[] change = new int[3];
+    // the edges of the current triangle: x at the middle of row 0, dx/dy, and whether the triangle is to the right
+    private final double[] start = new double[3];
+    private final double[] slope = new double[3];
+    private final boolean[] isLeft = new boolean[3];
     // the rectangle drawn on since clearing, in samples
     private int left;
     private int top;
@@ -114,79 +116,75 @@ public final class Raster {
             return;
         }
         touch(x0, y0, x1 + 1, y1 + 1);
-        // weights of corners b and c at a sample, and how they change with x and y
-        double bByX = (cy - ay) / area;
-        double bByY = (ax - cx) / area;
-        double cByX = (ay - by) / area;
-        double cByY = (bx - ax) / area;
-        double nByX = bByX * (ns[b] - ns[a]) + cByX * (ns[c] - ns[a]);
-        for (int channel = 0; channel < 3; channel++) {
-            int at = rgb[a] >> 8 * channel & 255;
-            toB[channel] = (rgb[b] >> 8 * channel & 255) - at;
-            toC[channel] = (rgb[c] >> 8 * channel & 255) - at;
-            base[channel] = at;
-        }
+        double span = Math.max(Math.max(ax, Math.max(bx, cx)) - Math.min(ax, Math.min(bx, cx)),
+                Math.max(ay, Math.max(by, cy)) - Math.min(ay, Math.min(by, cy)));
+        // weights of corners b and c: changes with x and y; round-off would magnify them in a thin triangle
+        double share = Math.abs(area) < Math.max(1, THINNEST * span * span) ? 0 : 1 / area;
+        double bByX = (cy - ay) * share;
+        double bByY = (ax - cx) * share;
+        double cByX = (ay - by) * share;
+        double cByY = (bx - ax) * share;
+        double nearB = ns[b] - ns[a];
+        double nearC = ns[c] - ns[a];
+        double redA = channel(rgb[a], 16);
+        double redB = channel(rgb[b], 16) - redA;
+        double redC = channel(rgb[c], 16) - redA;
+        double greenA = channel(rgb[a], 8);
+        double greenB = channel(rgb[b], 8) - greenA;
+        double greenC = channel(rgb[c], 8) - greenA;
+        double blueA = channel(rgb[a], 0);
+        double blueB = channel(rgb[b], 0) - blueA;
+        double blueC = channel(rgb[c], 0) - blueA;
+        float nearByX = (float) (bByX * nearB + cByX * nearC);
+        int redByX = (int) (bByX * redB + cByX * redC);
+        int greenByX = (int) (bByX * greenB + cByX * greenC);
+        int blueByX = (int) (bByX * blueB + cByX * blueC);
+        setEdge(0, ax, ay, bx, by, area);
+        setEdge(1, bx, by, cx, cy, area);
+        setEdge(2, cx, cy, ax, ay, area);
         for (int y = y0; y <= y1; y++) {
-            double py = y + 0.5;
-            // weights at x = 0.5 of this row, then the range of x in which all three are 0 or more
-            double wb = (0.5 - ax) * bByX + (py - ay) * bByY;
-            double wc = (0.5 - ax) * cByX + (py - ay) * cByY;
-            double wa = 1 - wb - wc;
-            double aByX = -bByX - cByX;
-            double from = Math.max(x0, Math.max(lower(wa, aByX), Math.max(lower(wb, bByX), lower(wc, cByX))));
-            double to = Math.min(x1, Math.min(upper(wa, aByX), Math.min(upper(wb, bByX), upper(wc, cByX))));
+            double from = x0;
+            double to = x1;
+            for (int k = 0; k < 3; k++) {
+                double cut = start[k] + y * slope[k];
+                if (isLeft[k]) {
+                    from = Math.max(from, cut - OVERLAP);
+                } else {
+                    to = Math.min(to, cut + OVERLAP);
+                }
+            }
             int first = (int) Math.ceil(from);
             int last = (int) Math.floor(to);
             if (first > last) {
                 continue;
             }
-            double u = wb + first * bByX;
-            double v = wc + first * cByX;
-            for (int channel = 0; channel < 3; channel++) {
-                setOut(channel, base[channel] + u * toB[channel] + v * toC[channel],
-                        bByX * toB[channel] + cByX * toC[channel], last - first);
+            double u = (first + 0.5 - ax) * bByX + (y + 0.5 - ay) * bByY;
+            double v = (first + 0.5 - ax) * cByX + (y + 0.5 - ay) * cByY;
+            float n = (float) (ns[a] + u * nearB + v * nearC);
+            int red = (int) (redA + u * redB + v * redC);
+            int green = (int) (greenA + u * greenB + v * greenC);
+            int blue = (int) (blueA + u * blueB + v * blueC);
+            for (int at = y * width + first, end = y * width + last; at <= end; at++) {
+                if (n > near[at]) {
+                    near[at] = n;
+                    colour[at] = red & 0xff0000 | green >> 8 & 0xff00 | blue >> 16;
+                }
+                n += nearByX;
+                red += redByX;
+                green += greenByX;
+                blue += blueByX;
             }
-            double n = ns[a] + u * (ns[b] - ns[a]) + v * (ns[c] - ns[a]);
-            fill(y * width + first, y * width + last, (float) n, (float) nByX);
         }
     }
 
-    /** A colour channel along a row in units of 1/65536, clamped because thin triangles magnify round-off. */
-    private void setOut(int channel, double first, double slope, int steps) {
-        double from = Math.max(0, Math.min(BRIGHTEST, first));
-        double to = Math.max(0, Math.min(BRIGHTEST, first + steps * slope));
-        value[channel] = (int) (65536 * from);
-        change[channel] = steps == 0 ? 0 : (int) (65536 * (to - from) / steps);
+    private void setEdge(int k, double fromX, double fromY, double toX, double toY, double area) {
+        boolean cutsRows = Math.abs(toY - fromY) > OVERLAP;
+        slope[k] = cutsRows ? (toX - fromX) / (toY - fromY) : 0;
+        start[k] = cutsRows ? fromX - 0.5 + (0.5 - fromY) * slope[k] : Double.NEGATIVE_INFINITY;
+        isLeft[k] = !cutsRows || fromY > toY == area > 0;
     }
 
-    private void fill(int first, int last, float nearness, float nearnessChange) {
-        float n = nearness;
-        int red = value[2];
-        int green = value[1];
-        int blue = value[0];
-        int redChange = change[2];
-        int greenChange = change[1];
-        int blueChange = change[0];
-        for (int at = first; at <= last; at++) {
-            if (n > near[at]) {
-                near[at] = n;
-                colour[at] = red & 0xff0000 | green >> 8 & 0xff00 | blue >> 16;
-            }
-            n += nearnessChange;
-            red += redChange;
-            green += greenChange;
-            blue += blueChange;
-        }
-    }
-
-    /** The first sample where w + x slope is not negative, so that neighbouring triangles leave no gap. */
-    private static double lower(double w, double slope) {
-        return slope > 0 ? -w / slope - 1e-9 : slope == 0 && w < 0 ? Double.POSITIVE_INFINITY
-                : Double.NEGATIVE_INFINITY;
-    }
-
-    private static double upper(double w, double slope) {
-        return slope < 0 ? -w / slope + 1e-9 : slope == 0 && w < 0 ? Double.NEGATIVE_INFINITY
-                : Double.POSITIVE_INFINITY;
+    private static double channel(int rgb, int shift) {
+        return ONE * (rgb >> shift & 255) + GUARD;
     }
 }

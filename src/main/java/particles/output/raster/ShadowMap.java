@@ -17,6 +17,8 @@ public final class ShadowMap {
     final Vector3 axisU;
     final Vector3 axisV;
     private final Plane plane;
+    private final Vector3 middle;
+    private final double extent;
     private final Vector3 lamp;
     private final double lampRise;
     private final double middleU;
@@ -38,6 +40,8 @@ public final class ShadowMap {
     ShadowMap(Plane plane, Vector3 lamp, Vector3 middle, double extent) {
         this.plane = plane;
         this.lamp = lamp;
+        this.middle = middle;
+        this.extent = extent;
         Vector3 normal = plane.normal();
         Vector3 other = Math.abs(normal.x()) < 0.7 ? new Vector3(1, 0, 0) : new Vector3(0, 0, 1);
         axisV = normal.cross(other).normalized();
@@ -49,6 +53,11 @@ public final class ShadowMap {
         middleU = foot.dot(axisU);
         middleV = foot.dot(axisV);
         clear();
+    }
+
+    /** @return an empty map of the same plane */
+    ShadowMap another() {
+        return new ShadowMap(plane, lamp, middle, extent);
     }
 
     /** @return whether the lamp shines on the plane's outer side */

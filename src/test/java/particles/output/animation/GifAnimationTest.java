@@ -53,7 +53,7 @@ class GifAnimationTest {
         try (OutputFolder folder = OutputFolder.open(top);
                 GifAnimation animation = new GifAnimation(folder, renderer, width, fps)) {
             for (int k = 0; k < frames; k++) {
-                animation.add(k, renderer.render(ball(k)));
+                animation.prepare(k, renderer.render(ball(k))).run();
             }
         }
     }

@@ -48,7 +48,11 @@ class FrameObserverTest {
         private OutputException failure;
 
         @Override
-        public void add(int index, int[] rgb) {
+        public Runnable prepare(int index, int[] rgb) {
+            return () -> add(index, rgb);
+        }
+
+        private void add(int index, int[] rgb) {
             if (failure != null && index == 3) {
                 throw failure;
             }
@@ -141,8 +145,8 @@ class FrameObserverTest {
         ParticleStyle trail = new ParticleStyle(ParticleStyle.Kind.BALLS, List.of(0), 2, false);
         try (FrameObserver frames = new FrameObserver(renderer(trail), 1, List.of(new FrameSink() {
             @Override
-            public void add(int index, int[] rgb) {
-                last[0] = rgb.clone();
+            public Runnable prepare(int index, int[] rgb) {
+                return () -> last[0] = rgb.clone();
             }
 
             @Override

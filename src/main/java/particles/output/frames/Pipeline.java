@@ -1,0 +1,131 @@
+package particles.output.frames;
+
+import java.util.Optional;
+import java.util.Queue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Function;
+import java.util.function.Supplier;
+
+/**
+ * Runs tasks on several threads, and the last part of each in the order in which they were added. A few tasks may wait;
+ * then the caller waits. After a failure nothing more is run, and it is thrown to the next caller, once.
+ *
+ * @param <T> a tool that tasks use, one at a time, such as a picture to draw on
+ */
+public final class Pipeline<T> implements AutoCloseable {
+    /** The number of tasks that may wait besides those being run. */
+    private static final int WAITING = 2;
+    /** The part of the free memory that more than one tool may take. */
+    private static final int MEMORY_SHARE = 4;
+
+    private final Supplier<T> tools;
+    private final Queue<T> idle = new ConcurrentLinkedQueue<>();
+    private final ExecutorService threads;
+    private final Semaphore room;
+    private CompletableFuture<Void> last = CompletableFuture.completedFuture(null);
+    private volatile Throwable failure;
+    private boolean reported;
+
+    /**
+     * @param threads the number of threads
+     * @param tools   makes a tool, at most one for each thread
+     */
+    public Pipeline(int threads, Supplier<T> tools) {
+        this.tools = tools;
+        room = new Semaphore(threads + WAITING);
+        this.threads = Executors.newFixedThreadPool(threads, task -> {
+            Thread thread = new Thread(task, "frames");
+            thread.setDaemon(true);         // a program that ends does not wait for pictures
+            return thread;
+        });
+    }
+
+    /**
+     * @param bytes the memory of a tool
+     * @return a thread for each processor, or fewer if memory is short
+     */
+    public static int threads(long bytes) {
+        Runtime java = Runtime.getRuntime();
+        long free = java.maxMemory() - java.totalMemory() + java.freeMemory();
+        return (int) Math.max(1, Math.min(java.availableProcessors(), free / MEMORY_SHARE / bytes));
+    }
+
+    /**
+     * Adds a task, when there is room for it.
+     *
+     * @param task does the first part with a tool, and returns the rest; the tool is the task's until both are done
+     * @return is complete when the task is done, or will not be after a failure
+     */
+    public CompletableFuture<Void> add(Function<T, Runnable> task) {
+        reportFailure();
+        try {
+            room.acquire();
+        } catch (InterruptedException e) {
+            throw interrupted(e);
+        }
+        CompletableFuture<Void> earlier = last;
+        CompletableFuture<Void> done = new CompletableFuture<>();
+        last = done;
+        threads.execute(() -> {
+            try {
+                run(task, earlier);
+            } finally {
+                room.release();
+                done.complete(null);
+            }
+        });
+        return done;
+    }
+
+    private void run(Function<T, Runnable> task, CompletableFuture<Void> earlier) {
+        try {
+            if (failure == null) {
+                T tool = Optional.ofNullable(idle.poll()).orElseGet(tools);
+                Runnable rest = task.apply(tool);
+                earlier.join();
+                if (failure == null) {
+                    rest.run();
+                }
+                idle.add(tool);
+            }
+        } catch (RuntimeException | Error e) {      // out of memory included: kept for the thread that can end the run
+            earlier.join();                         // whose failure comes first
+            failure = failure == null ? e : failure;
+        }
+        earlier.join();
+    }
+
+    /** Waits until all tasks are done, and ends the threads. */
+    @Override
+    public void close() {
+        threads.shutdown();
+        try {
+            threads.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
+        } catch (InterruptedException e) {
+            throw interrupted(e);
+        }
+        reportFailure();
+    }
+
+    private static IllegalStateException interrupted(InterruptedException e) {
+        Thread.currentThread().interrupt();
+        return new IllegalStateException("interrupted while frames were being drawn", e);
+    }
+
+    /** Throws a failure, once only: the close that follows must not throw it again. */
+    private void reportFailure() {
+        if (failure == null || reported) {
+            return;
+        }
+        reported = true;
+        if (failure instanceof Error error) {
+            throw error;
+        }
+        throw (RuntimeException) failure;       // nothing here throws a checked one
+    }
+}
