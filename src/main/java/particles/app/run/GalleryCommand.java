@@ -12,6 +12,7 @@ import particles.output.frames.FrameObserver;
 import particles.output.frames.FrameRenderer;
 import particles.output.frames.FrameSetup;
 import particles.output.frames.LastFrame;
+import particles.output.frames.Pipeline;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneFiles;
@@ -46,11 +47,17 @@ public final class GalleryCommand extends ProgramCommand {
         // read all scenes before drawing any
         String page = GalleryPage.of(folder);
         Path pictures = Files.createDirectories(folder.resolve(GalleryPage.PICTURES));
-        for (Path file : SceneFiles.list(folder)) {
-            String name = SceneName.of(file).whole();
-            draw(file, pictures.resolve(name + ".png"));
-            out.println(name);
-            out.flush();
+        try (Pipeline<Path> scenes = new Pipeline<>(Runtime.getRuntime().availableProcessors(), () -> pictures)) {
+            for (Path file : SceneFiles.list(folder)) {
+                scenes.add(into -> {
+                    String name = SceneName.of(file).whole();
+                    draw(file, into.resolve(name + ".png"));
+                    return () -> {
+                        out.println(name);
+                        out.flush();
+                    };
+                });
+            }
         }
         Files.writeString(folder.resolve(GalleryPage.FILE), page);
         out.println("the gallery: " + folder.resolve(GalleryPage.FILE));
@@ -63,9 +70,10 @@ public final class GalleryCommand extends ProgramCommand {
         Scene scene = SceneBuilder.build(described.withDuration(moment));
         FrameSetup stage = new FrameSetup(camera, withTrails(scene, moment), scene.scenery(), "", "");
         FrameRenderer renderer = new FrameRenderer(stage, WIDTH, HEIGHT, 2);
-        double framesPerSecond = Math.max(described.output().frames().rate(), 20 / moment);
-        try (FrameObserver frames = new FrameObserver(renderer, Math.round(framesPerSecond * moment) / moment,
+        long count = Math.round(Math.max(described.output().frames().rate() * moment, 20));
+        try (FrameObserver frames = new FrameObserver(renderer, count / moment,
                 List.of(new LastFrame(picture, WIDTH, HEIGHT)))) {
+            frames.drawOnlyEvery((int) count);          // the first, which decides sizes, and the last
             scene.simulation().addObserver(frames);
             scene.simulation().run();
         }

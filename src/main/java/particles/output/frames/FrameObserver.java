@@ -31,6 +31,7 @@ public final class FrameObserver implements Observer, AutoCloseable {
     private final ParticleStyle style;
     private final TrailRecorder trails;
     private double[] between = {};
+    private int every = 1;
     private int index;
     private int structure;
 
@@ -52,6 +53,11 @@ public final class FrameObserver implements Observer, AutoCloseable {
         style = renderer.style();
         trails = new TrailRecorder(style.trail(), fps);
         worker = new FrameWorker(renderer, List.copyOf(sinks), threads);
+    }
+
+    /** Leaves out all frames but every n-th one; trails stay as smooth as with all of them. */
+    public void drawOnlyEvery(int n) {
+        every = n;
     }
 
     @Override
@@ -105,6 +111,9 @@ public final class FrameObserver implements Observer, AutoCloseable {
     }
 
     private void draw(ParticleSystem system, double[] state, int count) {
+        if (index % every > 0) {
+            return;
+        }
         FrameState frame = take(system, state, count, index / fps);
         frame.trail = trails.samples();
         worker.draw(index, frame, 1);

@@ -53,7 +53,7 @@ class FilmTest {
         try (OutputFolder folder = OutputFolder.open(top, Film.FILE); Film film = new Film(folder, width, height,
                 fps)) {
             for (int k = 0; k < count; k++) {
-                film.add(first + k, frame(width, height, k));
+                film.prepare(first + k, frame(width, height, k)).run();
             }
         }
     }
@@ -159,7 +159,7 @@ class FilmTest {
     void aFilmIsWholeOrNotThere() throws IOException {
         try (OutputFolder folder = OutputFolder.open(top, Film.FILE)) {
             Film film = new Film(folder, W, H, 25);
-            film.add(0, frame(W, H, 0));
+            film.prepare(0, frame(W, H, 0)).run();
             assertFalse(Files.exists(top.resolve(Film.FILE)));
             film.close();
             assertTrue(Files.exists(top.resolve(Film.FILE)));
@@ -174,7 +174,7 @@ class FilmTest {
         OutputException e = assertThrows(OutputException.class, () -> {
             try (OutputFolder folder = OutputFolder.open(top, full, Film.FILE);
                     Film film = new Film(folder, W, H, 25)) {
-                film.add(0, frame(W, H, 0));
+                film.prepare(0, frame(W, H, 0)).run();
             }
         });
         assertTrue(e.getMessage().contains("film.mp4") && e.getMessage().contains("the disk is full"), e.getMessage());

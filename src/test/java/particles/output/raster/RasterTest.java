@@ -94,4 +94,33 @@ class RasterTest {
                 && raster.endRow() == 50);
         assertEquals(1, raster.near[0]);
     }
+
+    /**
+     * The colour of any triangle lies between those of its corners: round-off neither wraps it around nor lets it
+     * differ by more than the truncation of one step. Thin triangles have the colour of a corner.
+     */
+    @Test
+    void coloursStayBetweenThoseOfTheCorners() {
+        Random random = new Random(33);
+        for (int k = 0; k < 2000; k++) {
+            Raster raster = new Raster(50, 50);
+            double size = Math.pow(10, 8 * random.nextDouble() - 2);
+            double thickness = Math.pow(10, -6 * random.nextDouble());
+            double[] xs = new double[3];
+            double[] ys = new double[3];
+            for (int c = 0; c < 3; c++) {
+                xs[c] = 50 + size * (random.nextDouble() - 0.5);
+                ys[c] = 50 + (xs[c] - 50) * (k % 7 - 3) + size * thickness * (random.nextDouble() - 0.5);
+            }
+            int low = k % 2 == 0 ? 0 : 100;
+            int high = k % 3 == 0 ? 255 : 180;
+            raster.triangle(0, 1, 2, xs, ys, NEAR, new int[] {low * 0x010101, high * 0x010101, low * 0x010101});
+            for (int p = 0; p < raster.near.length; p++) {
+                int colour = raster.colour[p];
+                int red = colour >> 16;
+                assertTrue(raster.near[p] < 0 || red >= low && red <= high, "triangle " + k + ": " + colour);
+                assertEquals(red * 0x010101, colour);
+            }
+        }
+    }
 }
