@@ -42,7 +42,8 @@ final class Shrinker {
                 addRow(rgb, row * fullWidth, redBlue, green);
             }
             for (int x = 0; x < width; x++) {
-                small[y * width + x] = factor == 2 ? meanOfTwo(redBlue, green, 2 * x) : mean(redBlue, green, factor * x);
+                small[y * width + x] = factor == 2 ? meanOfTwo(redBlue, green, 2 * x)
+                        : mean(redBlue, green, factor * x);
             }
         }
     }

@@ -31,6 +31,7 @@ public final class FrameObserver implements Observer, AutoCloseable {
     private final ParticleStyle style;
     private final TrailRecorder trails;
     private double[] between = {};
+    private FrameState taken = new FrameState();
     private int every = 1;
     private int index;
     private int structure;
@@ -122,10 +123,13 @@ public final class FrameObserver implements Observer, AutoCloseable {
     private FrameState take(ParticleSystem system, double[] state, int count, double time) {
         FrameState frame = worker.next();
         frame.take(state, count, time, style.arrows() > 0);
-        if (frame.structure != structure) {
-            frame.takeStructure(system, style.kind() == ParticleStyle.Kind.GLOW, style.marks());
-            frame.structure = structure;
+        if (taken.structure != structure) {
+            // one copy for all frames: effects may reorder their springs, which decides what hides what
+            taken = new FrameState();
+            taken.takeStructure(system, style.kind() == ParticleStyle.Kind.GLOW, style.marks());
+            taken.structure = structure;
         }
+        frame.shareStructure(taken);
         frame.trailIndex = trails.indicesNow(system, count, structure);
         return frame;
     }

@@ -131,6 +131,21 @@ public final class FrameState {
         }
     }
 
+    /** Shares the springs, fixed particles, lives and marks of another state, which nobody changes any more. */
+    public void shareStructure(FrameState other) {
+        structure = other.structure;
+        fixed = other.fixed;
+        birth = other.birth;
+        death = other.death;
+        springs = other.springs;
+        from = other.from;
+        to = other.to;
+        restLength = other.restLength;
+        stiffness = other.stiffness;
+        rigid = other.rigid;
+        marks = other.marks;
+    }
+
     private Optional<ParticleMark> mark(int particle) {
         return particle < marks.length ? Optional.ofNullable(marks[particle]) : Optional.empty();
     }
