@@ -155,9 +155,9 @@ class ArchitectureTest {
                                            particles.experiments.stability particles.teaching
                                            particles.teaching.solvers particles.teaching.sources particles.view
             particles.teaching.marking:    particles.law
-            particles.teaching.solvers:    deSolvers deSolvers.rungeKutta particles.teaching particles.teaching.contract
+            particles.teaching.solvers:    deSolvers particles.teaching particles.teaching.contract
                                            particles.teaching.sources
-            particles.teaching.sources:    deSolvers deSolvers.problems
+            particles.teaching.sources:    deSolvers deSolvers.problems particles.teaching
             particles.threads:             particles particles.engine particles.law
             particles.view:                particles.law
             """);

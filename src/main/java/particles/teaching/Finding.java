@@ -18,8 +18,12 @@ public record Finding(Kind kind, String text) {
         STATE("state"),
         /** The class cannot be used at all, or did not return. */
         FAILURE("failure"),
+        /** It is a right method, and not the one that the class's name promises. */
+        NAME("name"),
+        /** The check did not come to an end: no mark, and no mistake. */
+        UNDECIDED("not decided"),
         /** No mistake, but something that could be better. */
-        ADVICE("advice");
+        STYLE("style");
 
         private final String word;
 
@@ -33,9 +37,9 @@ public record Finding(Kind kind, String text) {
         }
     }
 
-    /** @return whether this is a mistake, and not only advice */
+    /** @return whether this is a mistake, and not only style */
     public boolean isWrong() {
-        return kind != Kind.ADVICE;
+        return kind != Kind.STYLE;
     }
 
     @Override

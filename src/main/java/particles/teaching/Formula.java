@@ -53,20 +53,18 @@ public final class Formula {
     }
 
     /**
-     * @param kept   the weight of s
-     * @param weight the coefficients
-     * @param names  the names that belong to the coefficients
-     * @return the formula, such as {@code s + k1/2}
+     * @param weights the coefficients
+     * @param names   the names that belong to the coefficients; as many or more
+     * @return the sum, such as {@code s + k1/2}
      */
-    public static String state(double kept, double[] weight, List<String> names) {
-        StringBuilder text = new StringBuilder(same(kept, 1) ? "s" : same(kept, 0) ? "" : number(kept) + " s");
-        for (int j = 0; j < weight.length; j++) {
-            if (!same(weight[j], 0)) {
-                text.append(term(weight[j], j < names.size() ? names.get(j) : "k" + (j + 1),
-                        number(Math.abs(weight[j]))));
+    public static String sum(double[] weights, List<String> names) {
+        StringBuilder text = new StringBuilder();
+        for (int j = 0; j < weights.length; j++) {
+            if (!same(weights[j], 0)) {
+                text.append(term(weights[j], names.get(j), number(Math.abs(weights[j]))));
             }
         }
-        return text.isEmpty() ? "0" : text.toString().replaceFirst("^ \\+ ", "");
+        return text.isEmpty() ? "0" : text.toString().replaceFirst("^ \\+ ", "").replaceFirst("^ - ", "-");
     }
 
     private static String term(double coefficient, String name, String size) {

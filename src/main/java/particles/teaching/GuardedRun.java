@@ -8,23 +8,23 @@ import java.util.concurrent.atomic.AtomicReference;
 import particles.teaching.Finding.Kind;
 
 /**
- * Runs a student's class in a thread of its own with a time limit, and reports an endless loop, a stack overflow or a
- * lack of memory. The limit is on CPU time, so that a busy machine makes no loop endless. It does not protect from
- * {@code System.exit}; only a separate process does.
+ * Runs a student's class in a thread of its own and reports an endless loop, a stack overflow or a lack of memory. Only
+ * the CPU time of that thread tells that a loop does not end, so that a busy machine makes none endless; a run that
+ * gets too little of the processor is not decided. It does not protect from {@code System.exit}; only a separate
+ * process does.
  */
 public final class GuardedRun {
-    /**
-     * The limit of elapsed time, as a multiple of that of CPU time: on a busy machine a loop gets only a part of the
-     * processor.
-     */
-    private static final double BUSY_MACHINE = 50;
+    /** The elapsed time after which a run is not decided, as a multiple of the CPU time allowed. */
+    private static final double GIVE_UP = 100;
     private static final double NANOS = 1e9;
     private static final long POLL_MILLIS = 20;
+    /** So many looks in a row at a thread that waits and computes nothing tell that it waits for ever. */
+    private static final int WAITS = 100;
 
     private final double seconds;
     private final AtomicReference<Thread> running = new AtomicReference<>();
 
-    /** @param seconds the CPU time allowed (s); three times as much is allowed for waiting */
+    /** @param seconds the CPU time allowed (s) */
     public GuardedRun(double seconds) {
         this.seconds = seconds;
     }
@@ -69,23 +69,29 @@ public final class GuardedRun {
     private Optional<Finding> await(Thread thread) {
         ThreadMXBean threads = ManagementFactory.getThreadMXBean();
         long start = System.nanoTime();
+        double before = 0;
+        int waited = 0;
         while (thread.isAlive()) {
             try {
                 thread.join(POLL_MILLIS);
             } catch (InterruptedException e) {
                 thread.interrupt();
                 Thread.currentThread().interrupt();
-                return Optional.of(new Finding(Kind.FAILURE, "the check was interrupted"));
+                return Optional.of(new Finding(Kind.UNDECIDED, "the check was interrupted"));
             }
             double computed = threads.getThreadCpuTime(thread.getId()) / NANOS;     // negative once it has ended
+            waited = thread.getState() == Thread.State.RUNNABLE || computed != before ? 0 : waited + 1;
+            before = computed;
             double elapsed = (System.nanoTime() - start) / NANOS;
-            boolean waits = thread.getState() != Thread.State.RUNNABLE && elapsed > 3 * seconds;
-            if (computed > seconds || waits || elapsed > BUSY_MACHINE * seconds) {
+            if (thread.isAlive() && (computed > seconds || waited > WAITS || elapsed > GIVE_UP * seconds)) {
                 String place = StudentFailure.place(thread.getStackTrace());
                 thread.interrupt();
-                return Optional.of(new Finding(Kind.FAILURE, "it did not come back within " + Formula.number(seconds)
-                        + " s: "
-                        + (waits ? "it waits for something that never comes" : "an endless loop") + place));
+                return Optional.of(computed <= seconds && waited <= WAITS ? new Finding(Kind.UNDECIDED,
+                        "not decided on this machine, which gave it " + Formula.number(computed) + " s of a processor"
+                        + " in " + Formula.number(elapsed) + " s: run it again" + place)
+                        : new Finding(Kind.FAILURE, "it did not come back within " + Formula.number(seconds)
+                        + " s of CPU time: " + (computed > seconds ? "an endless loop"
+                        : "it waits for something that never comes") + place));
             }
         }
         return Optional.empty();
@@ -93,6 +99,10 @@ public final class GuardedRun {
 
     private static Finding failure(Throwable thrown) {
         String place = StudentFailure.place(thrown.getStackTrace());
+        if (thrown instanceof EndlessLoop) {
+            return new Finding(Kind.FAILURE, "it did not come back: an endless loop, as " + thrown.getMessage()
+                    + place);
+        }
         if (thrown instanceof StackOverflowError) {
             return new Finding(Kind.FAILURE, "the stack overflows: a method calls itself without end" + place);
         }

@@ -147,7 +147,7 @@ abstract class CheckCommand extends ProgramCommand {
      * running.
      */
     private void giveUp(Screen screen, Finding failure, String printed) {
-        ExitCode code = ExitCode.BAD_INPUT;
+        ExitCode code = failure.kind() == Kind.UNDECIDED ? ExitCode.STOPPED : ExitCode.BAD_INPUT;
         try {
             Path report = writeReport(failed(failure.text()));
             screen.print(CheckReport.lines(new Checked(subject().replaceFirst(".*=", ""),

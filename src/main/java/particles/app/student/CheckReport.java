@@ -27,10 +27,10 @@ final class CheckReport {
     static List<String> lines(Checked checked, String printed, Path report) {
         List<String> wrong = checked.findings().stream().filter(Finding::isWrong).map(Finding::toString).toList();
         List<String> notes = checked.findings().stream().filter(finding -> !finding.isWrong())
-                .map(finding -> "note: " + finding.text()).toList();
+                .map(finding -> finding.toString()).toList();
         List<String> lines = new ArrayList<>();
         lines.add(checked.subject() + ": " + (checked.identity().equals(Checked.NOT_CHECKED) ? ""
-                : wrong.isEmpty() ? "right. " : "wrong. ") + checked.identity());
+                : verdict(checked.findings())) + checked.identity());
         add(lines, wrong, MOST_MISTAKES);
         add(lines, notes, MOST_NOTES);
         List<String> last = new ArrayList<>();
@@ -47,6 +47,14 @@ final class CheckReport {
         }
         lines.addAll(last);
         return lines;
+    }
+
+    private static String verdict(List<Finding> findings) {
+        return findings.stream().filter(Finding::isWrong).map(finding -> switch (finding.kind()) {
+            case NAME -> "not what its name says. ";
+            case UNDECIDED -> "not decided. ";
+            default -> "wrong. ";
+        }).findFirst().orElse("right. ");
     }
 
     private static void add(List<String> lines, List<String> more, int most) {

@@ -14,8 +14,7 @@ import particles.output.report.Picture;
 import particles.output.report.ResultPage;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
-import particles.teaching.GuardedRun;
-import particles.teaching.GuardedRun.Outcome;
+import particles.teaching.StudentFailure;
 import particles.teaching.figures.SolverFigures;
 import particles.teaching.solvers.SolverCheck;
 import particles.teaching.solvers.SolverVerdict;
@@ -28,7 +27,6 @@ import picocli.CommandLine.Option;
         description = "Checks a solver: which method it is, and what is wrong with it.")
 public final class CheckSolverCommand extends CheckCommand {
     static final String NAME = "checkSolver";
-    private static final double SECONDS_TO_MEASURE = 4;
 
     @Option(names = "--solver", paramLabel = "NAME", required = true,
             description = "A solver's name, or the class of your own.")
@@ -71,18 +69,17 @@ public final class CheckSolverCommand extends CheckCommand {
             return new Checked(name, verdict.identity(), verdict.findings(), new ResultPage(NAME, title, text,
                     List.of(), List.of()));
         }
-        Outcome<SolverFigures> measured = new GuardedRun(SECONDS_TO_MEASURE).run(() -> SolverFigures.of(
-                SolverCatalog.names().contains(solver) ? solver : name, maker, verdict));
-        if (measured.failure().isPresent()) {           // of the class itself; still report the findings
+        SolverFigures figures;
+        try {
+            figures = SolverFigures.of(SolverCatalog.names().contains(solver) ? solver : name, maker, verdict);
+        } catch (RuntimeException e) {                  // of the class itself; still report the findings
             List<Finding> all = new ArrayList<>(verdict.findings());
             if (verdict.wrong().isEmpty()) {            // otherwise it follows from a mistake already reported
-                all.add(new Finding(Kind.FAILURE, "while it was measured on springs: "
-                        + measured.failure().get().text()));
+                all.add(new Finding(Kind.FAILURE, "while it was measured on springs: " + StudentFailure.describe(e)));
             }
             return new Checked(name, verdict.identity(), all, new ResultPage(NAME, title, paragraphs(all), List.of(),
                     List.of()));
         }
-        SolverFigures figures = measured.value().orElseThrow();
         List<Picture> pictures = new ArrayList<>();
         pictures.add(Picture.chart("order",
                 "The error after two seconds of x'' = -4x + 3 cos t; the slope is the order.",

@@ -66,8 +66,13 @@ public final class GradeCommand extends ProgramCommand {
 
     /** One graded item: its name, whether it was handed in, and its mark. */
     private record Graded(String name, boolean answered, Mark mark) {
+        boolean isUndecided() {
+            return mark.lines().stream().anyMatch(line -> line.contains("not decided on this machine"));
+        }
+
         void print(PrintWriter out) {
-            out.println((!answered ? "missing   " : mark.right() ? "mark      " : "no mark   ") + name);
+            out.println((!answered ? "missing   " : mark.right() ? "mark      " : isUndecided() ? "undecided "
+                    : "no mark   ") + name);
             if (answered) {
                 mark.lines().forEach(line -> out.println("            " + line));
             }

@@ -3,7 +3,9 @@ package particles.teaching.contract;
 import deSolvers.DESolver;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Supplier;
+import particles.teaching.EndlessLoop;
 import particles.teaching.Finding.Kind;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
@@ -37,14 +39,28 @@ public final class SolverContract {
         SolverContract contract = new SolverContract(maker);
         SolverMemory.mistake(maker, remembers, multistep)
                 .ifPresentOrElse(contract.findings::add, contract::checkMany);
+        if (contract.findings.isEmpty() && SolverMemory.ignoresTheClock(maker)) {
+            contract.note("what is remembered of earlier steps is used although the clock was set from outside: compare"
+                    + " source.getTime() as well, since forces may depend on the time");
+        }
         contract.checkNegative();
         contract.checkZero();
         contract.findings.addAll(SolverNotes.of(maker));
         return contract.findings;
     }
 
+    /**
+     * @param maker     makes a new solver
+     * @param remembers whether its steps differ from those of a new solver
+     * @param multistep whether it uses earlier steps as a method does
+     * @return the mistake of memory that is used where it must not be
+     */
+    public static Optional<Finding> memory(Supplier<DESolver> maker, boolean remembers, boolean multistep) {
+        return SolverMemory.mistake(maker, remembers, multistep);
+    }
+
     private void note(String text) {
-        findings.add(new Finding(Kind.ADVICE, text));
+        findings.add(new Finding(Kind.STYLE, text));
     }
 
     private void wrong(String text) {
@@ -90,6 +106,10 @@ public final class SolverContract {
         double[] before = source.state();
         try {
             maker.get().stepState(source, -H);
+        } catch (EndlessLoop e) {
+            findings.add(new Finding(Kind.FAILURE, "a step of negative deltaT does not come back, an endless loop: step"
+                    + " backwards, or throw an exception that says why not" + StudentFailure.place(e.getStackTrace())));
+            return;
         } catch (RuntimeException e) {
             note("it refuses a negative deltaT (" + e.getMessage() + ")");
             return;

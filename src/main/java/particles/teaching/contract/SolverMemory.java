@@ -45,11 +45,16 @@ final class SolverMemory {
             double[] moved = source.state();
             Arrays.setAll(moved, k -> moved[k] + 1);
             source.setState(moved);
-        }).or(() -> memory.after("the clock was set from outside,", (solver, source) -> source.incTime(LATER)))
+        })
                 .or(() -> memory.after("reset() was called, as it is when the forces change,", (solver, source)
                         -> solver.reset()))
                 .or(memory::otherSizes).or(memory::turns).or(memory::objects).or(memory::changedDeltaT)
                 .map(text -> new Finding(Kind.STATE, text));
+    }
+
+    /** @return whether a clock that was set from outside goes unnoticed, which matters only if the law depends on it */
+    static boolean ignoresTheClock(Supplier<DESolver> maker) {
+        return new SolverMemory(maker, true, false).after("", (solver, source) -> source.incTime(LATER)).isPresent();
     }
 
     /** Makes steps and a change from outside; the next step has to be that of a new solver. */

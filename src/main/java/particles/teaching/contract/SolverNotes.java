@@ -3,13 +3,10 @@ package particles.teaching.contract;
 import deSolvers.DESolver;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
-import java.util.concurrent.Callable;
 import java.util.function.Supplier;
+import particles.teaching.EndlessLoop;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
-import particles.teaching.GuardedRun;
-import particles.teaching.GuardedRun.Outcome;
 import particles.teaching.sources.Probe;
 import particles.teaching.sources.WindyOscillators;
 
@@ -18,7 +15,6 @@ final class SolverNotes {
     private static final double H = 1.0 / 16;
     private static final int MOST = 2000;
     private static final double TINY = 1e-12;
-    private static final double MOST_SECONDS = 0.5;
 
     private final Supplier<DESolver> maker;
     private final List<Finding> findings = new ArrayList<>();
@@ -37,7 +33,7 @@ final class SolverNotes {
     }
 
     private void note(String text) {
-        findings.add(new Finding(Kind.ADVICE, text));
+        findings.add(new Finding(Kind.STYLE, text));
     }
 
     /** Whether sources without positions and velocities will do. */
@@ -57,53 +53,37 @@ final class SolverNotes {
             WindyOscillators source = new WindyOscillators(1);
             double[] before = source.state();
             source.failFromEvaluation(evaluation);
-            Outcome<Boolean> outcome = guarded(source, () -> {
-                try {
-                    maker.get().stepState(source, H);
-                    return source.hasFailed();
-                } catch (RuntimeException expected) {
-                    return false;
+            try {
+                maker.get().stepState(source, H);
+                if (source.hasFailed()) {
+                    findings.add(new Finding(Kind.STATE, "the source threw an exception, and stepState returned as if"
+                            + " nothing had happened: do not catch it, so that the caller learns of it"));
+                    return;
                 }
-            });
-            if (outcome.value().isPresent() && outcome.value().get()) {
-                findings.add(new Finding(Kind.STATE, "the source threw an exception, and stepState returned as if"
-                        + " nothing had happened: do not catch it, so that the caller learns of it"));
-                return;
-            }
-            if (evaluation > 0 && (SolverContract.distance(before, source.state()) != 0 || source.getTime() != 0)
-                    && source.hasFailed()) {
-                note("when the source fails within a step, state and time stay where they were then;"
-                        + " deSolvers.FixedStepSolver puts them back");
+            } catch (RuntimeException expected) {
+                if (evaluation > 0 && source.hasFailed()
+                        && (SolverContract.distance(before, source.state()) != 0 || source.getTime() != 0)) {
+                    note("when the source fails within a step, state and time stay where they were then;"
+                            + " deSolvers.FixedStepSolver puts them back");
+                }
             }
         }
-    }
-
-    /** Runs with a time limit; afterwards a step that is still running ends at its next evaluation. */
-    private <T> Outcome<T> guarded(WindyOscillators source, Callable<T> step) {
-        Outcome<T> outcome = new GuardedRun(MOST_SECONDS).run(step);
-        source.failFromEvaluation(0);
-        return outcome;
     }
 
     /** The check puts a NaN in, and says so. */
     private void checkNaN() {
         WindyOscillators source = new WindyOscillators(1);
-        source.spoilDerivative();
+        source.spoilDerivative(MOST);
         String from = "this check made the derivative NaN on purpose, and ";
-        Outcome<Optional<String>> outcome = guarded(source, () -> {
-            try {
-                maker.get().stepState(source, H);
-                return Optional.empty();
-            } catch (RuntimeException e) {
-                return Optional.of(String.valueOf(e.getMessage()));
-            }
-        });
-        if (outcome.value().isEmpty()) {
-            note(from + "the step did not come back: end a loop that waits for a small error when the error is NaN");
-        } else if (outcome.value().get().isEmpty()) {
+        try {
+            maker.get().stepState(source, H);
             note(from + "the NaN goes unnoticed into the state; deSolvers.FixedStepSolver reports it");
-        } else if (outcome.value().get().get().matches("\\s*|null")) {
-            note(from + "the exception that the solver throws says nothing");
+        } catch (EndlessLoop e) {
+            note(from + "the step did not come back: end a loop that waits for a small error when the error is NaN");
+        } catch (RuntimeException e) {
+            if (String.valueOf(e.getMessage()).matches("\\s*|null")) {
+                note(from + "the exception that the solver throws says nothing");
+            }
         }
     }
 }

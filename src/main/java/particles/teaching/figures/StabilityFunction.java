@@ -107,16 +107,12 @@ record StabilityFunction(double[] above, double[] below) {
     }
 
     private static String polynomial(double[] p) {
-        List<String> powers = new ArrayList<>(List.of("z"));
+        List<String> powers = new ArrayList<>(List.of("1", "z"));
         for (int k = 2; k < p.length; k++) {
             powers.add("z^" + k);
         }
-        String rest = Formula.state(0, Arrays.copyOfRange(p, 1, p.length), powers);
-        if (Formula.same(p[0], 0)) {
-            return rest;
-        }
-        return rest.equals("0") ? Formula.number(p[0]) : Formula.number(p[0]) + (rest.startsWith(" - ") ? "" : " + ")
-                + rest;
+        String text = Formula.sum(p, powers);
+        return text.startsWith("1 ") || text.startsWith("z") ? text : text.replaceFirst("^(\\S+) 1( |$)", "$1$2");
     }
 
     /** @return the method that has this function, such as {@code that of Euler}; empty if it is unknown */

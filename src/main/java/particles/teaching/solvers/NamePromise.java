@@ -1,9 +1,13 @@
 package particles.teaching.solvers;
 
+import static particles.teaching.solvers.KnownMethods.IMPLICIT;
+
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import particles.teaching.Finding;
 
 /**
  * The method that the name of a solver's class promises.
@@ -11,81 +15,83 @@ import java.util.regex.Pattern;
  * @param says    the meaning of the name
  * @param order   the lowest order of all methods that it can stand for
  * @param methods the methods that it can stand for; empty for all of that order
- * @param whole   whether the name contains nothing else: RichardsonEuler need not be Euler
+ * @param strength how much else the name contains
  * @param adapts  whether the name promises step-size control
  */
-record NamePromise(String says, int order, List<String> methods, boolean whole, boolean adapts) {
-    static final String EULER = "the Euler method";
-    static final String MIDPOINT = "the midpoint method";
-    static final String HEUN = "Heun's method";
-    static final String RALSTON = "Ralston's method";
-    static final String RK4 = "RK4, the classical Runge-Kutta method";
-    static final String THREE_EIGHTHS = "Kutta's 3/8 rule";
-    static final String SYMPLECTIC = "symplectic Euler, the slides' simple particle system algorithm";
-    static final String POSITION_FIRST = "symplectic Euler with the position first";
-    static final String VERLET = "velocity Verlet (leapfrog: kick, drift, kick)";
-    static final String POSITION_VERLET = "position Verlet (drift, kick, drift)";
-    static final String BACKWARD_EULER = "backward Euler";
-    static final String IMPLICIT_MIDPOINT = "the implicit midpoint method";
-    static final String TRAPEZOID = "the implicit trapezoidal rule";
-
-    private static final List<String> IMPLICIT = List.of(BACKWARD_EULER, IMPLICIT_MIDPOINT, TRAPEZOID);
+record NamePromise(String says, int order, List<String> methods, Strength strength, boolean adapts) {
+    /** How much a name contains beside the method. */
+    private enum Strength {
+        /** Nothing: HeunSolver is Heun's method. */
+        WHOLE,
+        /** Unknown words: SmithEuler is no other known method, and may be one of Smith's own. */
+        UNKNOWN,
+        /** A word that makes another method of it: RichardsonEuler need not be Euler. */
+        CHANGED
+    }
 
     /** Words in a name that say nothing about the method; a letter and digits before it number an exercise. */
     private static final String NOISE =
             "^[a-z]\\d+|my|solver|stepper|integrator|method|rule|step|the|mine|own|fixed|test|good|newton|new|scheme"
             + "|task|exercise|question|homework|assignment|aufgabe|version|verfahren|explicit|forward|classical|classic"
             + "|standard|slides?|particles?|\\d";
+    private static final Pattern CHANGES = Pattern.compile("richardson|extrapol|romberg|adapt|embedded|pair|doubling"
+            + "|sub|small|tiny|twice|half|halves|multi|rosenbrock|exponential|linear|ensemble|corrected|compos|blend"
+            + "|filter|lowstorage|stabili[sz]ed|chebyshev|predict");
     private static final Pattern ADAPTS = Pattern.compile("adapt|stepdoubling|stepsizecontrol|variablestep");
 
-    private record Row(String says, int order, List<String> methods, List<String> words) {
-        Row(String says, int order, String words, String... methods) {
-            this(says, order, List.of(methods), List.of(words.split(" ")));
+    /** Meaning, order, words in names, names of methods; the longest word in a name wins. */
+    private static final String TABLE = """
+            the Euler method | 1 | euler expliciteuler forwardeuler | the Euler method
+            symplectic Euler | 1 | symplecticeuler semiimplicit semiimpliciteuler cromer eulercromer symplectic \
+            simplealgorithm simpleparticle | symplectic Euler, the slides' simple particle system algorithm; \
+            symplectic Euler with the position first
+            backward Euler | 1 | backwardeuler impliciteuler | backward Euler
+            the midpoint method | 2 | midpoint | the midpoint method; the implicit midpoint method
+            the midpoint method | 2 | explicitmidpoint | the midpoint method
+            the implicit midpoint method | 2 | implicitmidpoint | the implicit midpoint method
+            a Runge-Kutta method of order 2 | 2 | rk2 rungekutta2 |
+            Heun's method | 2 | heun | Heun's method; Ralston's method; Heun's method of order 3
+            Heun's method or the midpoint method | 2 | modifiedeuler improvedeuler | Heun's method; \
+            the midpoint method; Ralston's method
+            the trapezoidal rule | 2 | trapez trapezoid trapezoidal | Heun's method; the implicit trapezoidal rule
+            the implicit trapezoidal rule | 2 | cranknicolson implicittrapez implicittrapezoid implicittrapezoidal \
+            | the implicit trapezoidal rule
+            Ralston's method | 2 | ralston | Ralston's method; Ralston's method of order 3; Ralston's method of order 4
+            a Runge-Kutta method of order 3 | 3 | rk3 rungekutta3 kutta3 heun3 ralston3 bogackishampine ssprk3 ssp3 |
+            a strong-stability-preserving method | 2 | ssp ssprk shuosher |
+            a Runge-Kutta method of order 4 | 4 | rk4 rungekutta4 rungekutta classicalrk gill ralston4 ralstonrk4 |
+            Kutta's 3/8 rule | 4 | rk38 rungekutta38 kutta38 threeeighth | Kutta's 3/8 rule
+            a method of order 4 or 5 | 4 | rkf45 rk45 ode45 fehlberg rungekuttafehlberg cashkarp dormandprince dopri |
+            a Runge-Kutta method of order 5 | 5 | rk5 rungekutta5 dopri5 rkf5 |
+            velocity or position Verlet | 2 | verlet velocityverlet positionverlet stormerverlet stoermerverlet \
+            leapfrog kickdriftkick driftkickdrift stormer stoermer | velocity Verlet (leapfrog: kick, drift, kick); \
+            position Verlet (drift, kick, drift)
+            velocity Verlet | 2 | leapfrogkdk | velocity Verlet (leapfrog: kick, drift, kick)
+            position Verlet | 2 | leapfrogdkd | position Verlet (drift, kick, drift)
+            Ruth's method of order 3 | 3 | ruth ruth3 |
+            a symplectic method of order 4 | 4 | yoshida forestruth ruth4 candyrozmus pefrl |
+            an Adams method of order 2 | 2 | ab2 adamsbashforth2 adams2 |
+            an Adams method of order 3 | 3 | ab3 adamsbashforth3 adams3 abm3 |
+            an Adams method of order 4 | 4 | ab4 adamsbashforth4 adams4 abm4 |
+            an Adams method | 2 | adams adamsbashforth adamsmoulton adamsbashforthmoulton |
+            a BDF method of order 2 | 2 | bdf2 |
+            a BDF method of order 3 | 3 | bdf3 |
+            a Radau method | 2 | radau |
+            a Radau method of order 3 | 3 | radau3 radauiia3 |
+            Radau IIA of order 5 | 5 | radau5 radauiia5 |
+            a diagonally implicit method of order 2 | 2 | sdirk2 dirk2 |
+            a diagonally implicit method of order 3 | 3 | sdirk3 dirk3 |
+            """;
+
+    private record Row(String says, int order, List<String> words, List<String> methods) {
+        static Row of(String line) {
+            String[] parts = line.split("\\|", -1);
+            return new Row(parts[0].strip(), Integer.parseInt(parts[1].strip()), List.of(parts[2].strip().split(" ")),
+                    Arrays.stream(parts[3].split(";")).map(String::strip).filter(name -> !name.isEmpty()).toList());
         }
     }
 
-    /** Those with the longest words win: symplecticeuler before euler. */
-    private static final List<Row> ROWS = List.of(
-            new Row(EULER, 1, "euler expliciteuler forwardeuler", EULER),
-            new Row("symplectic Euler", 1, "symplecticeuler semiimplicit semiimpliciteuler cromer eulercromer "
-            + "symplectic simplealgorithm simpleparticle",
-                    SYMPLECTIC, POSITION_FIRST),
-            new Row(BACKWARD_EULER, 1, "backwardeuler impliciteuler", BACKWARD_EULER),
-            new Row("the midpoint method", 2, "midpoint", MIDPOINT, IMPLICIT_MIDPOINT),
-            new Row(MIDPOINT, 2, "explicitmidpoint", MIDPOINT),
-            new Row(IMPLICIT_MIDPOINT, 2, "implicitmidpoint", IMPLICIT_MIDPOINT),
-            new Row("a Runge-Kutta method of order 2", 2, "rk2 rungekutta2"),
-            new Row(HEUN, 2, "heun", HEUN, RALSTON, "Heun's method of order 3"),
-            new Row("Heun's method or the midpoint method", 2, "modifiedeuler improvedeuler", HEUN, MIDPOINT, RALSTON),
-            new Row("the trapezoidal rule", 2, "trapez trapezoid trapezoidal", HEUN, TRAPEZOID),
-            new Row(TRAPEZOID, 2, "cranknicolson implicittrapez implicittrapezoid implicittrapezoidal", TRAPEZOID),
-            new Row("Ralston's method", 2, "ralston", RALSTON, "Ralston's method of order 3"),
-            new Row("a Runge-Kutta method of order 3", 3, "rk3 rungekutta3 kutta3 heun3 ralston3 bogackishampine"
-                    + " ssprk3 ssp3"),
-            new Row("a strong-stability-preserving method", 2, "ssp ssprk shuosher"),
-            new Row("a Runge-Kutta method of order 4", 4, "rk4 rungekutta4 rungekutta classicalrk gill"),
-            new Row(THREE_EIGHTHS, 4, "rk38 rungekutta38 kutta38 threeeighth", THREE_EIGHTHS),
-            new Row("a method of order 4 or 5", 4, "rkf45 rk45 ode45 fehlberg rungekuttafehlberg cashkarp"
-                    + " dormandprince dopri"),
-            new Row("a Runge-Kutta method of order 5", 5, "rk5 rungekutta5 dopri5 rkf5"),
-            new Row("velocity or position Verlet", 2, "verlet velocityverlet positionverlet stormerverlet "
-            + "stoermerverlet leapfrog kickdriftkick driftkickdrift stormer"
-                    + " stoermer", VERLET, POSITION_VERLET),
-            new Row("velocity Verlet", 2, "leapfrogkdk", VERLET),
-            new Row("position Verlet", 2, "leapfrogdkd", POSITION_VERLET),
-            new Row("Ruth's method of order 3", 3, "ruth ruth3"),
-            new Row("a symplectic method of order 4", 4, "yoshida forestruth ruth4 candyrozmus pefrl"),
-            new Row("an Adams method of order 2", 2, "ab2 adamsbashforth2 adams2"),
-            new Row("an Adams method of order 3", 3, "ab3 adamsbashforth3 adams3 abm3"),
-            new Row("an Adams method of order 4", 4, "ab4 adamsbashforth4 adams4 abm4"),
-            new Row("an Adams method", 2, "adams adamsbashforth adamsmoulton adamsbashforthmoulton"),
-            new Row("a BDF method of order 2", 2, "bdf2"),
-            new Row("a BDF method of order 3", 3, "bdf3"),
-            new Row("a Radau method", 2, "radau"),
-            new Row("a Radau method of order 3", 3, "radau3 radauiia3"),
-            new Row("Radau IIA of order 5", 5, "radau5 radauiia5"),
-            new Row("a diagonally implicit method of order 2", 2, "sdirk2 dirk2"),
-            new Row("a diagonally implicit method of order 3", 3, "sdirk3 dirk3"));
+    private static final List<Row> ROWS = TABLE.lines().map(Row::of).toList();
 
     /**
      * @param className a simple class name, such as {@code MyHeunSolver}
@@ -105,20 +111,24 @@ record NamePromise(String says, int order, List<String> methods, boolean whole, 
         }
         boolean adapts = ADAPTS.matcher(lower).find();
         if (best == null) {
-            return adapts ? Optional.of(new NamePromise("a method with step-size control", 1, List.of(), false, true))
-                    : Optional.empty();
+            return adapts ? Optional.of(new NamePromise("a method with step-size control", 1, List.of(),
+                    Strength.CHANGED, true)) : Optional.empty();
         }
-        boolean whole = isNoise(lower, longest) || isNoise(lower, longest + "s");      // Heun's method
-        return Optional.of(new NamePromise(best.says, best.order, best.methods, whole, adapts));
+        String rest = lower.replaceFirst(longest + "(s(?=method|rule|solver|$))?", " ");
+        boolean second = ROWS.stream().flatMap(row -> row.words.stream()).anyMatch(rest::contains);     // HeunEuler
+        return Optional.of(new NamePromise(best.says, best.order, best.methods, rest.replaceAll(NOISE, "").isBlank()
+                ? Strength.WHOLE : second || CHANGES.matcher(rest).find() ? Strength.CHANGED : Strength.UNKNOWN,
+                adapts));
     }
 
-    private static boolean isNoise(String name, String but) {
-        return name.replaceFirst(but, " ").replaceAll(NOISE, "").isBlank();
+    /** @return whether the name contains nothing but the method */
+    boolean isWhole() {
+        return strength == Strength.WHOLE;
     }
 
     /** @return whether a method of this name and order may be called so */
     boolean allows(String method, int itsOrder) {
-        return methods.contains(method) || itsOrder >= order && (methods.isEmpty() || !whole);
+        return methods.contains(method) || itsOrder >= order && (methods.isEmpty() || strength == Strength.CHANGED);
     }
 
     /** @return the meaning of the name, with the order */
@@ -133,16 +143,18 @@ record NamePromise(String says, int order, List<String> methods, boolean whole, 
 
     /** @return whether the name stands for implicit methods only */
     boolean isImplicit() {
-        return !methods.isEmpty() && IMPLICIT.containsAll(methods);
+        return !methods.isEmpty() && IMPLICIT.containsAll(methods) && strength != Strength.CHANGED;
     }
 
-    /** @return the finding for a known method that the name does not stand for */
-    String contradicts(String method) {
-        boolean implicit = isImplicit() && !IMPLICIT.contains(method);
-        return "this is " + method + (implicit && !method.contains("explicit") ? ", which is explicit," : "")
-                + " and not " + says
-                + ", as its name says"
-                + (implicit ? ": the equation for the new state is not solved; an iteration has to go on until nothing "
-                + "changes" : "");
+    /** @return the finding for a known explicit method that the name does not stand for */
+    Optional<Finding> contradicted(Scheme method) {
+        if (allows(method.name(), method.order())) {
+            return Optional.empty();
+        }
+        boolean euler = method.name().equals(KnownMethods.EULER);
+        boolean symplectic = method.isOfParticles() && method.size() == 1;
+        return Optional.of(euler && methods.contains(KnownMethods.SYMPLECTIC) ? Phrase.OLD_VELOCITY.of()
+                : !euler && symplectic && methods.contains(KnownMethods.EULER) ? Phrase.NEW_VELOCITY.of()
+                : (isImplicit() ? Phrase.EXPLICIT : Phrase.CONTRADICTS).of(method.name(), says));
     }
 }

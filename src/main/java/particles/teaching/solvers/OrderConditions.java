@@ -1,62 +1,59 @@
 package particles.teaching.solvers;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /** The order of an explicit Runge-Kutta method from its coefficients: the conditions of Butcher up to order 4. */
 final class OrderConditions {
     private static final double ROUNDING = 1e-12;
+    /** Coefficients that are printed with eight digits, such as Ralston's. */
+    private static final double PRINTED = 5e-8;
 
     private OrderConditions() {
     }
 
     /**
-     * @param a the rows, strictly lower triangular, in units of deltaT
-     * @param b the weights
-     * @param c the clocks
-     * @return the order, 0 to 4; 4 may also be more. Methods whose clocks are not the sums of their
-     *         rows have order 1 at most
+     * @return the order, 0 to 4; 4 may also be more. Methods whose clocks are not the sums of their rows have order 1
+     *         at most
      */
-    static int order(double[][] a, double[] b, double[] c) {
-        int n = b.length;
-        double[] one = new double[n];
-        Arrays.fill(one, 1);
-        if (!is(dot(b, one), 1)) {
-            return 0;
-        }
-        if (!MethodDifferences.same(times(a, one), c) || !is(dot(b, c), 1.0 / 2)) {
-            return 1;
-        }
-        double[] cc = product(c, c);
-        double[] ac = times(a, c);
-        if (!is(dot(b, cc), 1.0 / 3) || !is(dot(b, ac), 1.0 / 6)) {
-            return 2;
-        }
-        boolean four = is(dot(b, product(cc, c)), 1.0 / 4) && is(dot(b, product(c, ac)), 1.0 / 8)
-                && is(dot(b, times(a, cc)), 1.0 / 12) && is(dot(b, times(a, ac)), 1.0 / 24);
-        return four ? 4 : 3;
+    static int order(Scheme scheme) {
+        return order(scheme, PRINTED);
     }
 
-    private static boolean is(double x, double y) {
-        return Math.abs(x - y) <= ROUNDING;
+    /** @return whether the conditions hold to all digits */
+    static boolean isExact(Scheme scheme) {
+        return order(scheme, ROUNDING) == order(scheme, PRINTED);
+    }
+
+    private static int order(Scheme scheme, double rounding) {
+        int n = scheme.size();
+        double[][] a = scheme.stages().stream().map(row -> row.from(1, n)).toArray(double[][]::new);
+        double[] b = scheme.ends().get(0).from(1, n);
+        double[] c = scheme.times();
+        double[] one = new double[n];
+        Arrays.fill(one, 1);
+        double[] cc = product(c, c);
+        double[] ac = times(a, c);
+        double[][] left = {{dot(b, one) - 1}, {dot(b, c) - 1.0 / 2, IntStream.range(0, n).mapToDouble(i ->
+            Math.abs(dot(a[i], one) - c[i])).max().orElse(0)}, {dot(b, cc) - 1.0 / 3, dot(b, ac) - 1.0 / 6},
+            {dot(b, product(cc, c)) - 1.0 / 4, dot(b, product(c, ac)) - 1.0 / 8, dot(b, times(a, cc)) - 1.0 / 12,
+                dot(b, times(a, ac)) - 1.0 / 24}};
+        int order = 0;
+        while (order < left.length && Arrays.stream(left[order]).allMatch(off -> Math.abs(off) <= rounding)) {
+            order++;
+        }
+        return order;
     }
 
     private static double[] product(double[] x, double[] y) {
-        double[] product = new double[x.length];
-        Arrays.setAll(product, i -> x[i] * y[i]);
-        return product;
+        return IntStream.range(0, x.length).mapToDouble(i -> x[i] * y[i]).toArray();
     }
 
     private static double[] times(double[][] a, double[] x) {
-        double[] product = new double[x.length];
-        Arrays.setAll(product, i -> dot(a[i], x));
-        return product;
+        return Arrays.stream(a).mapToDouble(row -> dot(row, x)).toArray();
     }
 
     private static double dot(double[] x, double[] y) {
-        double sum = 0;
-        for (int i = 0; i < x.length; i++) {
-            sum += x[i] * y[i];
-        }
-        return sum;
+        return IntStream.range(0, x.length).mapToDouble(i -> x[i] * y[i]).sum();
     }
 }

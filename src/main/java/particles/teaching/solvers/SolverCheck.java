@@ -4,16 +4,15 @@ import deSolvers.DESolver;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
-import java.util.function.Predicate;
 import java.util.function.Supplier;
 import particles.teaching.Finding;
-import particles.teaching.Finding.Kind;
 import particles.teaching.Formula;
 import particles.teaching.StudentFailure;
 import particles.teaching.contract.SolverContract;
 import particles.teaching.sources.NonlinearOscillators;
-import particles.teaching.sources.Springs;
+import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 
 /**
@@ -28,21 +27,26 @@ public final class SolverCheck {
     private static final double TENTH = 0.1;
     private static final double ROUNDING = 1e-13;
     private static final int LATER_STEPS = 6;
-    private static final double KICKS_ROUNDING = 1e-12;
+    /** Adaptive methods have an error that does not follow deltaT, and a small one. */
     private static final double SMALL_ERROR = 1e-4;
+    /** Below this order the error does not go to 0; Euler measures 0.97 to 1.03. */
+    private static final double LOWEST_ORDER = 0.7;
 
     private static final String MULTISTEP = "This is a method that uses earlier steps (a multistep method).";
     private static final String UNREAD = "This is a method without fixed coefficients, adaptive or implicit.";
 
     private final Supplier<DESolver> maker;
     private final Optional<NamePromise> promise;
-    private final AccuracyCheck accuracy;
+    private final ExplicitMethod explicit;
+    private final UnreadMethod unread;
     private final List<Finding> findings = new ArrayList<>();
+    private Optional<OrderMeasurement> measured = Optional.empty();
 
     private SolverCheck(Supplier<DESolver> maker, String className) {
         this.maker = maker;
         promise = NamePromise.of(className);
-        accuracy = new AccuracyCheck(maker, promise);
+        explicit = new ExplicitMethod(maker, promise, () -> measurement().order());
+        unread = new UnreadMethod(maker);
     }
 
     /**
@@ -59,30 +63,26 @@ public final class SolverCheck {
     private SolverVerdict verdict() {
         try {
             WindyOscillators source = new WindyOscillators(2);
+            double[] before = source.state();
             maker.get().stepState(source, SHORT);
+            if (!source.isSet() && source.timeMoves() == 0 && Arrays.equals(before, source.state())) {
+                return stopped("It makes no step.", Phrase.NOTHING_YET.of());
+            }
             if (!Double.isFinite(Arrays.stream(source.state()).sum())) {
-                return stopped("It makes no step.", Kind.STATE, "the new state is NaN or infinite although state and "
-                        + "derivative"
-                        + " are finite: look for 0/0, the root of a negative number, a division by something that is 0,"
-                        + " or a matrix with a row of zeros");
+                return stopped("It makes no step.", Phrase.NOT_FINITE.of());
             }
         } catch (RuntimeException e) {
-            return stopped("It makes no step.", Kind.FAILURE, "stepState ends in an exception: "
-                    + StudentFailure.describe(e));
+            return stopped("It makes no step.", Phrase.EXCEPTION.of(StudentFailure.describe(e)));
         }
         if (!repeats()) {
-            return stopped("It makes another step each time.", Kind.METHOD,
-                    "two new solvers make different steps from the same"
-                    + " place: something is random, or static and shared by all solvers (a static field outlives a "
-                    + "step and its"
-                    + " solver)");
+            return stopped("It makes another step each time.", Phrase.NOT_REPEATABLE.of());
         }
         boolean remembers = remembers();
         boolean multistep = remembers && evaluations(SHORT) == evaluations(8);
         String identity = "It makes a step, and fails in others.";
         try {
             Diagnosis diagnosis = remembers ? remembering(multistep)
-                    : tableau(1).or(this::kicks).or(() -> ImplicitFormula.of(maker, promise)).orElseGet(this::measured);
+                    : explicit.diagnosis(1).or(this::equation).orElseGet(this::measured);
             identity = diagnosis.identity();
             findings.addAll(diagnosis.findings());
             if (!isWrong()) {
@@ -90,34 +90,37 @@ public final class SolverCheck {
             }
             findings.addAll(SolverContract.check(maker, remembers, multistep));
             if (!isWrong()) {
-                clock().or(() -> remembers ? afterContract(multistep) : accuracy.held(diagnosis))
-                        .ifPresent(findings::add);
+                clock().or(() -> remembers ? afterContract(multistep) : heldBy(diagnosis)).ifPresent(findings::add);
             }
         } catch (RuntimeException e) {
-            findings.add(new Finding(Kind.FAILURE, "stepState ends in an exception: " + StudentFailure.describe(e)));
+            findings.add(Phrase.EXCEPTION.of(StudentFailure.describe(e)));
         }
         return new SolverVerdict(identity, firstMistake(), identity.equals(MULTISTEP));
     }
 
-    /** Whether it is a method of the kind that its name says. */
-    private Optional<Finding> promised(Diagnosis diagnosis, boolean remembers) {
-        return promise.filter(name -> name.remembers() && !remembers).map(name -> name.says() + ", as its name says,"
-                + " uses derivatives or states of earlier steps; each step of this solver is the one that a new solver"
-                + " makes, and nothing of earlier steps is used").or(() -> promise.filter(name -> name.adapts()
-                && diagnosis.order() > 0).map(name -> "the name promises step-size control, and all steps are made with"
-                + " one step size: is the error estimate always 0? Is it compared with the tolerance, and the sub-step"
-                + " repeated when it is larger?")).map(text -> new Finding(Kind.METHOD, text));
+    private OrderMeasurement measurement() {
+        if (measured.isEmpty()) {
+            measured = Optional.of(OrderMeasurement.lowest(maker));
+        }
+        return measured.get();
     }
 
-    private static SolverVerdict stopped(String identity, Kind kind, String text) {
-        return new SolverVerdict(identity, List.of(new Finding(kind, text)), false);
+    /** Whether it is a method of the kind that its name says. */
+    private Optional<Finding> promised(Diagnosis diagnosis, boolean remembers) {
+        return promise.filter(name -> name.remembers() && !remembers).map(name -> Phrase.NOTHING_EARLIER.of(
+                name.says())).or(() -> promise.filter(name -> name.adapts() && diagnosis.order() > 0).map(name ->
+                Phrase.NO_CONTROL.of()));
+    }
+
+    private static SolverVerdict stopped(String identity, Finding finding) {
+        return new SolverVerdict(identity, List.of(finding), false);
     }
 
     private boolean isWrong() {
         return findings.stream().anyMatch(Finding::isWrong);
     }
 
-    /** The first mistake, which explains the later ones, and all advice. */
+    /** The first mistake, which explains the later ones, and the first notes on style. */
     private List<Finding> firstMistake() {
         Optional<Finding> first = findings.stream().filter(Finding::isWrong).findFirst();
         return findings.stream().filter(finding -> !finding.isWrong() || finding == first.get()).distinct().toList();
@@ -135,16 +138,12 @@ public final class SolverCheck {
     private boolean remembers() {
         DESolver solver = maker.get();
         WindyOscillators source = new WindyOscillators(2);
-        for (int step = 0; step < 6; step++) {
+        for (int step = 0; step < LATER_STEPS; step++) {
             WindyOscillators twin = source.copy();
             maker.get().stepState(twin, SHORT);
             solver.stepState(source, SHORT);
-            double[] expected = twin.state();
-            double[] found = source.state();
-            for (int k = 0; k < found.length; k++) {
-                if (!(Math.abs(found[k] - expected[k]) <= 1e-11)) {
-                    return true;
-                }
+            if (!(SolverContract.distance(twin.state(), source.state()) <= 1e-11)) {
+                return true;
             }
         }
         return false;
@@ -159,15 +158,15 @@ public final class SolverCheck {
         long once = source.evaluations();
         solver.stepState(source, SHORT);
         if (source.evaluations() == once) {
-            found.add(new Finding(Kind.STATE, "the derivative is stale: getStateDerivative is called in the first step "
-                    + "only, and"
-                    + " each step needs the derivative at its own start"));
+            found.add(Phrase.STALE.of());
         }
         clock().ifPresent(found::add);
-        if (multistep) {
-            MultistepReading.of(maker).flatMap(MultistepReading::wrongWeights).ifPresent(found::add);
+        if (multistep && found.isEmpty()) {
+            SolverContract.memory(maker, true, true).or(() -> EarlierSteps.of(maker).flatMap(
+                    EarlierSteps::wrongWeights)).ifPresent(found::add);
         }
-        return new Diagnosis(multistep || BackwardDifferences.isRight(maker) ? MULTISTEP : UNREAD, found);
+        boolean equation = SolvedEquation.of(maker, true, name -> true).filter(SolvedEquation::isRight).isPresent();
+        return new Diagnosis(multistep || equation ? MULTISTEP : UNREAD, found);
     }
 
     /**
@@ -175,55 +174,77 @@ public final class SolverCheck {
      * reset in time.
      */
     private Optional<Finding> afterContract(boolean multistep) {
-        Optional<Finding> begins = multistep ? MultistepReading.of(maker).flatMap(reading
-                -> reading.poorBeginning(accuracy.order())) : Optional.empty();
-        return begins.or(() -> accuracy.poorOrder(() -> firstSubStep(finding -> true)
-                .or(() -> BackwardDifferences.wrong(maker).map(text -> new Finding(Kind.METHOD, text)))));
+        Optional<Finding> begins = multistep ? EarlierSteps.of(maker).flatMap(reading -> reading.poorBeginning(
+                measurement().order())) : Optional.empty();
+        return begins.or(() -> poorOrder(() -> UnreadMethod.firstSubStep(explicit, finding -> true)
+                .or(() -> SolvedEquation.of(maker, true, name -> true).flatMap(SolvedEquation::mistake))));
     }
 
-    private Optional<Diagnosis> tableau(double size) {
-        return new TableauReading(maker, promise, accuracy::order).diagnosis(size);
-    }
-
-    private Optional<Diagnosis> kicks() {
-        for (int dimension : new int[] {3, 1}) {
-            try {
-                ExtractedKicks step = ExtractedKicks.of(maker.get(), H, dimension);
-                List<EntryComparison> states = step.compare(maker.get(), H, dimension, 1);
-                boolean adapts = step.compare(maker.get(), H, dimension, TableauReading.LARGE).isEmpty();
-                boolean fits = !states.isEmpty() && !states.get(states.size() - 1).isWithout(KICKS_ROUNDING);
-                if (fits && !adapts && !step.left()) {
-                    findings.addAll(EntryComparison.leftOut(states, KICKS_ROUNDING));
-                    return Optional.of(KicksDiagnosis.of(step, promise, accuracy::order, keepsArea()));
-                }
-            } catch (RuntimeException e) {
-                continue;                               // not this dimension, or no such method
-            }
-        }
-        return Optional.empty();
-    }
-
-    private boolean keepsArea() {
-        Springs springs = new Springs();
-        maker.get().stepState(springs, 1);
-        return Math.abs(springs.steps().determinant() - 1) < 1e-10;
+    /** The diagnosis of an implicit method whose equation is known. */
+    private Optional<Diagnosis> equation() {
+        Optional<SolvedEquation> found = SolvedEquation.of(maker, false, name ->
+                promise.filter(words -> words.methods().contains(name)).isPresent());
+        Optional<String> meant = found.filter(equation -> equation.isKnown() || equation.mistake().isPresent()).map(
+                SolvedEquation::name).or(() -> promise.filter(NamePromise::isImplicit).map(name -> name.methods().get(
+                0)));
+        return meant.map(name -> {
+            Optional<Finding> other = promise.filter(words -> words.isWhole() && !words.allows(name, 0)
+                    && found.filter(SolvedEquation::isKnown).isPresent()).map(words -> Phrase.CONTRADICTS.of(name,
+                    words.says()));
+            Optional<Finding> mistake = other.or(() -> found.flatMap(SolvedEquation::mistake)).or(unread::unstable)
+                    .or(() -> SolvedEquation.loose(maker, name, unread.solvesWithMatrix() ? 0.5 : 3.0 / 32));
+            return new Diagnosis("This is " + name + (mistake.isEmpty() ? "." : ", apart from the mistake below."),
+                    mistake.stream().toList());
+        });
     }
 
     /** The diagnosis of a method whose coefficients cannot be read. */
     private Diagnosis measured() {
-        UnreadMethod method = new UnreadMethod(maker);
         return new Diagnosis(UNREAD, clock()
-                .or(method::entryByEntry)
-                .or(() -> firstSubStep(finding -> finding.kind() != Kind.METHOD))
-                .or(accuracy::layout)
-                .or(() -> accuracy.poorOrder(() -> firstSubStep(finding -> true).or(method::unstable)))
-                .or(method::uncontrolled).or(method::asymmetric).or(method::unstable).stream().toList());
+                .or(unread::entryByEntry)
+                .or(unread::layout)
+                .or(() -> UnreadMethod.firstSubStep(explicit, finding -> finding.kind() != Finding.Kind.METHOD))
+                .or(this::layout)
+                .or(() -> poorOrder(() -> UnreadMethod.firstSubStep(explicit, finding -> true).or(unread::unstable)))
+                .or(unread::uncontrolled).or(unread::asymmetric).or(unread::unstable).stream().toList());
     }
 
-    /** A mistake in the first sub-step of an adaptive method, which it accepts where derivatives are tiny. */
-    private Optional<Finding> firstSubStep(Predicate<Finding> which) {
-        return tableau(TableauReading.TINY).flatMap(found -> found.findings().stream().filter(Finding::isWrong)
-                .filter(which).findFirst());
+    private static boolean vanishes(OrderMeasurement measurement) {
+        return measurement.order() >= LOWEST_ORDER || measurement.smallestError() < SMALL_ERROR;
+    }
+
+    /** Whether the measured order is that of the coefficients. */
+    private Optional<Finding> heldBy(Diagnosis diagnosis) {
+        double order = diagnosis.order() == 0 ? Double.NaN : measurement().order();
+        return order < diagnosis.order() - 0.5 ? Optional.of(Phrase.OTHER_STEPS.of(ExplicitMethod.twoDigits(order),
+                diagnosis.order())) : Optional.empty();
+    }
+
+    /** Whether only one particle is moved as it should be. */
+    private Optional<Finding> layout() {
+        return measurement().order() >= LOWEST_ORDER && !vanishes(OrderMeasurement.of(maker, () ->
+                new WindyOscillators(2))) ? Optional.of(Phrase.LAYOUT.of()) : Optional.empty();
+    }
+
+    /** Whether the error goes to 0, and as fast as the class's name promises. */
+    private Optional<Finding> poorOrder(Supplier<Optional<Finding>> causes) {
+        OrderMeasurement measurement = measurement();
+        boolean vanishes = vanishes(measurement);
+        double order = measurement.order();
+        if (vanishes && (Double.isNaN(order) || promise.isEmpty() || order > promise.get().order() - 0.5)) {
+            return Optional.empty();
+        }
+        Optional<Finding> far = vanishes ? Optional.empty() : unread.elsewhere();
+        return far.or(causes).or(() -> Optional.of(vanishes ? Phrase.NAME_ORDER.of(ExplicitMethod.twoDigits(order),
+                promise.get().saysWithOrder()) : Phrase.NO_CONVERGENCE.of(points(1), points(0))));
+    }
+
+    /** @return the first, a middle and the last of the measured points */
+    private String points(int column) {
+        List<double[]> points = measurement().points();
+        return List.of(points.get(0), points.get(points.size() / 2), points.get(points.size() - 1)).stream()
+                .map(point -> String.format(Locale.ROOT, "%.3g", point[column])).toList().toString().replaceAll(
+                "[\\[\\]]", "");
     }
 
     /** Whether the clock ends where the step does, also in later steps. */
@@ -236,21 +257,19 @@ public final class SolverCheck {
                 solver.stepState(source, h);
                 double end = (source.getTime() - start) / h;
                 if (Math.abs(end - 1) > (step == 0 ? ROUNDING : LATER_STEPS * ROUNDING)) {
-                    return Optional.of(new Finding(Kind.TIME, wrongEnd(source, step, h, end)));
+                    String when = step == 0 ? "" : "from step " + (step + 1) + " on ";
+                    return Optional.of(end == 0 ? Phrase.CLOCK_STILL.of(when) : Phrase.CLOCK_LATER.of(when,
+                            Formula.time(end), h, why(source, h, end)));
                 }
             }
         }
         return Optional.empty();
     }
 
-    private static String wrongEnd(WindyOscillators source, int step, double h, double end) {
-        String when = step == 0 ? "" : "from step " + (step + 1) + " on ";
-        return when + (end == 0 ? "the clock never moves: incTime(deltaT) is missing"
-                : "the clock ends at " + Formula.time(end) + " after a step of deltaT = " + h
-                + " s and has to end at t + deltaT" + (Math.abs(end - 1) < 1e-6
-                && source.getTime() == (float) h ? ": it is moved in float arithmetic" : end > 1
-                && source.error() < SMALL_ERROR ? ", and the state is where the clock is: the last sub-step has"
-                + " to be cut to what is left of deltaT" : ""));
+    private static String why(StudentSource source, double h, double end) {
+        return Math.abs(end - 1) < 1e-6 && source.getTime() == (float) h ? ": it is moved in float arithmetic"
+                : end > 1 && source.error() < SMALL_ERROR ? ", and the state is where the clock is: the last sub-step"
+                + " has to be cut to what is left of deltaT" : "";
     }
 
     private long evaluations(double deltaT) {

@@ -105,10 +105,10 @@ public final class SolverSkeleton {
     private static List<String> outline(String name) {
         String says = NamePromise.of(name).map(NamePromise::says).orElse("");
         List<String> methods = NamePromise.of(name).map(NamePromise::methods).orElse(List.of());
-        if (methods.contains(NamePromise.SYMPLECTIC) || methods.contains(NamePromise.VERLET)) {
+        if (methods.contains(KnownMethods.SYMPLECTIC) || methods.contains(KnownMethods.VERLET)) {
             return SIMPLE;
         }
-        boolean midpoint = methods.contains(NamePromise.MIDPOINT) || says.endsWith("of order 2") && methods.isEmpty();
+        boolean midpoint = methods.contains(KnownMethods.MIDPOINT) || says.endsWith("of order 2") && methods.isEmpty();
         return says.equals("a Runge-Kutta method of order 4") ? RK4 : midpoint ? MIDPOINT : GENERAL;
     }
 }

@@ -4,9 +4,9 @@ import deSolvers.DESolver;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import particles.teaching.Finding;
-import particles.teaching.Finding.Kind;
 import particles.teaching.Formula;
 import particles.teaching.contract.SolverContract;
 import particles.teaching.sources.NonlinearOscillators;
@@ -29,7 +29,6 @@ final class UnreadMethod {
     private static final double SWING = 0.5;
     private static final double ALIKE = 1e-6;
     private static final int SIZE = 12;
-    private static final int MOST = 4 * SIZE;
     /** A stiff decay may be damped little or not at all, but not grow. */
     private static final double GROWS = 1.5;
     /** Times that are tried, in parts of deltaT: all tenths, eighths and twelfths are among them. */
@@ -43,63 +42,103 @@ final class UnreadMethod {
         this.maker = maker;
     }
 
+    /** A search for a mistake that makes steps. */
+    private interface Search {
+        Optional<Finding> mistake();
+    }
+
+    /** A search that finds nothing where the solver refuses such steps. */
+    private static Optional<Finding> unlessRefused(Search search) {
+        try {
+            return search.mistake();
+        } catch (RuntimeException e) {
+            return Optional.empty();                    // it wants another source, or shorter steps
+        }
+    }
+
     /** @return the mistake if the derivative is evaluated while the state is being written; empty if it is not */
     Optional<Finding> entryByEntry() {
-        double[] start = new double[SIZE];
         Random random = new Random(7);
-        Probe probe = new Probe(start, 0, (evaluation, dSdt) -> {
+        Probe probe = new Probe(new double[SIZE], 0, (evaluation, dSdt) -> {
             for (int k = 0; k < SIZE; k++) {
                 dSdt[k] = 1 + random.nextDouble();
             }
-        }, MOST);
-        try {
+        }, 4 * SIZE);
+        return unlessRefused(() -> {
             maker.get().stepState(probe, H);
-        } catch (RuntimeException e) {
-            return Optional.empty();                    // it wants another source, or evaluates without end
-        }
-        List<Probe.Evaluation> made = probe.recorded();
-        boolean[] moved = new boolean[SIZE];
-        for (int j = 1; j < made.size(); j++) {
-            int changed = 0;
-            for (int k = 0; k < SIZE; k++) {
-                if (made.get(j).state()[k] != made.get(j - 1).state()[k]) {
-                    if (moved[k]) {
-                        return Optional.empty();        // a stage, or an iteration
+            List<Probe.Evaluation> made = probe.recorded();
+            boolean[] moved = new boolean[SIZE];
+            for (int j = 1; j < made.size(); j++) {
+                int changed = 0;
+                for (int k = 0; k < SIZE; k++) {
+                    if (made.get(j).state()[k] != made.get(j - 1).state()[k]) {
+                        if (moved[k]) {
+                            return Optional.empty();    // a stage, or an iteration
+                        }
+                        moved[k] = true;
+                        changed++;
                     }
-                    moved[k] = true;
-                    changed++;
+                }
+                if (changed == 0) {
+                    return Optional.empty();
                 }
             }
-            if (changed == 0) {
-                return Optional.empty();
+            return made.size() < 3 ? Optional.empty() : Optional.of(Phrase.ENTRY_BY_ENTRY.of(made.size()));
+        });
+    }
+
+    /** @return the mistake if an entry of the new state moves with one that is neither itself nor its partner */
+    Optional<Finding> layout() {
+        return unlessRefused(() -> {
+            for (int k = 0; k < SIZE; k++) {
+                double[] start = new double[SIZE];
+                start[k] = 1;
+                Probe probe = new Probe.OfParticles(start, 0, (evaluation, dSdt) -> { }, 4, false);
+                maker.get().stepState(probe, H);
+                double[] after = probe.state();
+                for (int i = 0; i < SIZE; i++) {
+                    int partner = i % 6 < 3 ? i + 3 : i;
+                    if (after[i] != 0 && i != k && k != partner && Math.abs(after[k]) <= 1) {
+                        return Optional.of(Phrase.OTHER_ENTRY.of(i, k, i % 6 < 3 ? "the velocity of entry " + i
+                                + " is entry " + (i + 3) : "entry " + i + " is a velocity"));
+                    }
+                }
             }
-        }
-        return made.size() < 3 ? Optional.empty() : Optional.of(new Finding(Kind.STATE, "getStateDerivative is called "
-                + made.size() + " times in a step, between setting parts of the state: later entries move along the"
-                + " derivative of a state that is half new. All entries have to be computed from one derivative;"
-                + " setState belongs behind the loop"));
+            return Optional.empty();
+        });
     }
 
     /** @return the mistake of a method that solves with a matrix and is not stable; empty if it is stable */
     Optional<Finding> unstable() {
-        try {
+        return unlessRefused(() -> {
             if (!solvesWithMatrix()) {
                 return Optional.empty();
             }
-            for (double deltaT : new double[] {1, 0.5 / StiffDecay.RATE}) {
-                StiffDecay decay = new StiffDecay();
-                maker.get().stepState(decay, deltaT);
-                if (!(decay.size() <= GROWS)) {
-                    return Optional.of(new Finding(Kind.METHOD, "it evaluates the derivative once more for each entry,"
-                            + " as methods that solve with a matrix do, and is not stable as they are: a step of "
-                            + deltaT + " s multiplies y in y' = -" + Formula.number(StiffDecay.RATE) + " y by "
-                            + Formula.number(decay.size()) + ". Check the signs in the matrix, such as I - deltaT J"));
+            boolean exponential = true;
+            for (double z : new double[] {0.5, 1}) {
+                exponential &= Math.abs(decay(z) - StrictMath.exp(-z)) < 1e-6;
+            }
+            for (double deltaT : new double[] {0.5 / StiffDecay.RATE, 1}) {
+                double size = decay(deltaT * StiffDecay.RATE);
+                if (!(size <= GROWS) && !exponential) {
+                    return Optional.of(Phrase.UNSTABLE.of(deltaT, "y in y' = -1000 y", size));
                 }
             }
-            return Optional.empty();
-        } catch (RuntimeException e) {
-            return Optional.empty();                    // it refuses, which is no mistake
-        }
+            Springs springs = new Springs();
+            DESolver solver = maker.get();
+            for (int step = 0; step < 8; step++) {
+                solver.stepState(springs, 4);
+            }
+            double growth = springs.energy();
+            return growth <= FAR || exponential ? Optional.empty() : Optional.of(Phrase.UNSTABLE.of(4.0,
+                    "the amplitude of the spring x'' = -x", StrictMath.pow(2 * growth, 1.0 / 16)));
+        });
+    }
+
+    private double decay(double z) {
+        StiffDecay decay = new StiffDecay();
+        maker.get().stepState(decay, z / StiffDecay.RATE);
+        return decay.size();
     }
 
     /**
@@ -107,7 +146,7 @@ final class UnreadMethod {
      *         one long step than in several short ones
      */
     Optional<Finding> uncontrolled() {
-        try {
+        return unlessRefused(() -> {
             WindyOscillators once = new WindyOscillators(1);
             WindyOscillators often = new WindyOscillators(1);
             once.startAt(START);
@@ -118,17 +157,11 @@ final class UnreadMethod {
             for (int step = 0; step < SHORT_STEPS; step++) {
                 solver.stepState(often, LONG / SHORT_STEPS);
             }
-            boolean subSteps = moves > often.timeMoves() / 2;
             double error = once.error();
             boolean far = error > FAR || error > LITTLE && error > MUCH * often.error();
-            return !subSteps || !far ? Optional.empty()
-                    : Optional.of(new Finding(Kind.METHOD, "sub-steps are made, and the error is still "
-                    + Formula.number(error) + " after a step of " + LONG + " s, and " + Formula.number(
-                    often.error()) + " after " + SHORT_STEPS + " steps over the same time: a sub-step with too large an"
-                    + " error has to be made again from the state before it, with a shorter length"));
-        } catch (RuntimeException e) {
-            return Optional.empty();                    // too long a step for it
-        }
+            return moves <= often.timeMoves() / 2 || !far ? Optional.empty()
+                    : Optional.of(Phrase.UNCONTROLLED.of(error, LONG, often.error(), SHORT_STEPS));
+        });
     }
 
     /**
@@ -136,20 +169,13 @@ final class UnreadMethod {
      *         other side
      */
     Optional<Finding> asymmetric() {
-        try {
+        return unlessRefused(() -> {
             double[] first = swing(0, 1);
             double other = SolverContract.distance(first, swing(2, 1));
             double mirrored = SolverContract.distance(first, swing(0, -1));
-            return other > ALIKE ? Optional.of(new Finding(Kind.METHOD, "two springs swing alike, one as the first"
-                    + " coordinate of a particle and one as the last, and after a step of " + SWING + " s they are "
-                    + Formula.number(other) + " apart: the error of a sub-step has to be the largest of all entries"))
-                    : mirrored > ALIKE ? Optional.of(new Finding(Kind.METHOD, "two springs start at 1 and at -1, and"
-                    + " after a step of " + SWING + " s one is not the mirror image of the other, but "
-                    + Formula.number(mirrored) + " off: an error may be negative, and its size counts, Math.abs"))
-                    : Optional.empty();
-        } catch (RuntimeException e) {
-            return Optional.empty();                    // too long a step for it
-        }
+            return other > ALIKE ? Optional.of(Phrase.LARGEST_ERROR.of(SWING, other))
+                    : mirrored > ALIKE ? Optional.of(Phrase.ABSOLUTE_ERROR.of(SWING, mirrored)) : Optional.empty();
+        });
     }
 
     /** @return position and velocity of a spring after a step, times the sign of its start */
@@ -169,36 +195,39 @@ final class UnreadMethod {
         return source.evaluations();
     }
 
-    /** @return a sentence about the time at which the state is after a step, if it is not t + deltaT */
-    Optional<String> elsewhere() {
-        WindyOscillators source = new WindyOscillators(1);
-        try {
+    /** @return the mistake if the state after a step is that of another time than t + deltaT */
+    Optional<Finding> elsewhere() {
+        return unlessRefused(() -> {
+            WindyOscillators source = new WindyOscillators(1);
             maker.get().stepState(source, H);
-        } catch (RuntimeException e) {
-            return Optional.empty();
-        }
-        double here = error(source, PARTS);
-        int best = PARTS;
-        for (int part = 0; part <= 2 * PARTS; part++) {
-            best = error(source, part) < error(source, best) ? part : best;
-        }
-        double place = (double) best / PARTS;
-        double simple = Math.rint(2 * place) / 2;
-        place = Math.abs(simple - place) < NEARLY ? simple : place;     // the method's own error moves it
-        return error(source, best) > MUCH_BETTER * here ? Optional.empty() : Optional.of("after a step of " + H
-                + " s the state is that of " + Formula.time(place) + ": either the weights add up to "
-                + Formula.number(place) + " and not to 1, or " + (best < PARTS ? "a part of the step is missing"
-                : solvesWithMatrix() ? "deltaT stands where deltaT/2 is meant"
-                : "a sub-step too many is made (count them with an int, as sums of fractions are rounded)"));
+            double here = error(source, PARTS);
+            int best = PARTS;
+            for (int part = 0; part <= 2 * PARTS; part++) {
+                best = error(source, part) < error(source, best) ? part : best;
+            }
+            double place = (double) best / PARTS;
+            double simple = Math.rint(2 * place) / 2;
+            double shown = Math.abs(simple - place) < NEARLY ? simple : place;      // the method's own error moves it
+            return error(source, best) > MUCH_BETTER * here ? Optional.empty() : Optional.of(Phrase.ELSEWHERE.of(H,
+                    Formula.time(shown), shown, best < PARTS ? "a part of the step is missing" : solvesWithMatrix()
+                    ? "deltaT stands where deltaT/2 is meant" : "a sub-step too many is made (count them with an int,"
+                    + " as sums of fractions are rounded)"));
+        });
     }
 
     /** Whether the derivative is evaluated once more for each entry, as for a matrix of differences. */
-    private boolean solvesWithMatrix() {
+    boolean solvesWithMatrix() {
         return evaluations(2) >= evaluations(1) + SIZE / 2;
     }
 
     private static double error(WindyOscillators source, int part) {
         source.incTime(H * part / PARTS - source.getTime());
         return source.error();
+    }
+
+    /** @return a mistake in the first sub-step of an adaptive method, which it accepts where derivatives are tiny */
+    static Optional<Finding> firstSubStep(ExplicitMethod method, Predicate<Finding> which) {
+        return method.diagnosis(StepReading.TINY).flatMap(found -> found.findings().stream()
+                .filter(Finding::isWrong).filter(which).findFirst());
     }
 }

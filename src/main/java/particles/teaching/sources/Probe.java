@@ -1,5 +1,6 @@
 package particles.teaching.sources;
 
+import deSolvers.SecondOrderStateSource;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -8,7 +9,7 @@ import java.util.List;
  * and keeps no reference, as the contract says.
  */
 public class Probe extends StudentSource {
-    /** The largest number of evaluations in a step that counts as a tableau. */
+    /** The largest number of evaluations in a step that is read. */
     public static final int MOST_EVALUATIONS = 16;
 
     /** Supplies the derivatives. */
@@ -23,19 +24,19 @@ public class Probe extends StudentSource {
     /**
      * An evaluation of the derivative.
      *
-     * @param state     the state at which it was
-     * @param time      the time at which it was (s)
-     * @param stateSet  whether the state was set since the evaluation before
+     * @param state    the state at which it was
+     * @param time     the time at which it was (s)
+     * @param stateSet whether the state was set since the evaluation before
      */
     public record Evaluation(double[] state, double time, boolean stateSet) {
     }
 
-    /** Ends a step that asks for more evaluations than a tableau has. */
+    /** Ends a step that asks for more evaluations than are read. */
     public static final class TooManyEvaluations extends RuntimeException {
         private static final long serialVersionUID = 1L;
 
-        TooManyEvaluations() {
-            super("more than " + MOST_EVALUATIONS + " evaluations", null, false, false);
+        TooManyEvaluations(int most) {
+            super("more than " + most + " evaluations", null, false, false);
         }
     }
 
@@ -50,15 +51,6 @@ public class Probe extends StudentSource {
      * @param start  the state
      * @param time   the clock (s)
      * @param answer supplies the derivatives
-     */
-    public Probe(double[] start, double time, Answer answer) {
-        this(start, time, answer, MOST_EVALUATIONS);
-    }
-
-    /**
-     * @param start  the state
-     * @param time   the clock (s)
-     * @param answer supplies the derivatives
      * @param most   the number of evaluations after which it throws {@link TooManyEvaluations}
      */
     public Probe(double[] start, double time, Answer answer, int most) {
@@ -68,47 +60,99 @@ public class Probe extends StudentSource {
     }
 
     /** @return the evaluations, in their order */
-    public List<Evaluation> recorded() {
+    public final List<Evaluation> recorded() {
         return recorded;
     }
 
     /** @return all movements of the clock (s) */
-    public List<Double> clockMoves() {
+    public final List<Double> clockMoves() {
         return clockMoves;
     }
 
     /** @return whether the state was set after the last evaluation */
-    public boolean setAfterLast() {
+    public final boolean setAfterLast() {
         return stateSet;
     }
 
     /** @return whether the state was set at all */
-    public boolean everSet() {
+    public final boolean everSet() {
         return everSet;
     }
 
     @Override
-    public void setState(double[] s) {
+    public final void setState(double[] s) {
         super.setState(s);
         stateSet = true;
         everSet = true;
     }
 
+    /** @return the evaluation, from 0, whose derivative is the answer to this one */
+    int answerFor(double t, double[] s) {
+        return recorded.size();
+    }
+
     @Override
-    protected void rates(double t, double[] s, double[] dSdt) {
+    protected final void rates(double t, double[] s, double[] dSdt) {
         if (recorded.size() == most) {
-            throw new TooManyEvaluations();
+            throw new TooManyEvaluations(most);
         }
         double[] all = new double[s.length];
-        answer.fill(recorded.size(), all);
+        answer.fill(answerFor(t, s), all);
         recorded.add(new Evaluation(s.clone(), t, stateSet));
         stateSet = false;
         System.arraycopy(all, 0, dSdt, 0, Math.min(s.length, dSdt.length));
     }
 
     @Override
-    public void incTime(double deltaT) {
+    public final void incTime(double deltaT) {
         clockMoves.add(deltaT);
         super.incTime(deltaT);
+    }
+
+    /** A probe of particles: three positions and three velocities for each in turn. */
+    public static final class OfParticles extends Probe implements SecondOrderStateSource {
+        private final boolean alike;
+
+        /**
+         * @param start  the state
+         * @param time   the clock (s)
+         * @param answer supplies the derivatives
+         * @param most   the number of evaluations after which it throws {@link TooManyEvaluations}
+         * @param alike  whether an evaluation at the same positions and time as an earlier one has the same answer, so
+         *               that iterations for the velocity end
+         */
+        public OfParticles(double[] start, double time, Answer answer, int most, boolean alike) {
+            super(start, time, answer, most);
+            this.alike = alike;
+        }
+
+        @Override
+        int answerFor(double t, double[] s) {
+            for (int j = 0; alike && j < recorded().size(); j++) {
+                if (recorded().get(j).time() == t && samePositions(recorded().get(j).state(), s)) {
+                    return j;
+                }
+            }
+            return super.answerFor(t, s);
+        }
+
+        private static boolean samePositions(double[] one, double[] two) {
+            for (int k = 0; k < one.length; k += k % 6 == 2 ? 4 : 1) {
+                if (one[k] != two[k]) {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        @Override
+        public int getDimension() {
+            return 3;
+        }
+
+        @Override
+        public boolean accelerationDependsOnVelocity() {
+            return false;
+        }
     }
 }

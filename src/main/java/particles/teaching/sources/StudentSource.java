@@ -4,6 +4,7 @@ import deSolvers.problems.ReferenceProblem;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import particles.teaching.EndlessLoop;
 
 /** A source for a student's solver: it records arrays of a wrong length, and uses the part of them that fits. */
 public abstract class StudentSource extends ReferenceProblem {
@@ -15,6 +16,7 @@ public abstract class StudentSource extends ReferenceProblem {
     private final List<double[]> evaluatedAt = new ArrayList<>();
     private int reads;
     private int timeMoves;
+    private boolean isSet;
 
     /** @param start the state at t = 0 */
     public StudentSource(double... start) {
@@ -68,6 +70,17 @@ public abstract class StudentSource extends ReferenceProblem {
         return timeMoves;
     }
 
+    /** @return whether the state was ever set */
+    public final boolean isSet() {
+        return isSet;
+    }
+
+    @Override
+    public void setState(double[] newState) {
+        isSet = true;
+        super.setState(newState);
+    }
+
     @Override
     public void incTime(double deltaT) {
         timeMoves++;
@@ -83,8 +96,7 @@ public abstract class StudentSource extends ReferenceProblem {
     @Override
     public void getStateDerivative(double[] dSdt) {
         if (evaluations() == MOST_EVALUATIONS) {
-            throw new IllegalStateException("the derivative was evaluated " + MOST_EVALUATIONS
-                    + " times: an endless loop");
+            throw new EndlessLoop("the derivative was evaluated " + MOST_EVALUATIONS + " times");
         }
         if (evaluatedAt.size() < MOST_RECORDED) {
             evaluatedAt.add(state());

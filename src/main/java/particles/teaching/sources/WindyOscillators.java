@@ -2,6 +2,7 @@ package particles.teaching.sources;
 
 import deSolvers.SecondOrderStateSource;
 import java.util.Arrays;
+import particles.teaching.EndlessLoop;
 
 /**
  * Particles on springs in a field that changes with time: in each coordinate x'' = -4 x + 3 cos t, from x = 1.5 at rest
@@ -18,10 +19,10 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
         }
     }
 
-    /** Volatile, as the step that is to fail may run in another thread. */
-    private volatile int failFrom = Integer.MAX_VALUE;
+    private int failFrom = Integer.MAX_VALUE;
     private boolean failed;
     private boolean spoilt;
+    private long endFrom;
 
     /** @param particles the number of particles; six numbers each */
     public WindyOscillators(int particles) {
@@ -66,9 +67,14 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
         return failed;
     }
 
-    /** Makes the derivative NaN from now on. */
-    public void spoilDerivative() {
+    /**
+     * Makes the derivative NaN from now on.
+     *
+     * @param most the number of evaluations after which it throws {@link EndlessLoop}
+     */
+    public void spoilDerivative(long most) {
         spoilt = true;
+        endFrom = evaluations() + most;
     }
 
     @Override
@@ -86,6 +92,9 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
         if (evaluations() - 1 >= failFrom) {
             failed = true;
             throw new Failure();
+        }
+        if (spoilt && evaluations() > endFrom) {
+            throw new EndlessLoop("the derivative was evaluated " + endFrom + " times");
         }
         double field = 3 * StrictMath.cos(t);
         for (int k = 0; k < Math.min(s.length, dSdt.length); k++) {

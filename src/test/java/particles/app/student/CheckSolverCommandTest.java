@@ -134,7 +134,7 @@ class CheckSolverCommandTest {
     void anExceptionWhileItIsMeasuredLosesNothingThatWasFoundOut(@TempDir Path folder) throws IOException {
         String screen = here(ExitCode.BAD_INPUT, Crashes.class.getName(), folder);
         assertTrue(screen.startsWith("Crashes: wrong. This is the Euler method."), screen);
-        String mistake = "while it was measured on springs: it ends in an exception:"
+        String mistake = "while it was measured on springs:"
                 + " java.lang.IndexOutOfBoundsException: at 1, in Crashes.";
         assertTrue(screen.contains("failure: " + mistake), screen);
         assertTrue(Files.readString(folder.resolve("report/checkSolver.md")).contains("- **failure**: " + mistake));
@@ -144,7 +144,7 @@ class CheckSolverCommandTest {
     void aSolverThatRefusesSomeStepsIsRight(@TempDir Path folder) throws IOException {
         String screen = here(ExitCode.DONE, Refuses.class.getName(), folder);
         assertTrue(screen.startsWith("Refuses: right. This is the Euler method."), screen);
-        assertTrue(screen.contains("note: it refuses a negative deltaT (deltaT has to be above 0"), screen);
+        assertTrue(screen.contains("style: it refuses a negative deltaT (deltaT has to be above 0"), screen);
         String report = Files.readString(folder.resolve("report/checkSolver.md"));
         assertTrue(report.contains("it refuses deltaT = 0") && report.contains("a step of 1 s is refused"), report);
     }

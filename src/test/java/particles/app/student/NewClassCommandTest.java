@@ -69,8 +69,7 @@ class NewClassCommandTest {
         Class<?> solver = compiled("MyRK4Solver");
         List<String> wrong = SolverCheck.check(() -> make(solver),
                 "MyRK4Solver").wrong().stream().map(Finding::toString).toList();
-        assertEquals(List.of("state: the step does nothing yet: setState with the new state and incTime(deltaT) are "
-                + "missing"),
+        assertEquals(List.of("state: the step does nothing yet: write it, then check again"),
                 wrong);
     }
 

@@ -89,11 +89,11 @@ final class WrongFormulas {
                 wrong("EulerSolver", "new velocity", "new velocity", drifts(new double[] {0, 1}, new double[] {1})),
                 wrong("LeapfrogSolver", "two whole kicks", "velocity|twice|half", WrongFormulas::wholeKicks),
                 wrong("VerletSolver", "old acceleration only", "acceleration", WrongFormulas::oldAcceleration),
-                wrong("VelocityVerlet", "half of a missing in x", "new position", (source, h) -> verlet(source, h, 1,
+                wrong("VelocityVerlet", "half of a missing in x", "half is missing", (source, h) -> verlet(source, h, 1,
                 0.5)),
                 wrong("VelocityVerlet", "accelerations not halved", "new velocity|half",
                         (source, h) -> verlet(source, h, 0.5, 1)),
-                wrong("YoshidaSolver", "coefficient rounded to 1.3", "13/20 v deltaT; the method says 0.6756",
+                wrong("YoshidaSolver", "coefficient rounded to 1.3", "13/10 a1 deltaT.*the method says v \\+ 1.351 a1",
                         drifts(new double[] {0.65, -0.15, -0.15, 0.65},
                         new double[] {1.3, -1.6, 1.3})),
                 wrong("Yoshida4Solver", "kicks in disorder", "order|velocity|position|kick", drifts(new double[] {W / 2,
@@ -104,11 +104,11 @@ final class WrongFormulas {
                         new double[] {-1.0 / 24, 3.0 / 4, 7.0 / 24})),
                 wrong("EulerSolver", "deltaT ignored", "deltaT is ignored", PlantedSolvers.euler((f, h) -> f)),
                 wrong("EulerSolver", "deltaT hard-coded", "hard-coded", PlantedSolvers.euler((f, h) -> 0.01 * f)),
-                wrong("EulerSolver", "deltaT squared", "multiplied in twice", PlantedSolvers.euler((f, h)
+                wrong("EulerSolver", "deltaT squared", "multiplied by deltaT twice", PlantedSolvers.euler((f, h)
                 -> h * h * f)),
                 wrong("EulerSolver", "divided by deltaT", "divided by deltaT", PlantedSolvers.euler((f, h) -> f / h)),
                 wrong("EulerSolver", "|deltaT|", "sign of deltaT", PlantedSolvers.euler((f, h) -> Math.abs(h) * f)),
-                wrong("EulerSolver", "no increment", "no evaluation is in it|not in it|weight|0 times|nothing",
+                wrong("EulerSolver", "no increment", "no derivative is in it",
                         PlantedSolvers.euler((f, h) -> 0 * f)));
     }
 

@@ -53,13 +53,13 @@ class PlantedFormulaTest {
     @Test
     void newVelocityWhereEulerTakesTheOld() {
         assertFound("EulerSolver", () -> blocks(true),
-                "method: the position is updated with the new velocity; the slide's Euler method takes the old");
+                "name: the position is updated with the new velocity; the slide's Euler method takes the old");
     }
 
     @Test
     void oldVelocityWhereTheSimpleAlgorithmTakesTheNew() {
         assertFound("SymplecticEulerSolver", () -> blocks(false),
-                "method: the position is updated with the old velocity, which is the Euler method; the slides' simple "
+                "name: the position is updated with the old velocity, which is the Euler method; the slides' simple "
                         + "algorithm takes the new");
     }
 
@@ -85,7 +85,8 @@ class PlantedFormulaTest {
     @Test
     void wholeNumbersDivided() {
         assertFound("RK4Solver", () -> rk4(PLACES, MOVES, new double[] {1 / 6, 1 / 3, 1 / 3, 1 / 6}),
-                "method: the new state is s" + NEW_STATE + ": no evaluation is in it; 1/6 is 0 in Java");
+                "method: the new state is s" + NEW_STATE + ": no derivative is in it: it was left out, or 1/6 is "
+                        + "0 in Java");
     }
 
     @Test
@@ -98,7 +99,7 @@ class PlantedFormulaTest {
             source.setState(with(state(source), i -> deltaT * gMid[i]));
             source.incTime(deltaT / 2);
         }), "method: the new state is s + deltaS/2 + deltaT gMid; the slide says s + deltaT gMid: go back to the start "
-                + "s before taking the step");
+                + "s before adding");
     }
 
     @Test
@@ -115,7 +116,7 @@ class PlantedFormulaTest {
     @Test
     void anotherMethodThanTheNameSays() {
         assertFound("HeunSolver", () -> midpoint(0.5, 0.5, 0.5),
-                "method: this is the midpoint method and not Heun's method, as its name says");
+                "name: this is the midpoint method and not Heun's method, as its name says");
     }
 
     @Test
@@ -129,8 +130,7 @@ class PlantedFormulaTest {
             }
             source.setState(state);
             source.incTime(deltaT);
-        }), "method: evaluations of the acceleration in a step: 1; velocity Verlet (leapfrog: kick, drift, kick) needs "
-                + "2: the one at the new"
-                + " position is missing");
+        }), "method: a2 is missing: getStateDerivative is called once, velocity Verlet (leapfrog: kick, drift, kick) "
+                + "needs twice: the acceleration at the new position is missing");
     }
 }

@@ -113,13 +113,14 @@ class PlantedHabitsTest {
                 source.setState(with(state(source), i -> deltaT * dSdt[i]));
                 source.incTime(deltaT);
             }
-        }), "method: two Euler steps of deltaT are made, and the clock moves by 2 deltaT; one is wanted");
+        }), "method: the parts of the step add up to 2 deltaT, and have to add up to deltaT: is the step made once");
     }
 
     @Test
     void oneHalfOfWholeNumbers() {
         assertFound("MidpointSolver", () -> midpoint(1 / 2, 0.5, 0.5),
-                "method: gMid is evaluated at s; the slide says s + deltaS/2: nothing is added to s; 1/2 is 0 in Java");
+                "method: gMid is evaluated at s; the slide says s + deltaS/2: no derivative is in it: it was not added "
+                        + "to the state that is set, or 1/2 is 0 in Java");
     }
 
     @Test
@@ -168,8 +169,7 @@ class PlantedHabitsTest {
             }
             source.setState(s);
             source.incTime(deltaT);
-        }), "state: with one particle the error goes to 0 with deltaT, with two it does not: the state is three "
-                + "positions and three velocities");
+        }), "state: entry 0 of the new state moves with entry 6: the state is three positions and three velocities");
     }
 
     @Test
@@ -182,7 +182,7 @@ class PlantedHabitsTest {
             }
             source.setState(s);
             source.incTime(deltaT);
-        }), "state: entries 3 to 23 of 24 stay as they were in the new state: the loop has to");
+        }), "state: entries 6, 7, 8, 12, 13, 14... of 24 stay as they were in the new state: the loop has to");
     }
 
     @Test
@@ -204,8 +204,8 @@ class PlantedHabitsTest {
         });
         SolverVerdict verdict = SolverCheck.check(() -> tenth, "Mine");
         assertEquals(List.of(), verdict.wrong());
-        assertEquals("This is a Runge-Kutta method of order 1 with 10 evaluations a step; its coefficients are none "
-                + "that we know by name.",
+        assertEquals("This is a Runge-Kutta method of order 1 with 10 evaluations per step; its coefficients match "
+                + "no named method.",
                 verdict.identity());
     }
 

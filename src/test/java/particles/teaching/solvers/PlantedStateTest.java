@@ -9,6 +9,7 @@ import static particles.teaching.solvers.PlantedSolvers.solver;
 import static particles.teaching.solvers.PlantedSolvers.state;
 import static particles.teaching.solvers.PlantedSolvers.with;
 import static particles.teaching.solvers.PlantedSolvers.MOVES;
+import static particles.teaching.solvers.PlantedSolvers.NEW_STATE;
 import static particles.teaching.solvers.PlantedSolvers.PLACES;
 
 import org.junit.jupiter.api.Test;
@@ -96,7 +97,8 @@ class PlantedStateTest {
     @Test
     void oneArrayForAllSlopes() {
         assertFound("RK4Solver", () -> rk4(PLACES, MOVES, new double[] {0, 0, 0, 1}),
-                "state: all of k1 to k4 are one array, which each evaluation writes over: the new state is s + k4");
+                "method: the new state is s + k4" + NEW_STATE + ": only the last derivative is in it, as if all of "
+                        + "them were one array");
     }
 
     @Test

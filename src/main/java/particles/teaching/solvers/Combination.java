@@ -1,0 +1,69 @@
+package particles.teaching.solvers;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import particles.teaching.Formula;
+
+/**
+ * A sum of named things with weights, such as s + k1/2: where a derivative is evaluated, or the new state.
+ *
+ * @param what    what it says, such as "k2 is evaluated at"
+ * @param names   the names of the things, the old state first
+ * @param weights their weights; may be fewer
+ */
+record Combination(String what, List<String> names, double[] weights) {
+
+    /** @return the formula, such as s + k1/2 */
+    String formula() {
+        return Formula.sum(weights, names);
+    }
+
+    /** @return whether it is the same sum, where missing weights are 0 */
+    boolean is(Combination other) {
+        return same(weights, other.weights);
+    }
+
+    double weight(int j) {
+        return j < weights.length ? weights[j] : 0;
+    }
+
+    /** @return the weights from one on, as many as asked for */
+    double[] from(int first, int count) {
+        return IntStream.range(first, first + count).mapToDouble(this::weight).toArray();
+    }
+
+    /** @return the sum of the weights of all but the old state */
+    double increment() {
+        return sum(weights) - weights[0];
+    }
+
+    static boolean same(double[] x, double[] y) {
+        int n = Math.max(x.length, y.length);
+        double[] longer = Arrays.copyOf(x, n);
+        double[] other = Arrays.copyOf(y, n);
+        return IntStream.range(0, n).allMatch(j -> Formula.same(longer[j], other[j]));
+    }
+
+    static double sum(double[] x) {
+        return Arrays.stream(x).sum();
+    }
+
+    /** @return x + factor y, where missing numbers are 0 */
+    static double[] plus(double[] x, double factor, double[] y) {
+        double[] sum = Arrays.copyOf(x, Math.max(x.length, y.length));
+        IntStream.range(0, y.length).forEach(j -> sum[j] += factor * y[j]);
+        return sum;
+    }
+
+    /** @return which entries of a state stay as they were, such as entries 3 to 5 of 24 */
+    static String stay(List<Integer> left, int size) {
+        int first = left.get(0);
+        int last = left.get(left.size() - 1);
+        boolean row = last - first == left.size() - 1 && left.size() > 2;
+        String some = left.stream().limit(6).toList().toString().replaceAll("[\\[\\]]", "");
+        return (left.size() == 1 ? "entry " + first + " of " + size + " stays as it was" : "entries "
+                + (row ? first + " to " + last : some + (left.size() > 6 ? "..." : "")) + " of " + size
+                + " stay as they were");
+    }
+}

@@ -1,0 +1,159 @@
+package particles.teaching.solvers;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+import particles.teaching.Finding;
+import particles.teaching.Finding.Kind;
+import particles.teaching.Formula;
+
+/** The phrase book of the check: the sentences for mistakes, with the kind of each. */
+enum Phrase {
+    NOTHING_YET, NOT_FINITE, EXCEPTION, NOT_REPEATABLE, CLOCK_STILL, CLOCK_FIXED, CLOCK_NEW_TIME, CLOCK_OFTEN,
+    CLOCK_PARTS, CLOCK_BACK, CLOCK_LATER, STAGE_TIMES, TIME_OF_STAGE, REJECTED_CLOCK, NO_DERIVATIVE,
+    ARRAY_LENGTH, NEVER_SET, LEFT_AT_TRIAL, SET_TOO_EARLY, LOST, LOST_FRACTIONS, KEPT, DAMPED, KEPT_STAGE,
+    LEFT_OUT, OTHER_ENTRY, DIGITS, CUT_OFF, ENTRY_BY_ENTRY, DELTA_T_IN_STAGE, DELTA_T, MISSING, TOO_MANY,
+    DIFFERS, CHANGED, PARTS, WEIGHTS_SUM, LOW_ORDER, OTHER_STEPS, CONTRADICTS, EXPLICIT, ROUNDS, OLD_VELOCITY,
+    NEW_VELOCITY, NOTHING_EARLIER, NO_CONTROL, NAME_ORDER, EQUATION, UNSOLVED, EQUATION_TIME, LOOSE, STALE,
+    ADAMS_WEIGHTS, ADAMS_OLD, ADAMS_START, UNSTABLE, UNCONTROLLED, LARGEST_ERROR, ABSOLUTE_ERROR, ELSEWHERE,
+    LAYOUT, NO_CONVERGENCE, UNUSED, FEW_DIGITS;
+
+    private static final String BOOK = """
+            # the class
+            state NOTHING_YET: the step does nothing yet: write it, then check again
+            state NOT_FINITE: the new state is NaN or infinite although state and derivative are finite: look for \
+                0/0, the root of a negative number, a division by something that is 0, or a matrix with a row of \
+                zeros
+            failure EXCEPTION: stepState ends in an exception: %s
+            method NOT_REPEATABLE: two new solvers make different steps from the same place: something is random, or \
+                static and shared by all solvers (a static field outlives a step and its solver)
+            # the clock
+            time CLOCK_STILL: %sthe clock never moves: incTime(deltaT) is missing
+            time CLOCK_FIXED: the clock moves by %s s in every step, whatever deltaT is: it is hard-coded; \
+                incTime(deltaT) is meant
+            time CLOCK_NEW_TIME: the clock moves by %s s in a step of %s s that begins at %s s: incTime takes how \
+                far the clock moves, deltaT, and not the new time
+            time CLOCK_OFTEN: the clock moves by %s deltaT: incTime(deltaT) is called %s times, %s
+            time CLOCK_PARTS: the clock ends at %s and has to end at t + deltaT; it was moved by %s: all moves \
+                together have to make deltaT
+            time CLOCK_BACK: with deltaT = %s s the clock moves by %s s%s
+            time CLOCK_LATER: %sthe clock ends at %s after a step of deltaT = %s s and has to end at t + deltaT%s
+            time STAGE_TIMES: %s evaluated at %s; %s says %s%s
+            time TIME_OF_STAGE: %s is evaluated at %s and %s: the coefficients of a stage have to add up to that of \
+                its time, and make %s instead of %s
+            time REJECTED_CLOCK: with derivatives up to 1 the clock moves and the state stays, with tiny ones both \
+                move: the clock may move only when a sub-step is accepted
+            # the state
+            method NO_DERIVATIVE: getStateDerivative is never called: without the derivative the solver cannot know \
+                where to go
+            state ARRAY_LENGTH: an array of %s numbers was handed to a source whose state has 24: arrays have to be \
+                source.getStateSize() long
+            state NEVER_SET: the new state never reaches the source: setState(state) is missing
+            state LEFT_AT_TRIAL: the state is left at a trial state, %s, that of the last evaluation: setState with \
+                the new state is missing at the end
+            state SET_TOO_EARLY: the state is set before the derivative is known, and never to the new state: \
+                setState(state) is missing at the end
+            state LOST: the old state is lost: the new %s is %s and has to be %s plus that (+=, not =)
+            state LOST_FRACTIONS: the new %s is 0: nothing is left of the old one and of the derivatives; fractions \
+                of whole numbers, such as 1/3, are 0 in Java: write 1.0/3
+            state KEPT: the new %s has %s times %s in it instead of %3$s: the weights of the states in a mean have \
+                to add up to 1, and a fraction of whole numbers such as 1/3 is 0 in Java
+            state DAMPED: the new %s has %s times %s in it instead of %3$s: a factor is damping, which the equation \
+                does not have
+            state KEPT_STAGE: %s a state with %s times s in it; every trial state is s plus increments
+            state LEFT_OUT: %s in %s: the loop has to reach all entries, from 0 to source.getStateSize() - 1
+            state OTHER_ENTRY: entry %s of the new state moves with entry %s: the state is three positions and three \
+                velocities for each particle in turn, (x1, v1, x2, v2, ...), so that %s; not all positions and then \
+                all velocities
+            state DIGITS: digits get lost: the new state is off by %s of its size, as %s
+            method CUT_OFF: with derivatives up to %s the step is not the one that it makes with derivatives up to \
+                1: something is cut off, or depends on the size
+            state ENTRY_BY_ENTRY: getStateDerivative is called %s times per step, between setting parts of the \
+                state: later entries move along the derivative of a state that is half new. All entries have to be \
+                computed from one derivative; setState belongs behind the loop
+            # deltaT
+            method DELTA_T_IN_STAGE: %s a state that is off: %s
+            method DELTA_T: the new %s does not follow deltaT: %s
+            # the formula
+            method MISSING: %4$s is missing: getStateDerivative is called %1$s, %2$s needs %3$s%5$s
+            method TOO_MANY: there is an evaluation too many: getStateDerivative is called %s, %s needs %s
+            method DIFFERS: %s %s; %s says %s%s
+            method CHANGED: this is nearly %s: %s
+            method PARTS: the parts of the step add up to %s deltaT, and have to add up to deltaT: is the step made \
+                once only? Compare the lengths and signs of its parts with those of the book
+            method WEIGHTS_SUM: the weights of the new state add up to %s; they have to add up to 1
+            method LOW_ORDER: the order is %s with %s%s: %s %s; compare the coefficients and the weights with those \
+                of the book
+            method OTHER_STEPS: the measured order is %s, and the coefficients of a step are those of a method of \
+                order %s: on other sources it makes another step
+            # the name
+            name CONTRADICTS: this is %s and not %s, as its name says
+            name EXPLICIT: this is %s, which is explicit, and not %s, as its name says: the equation for the new \
+                state is not solved; an iteration has to go on until nothing changes
+            method ROUNDS: the iteration for the new state ends too early, after %s: the equation of %s has to be \
+                iterated until nothing changes any more
+            name OLD_VELOCITY: the position is updated with the old velocity, which is the Euler method; the slides' \
+                simple algorithm takes the new one: first v += a deltaT, then x += v deltaT with that v
+            name NEW_VELOCITY: the position is updated with the new velocity; the slide's Euler method takes the old \
+                one: all of the state moves along the derivative at its start. What is written is symplectic Euler, \
+                the slides' simple algorithm
+            name NOTHING_EARLIER: %s, as its name says, uses derivatives or states of earlier steps; each step of \
+                this solver is the one that a new solver makes, and nothing of earlier steps is used
+            name NO_CONTROL: the name promises step-size control, and all steps are made with one step size: is the \
+                error estimate always 0? Is it compared with the tolerance, and the sub-step repeated when it is \
+                larger?
+            name NAME_ORDER: the measured order is %s; the name promises %s: compare the coefficients with those of \
+                the book, and the times of the stages
+            # equations and earlier steps
+            method EQUATION: the new state solves new = %s; %s is new = %s%s
+            method UNSOLVED: the equation of %s is not solved: the step is new = %s, in which the new state's \
+                derivative does not enter. Iterate until nothing changes, by Newton's method with all of the matrix \
+                I - deltaT J
+            time EQUATION_TIME: %s
+            method LOOSE: the iteration ends too early: with a nonlinear law and deltaT = %s s the equation of the \
+                step is off by %s; iterate until the change is below about 1e-10
+            state STALE: the derivative is stale: getStateDerivative is called in the first step only, and each step \
+                needs the derivative at its own start
+            method ADAMS_WEIGHTS: the weights of a step are %s, which %s; the Adams method with these evaluations \
+                has %s
+            method ADAMS_OLD: the weights are those of the Adams method of order %s, and its derivatives are those \
+                at %s instead of %s: an old one is kept too long, or twice. In each step the oldest is dropped, then \
+                the others move by one place, the oldest of them first
+            method ADAMS_START: the formula has order %s, and the measured order is %s: the first steps, before \
+                there are enough earlier derivatives, are not accurate enough. Begin with a method of order %s or \
+                more, such as RK4
+            # methods that are only measured
+            method UNSTABLE: it evaluates the derivative once more for each entry, as methods that solve with a \
+                matrix do, and is not stable as they are: a step of %s s multiplies %s by %s. Check the signs in the \
+                matrix, such as I - deltaT J, and that all of J is used
+            method UNCONTROLLED: sub-steps are made, and the error is still %s after a step of %s s, and %s after %s \
+                steps over the same time: a sub-step with too large an error has to be made again from the state \
+                before it, with a shorter length
+            method LARGEST_ERROR: two springs swing alike, one as the first coordinate of a particle and one as the \
+                last, and after a step of %s s they are %s apart: the error of a sub-step has to be the largest of \
+                all entries
+            method ABSOLUTE_ERROR: two springs start at 1 and at -1, and after a step of %s s one is not the mirror \
+                image of the other, but %s off: an error may be negative, and its size counts, Math.abs
+            method ELSEWHERE: after a step of %s s the state is that of %s: either the weights add up to %s and not \
+                to 1, or %s
+            state LAYOUT: with one particle the error goes to 0 with deltaT, with two it does not: some entries of \
+                the state are not moved, or are moved with another particle's. The loop has to reach all of them, \
+                and the state is (x1, v1, x2, v2, ...), three positions and three velocities for each particle in \
+                turn
+            method NO_CONVERGENCE: the error does not go to 0 with deltaT: over the same time it is %s with deltaT = \
+                %s s. Check that each evaluation is at its own state and time, and that the weights add up to 1
+            # style
+            style UNUSED: an evaluation of the step enters nothing, and could be left out
+            style FEW_DIGITS: the coefficients have about eight digits: the error stops falling there
+            """.replaceAll(" +", " ");
+    private static final Map<String, String[]> TEXTS = BOOK.lines().filter(line -> !line.startsWith("#"))
+            .map(line -> line.split(" ", 3)).collect(Collectors.toMap(parts -> parts[1], parts -> parts));
+
+    /** @return the finding; numbers with a fraction are written as people do */
+    Finding of(Object... values) {
+        String[] parts = TEXTS.get(name() + ":");
+        return new Finding(Kind.valueOf(parts[0].toUpperCase(Locale.ROOT)), String.format(Locale.ROOT, parts[2],
+                Arrays.stream(values).map(value -> value instanceof Double x ? Formula.number(x) : value).toArray()));
+    }
+}
