@@ -36,6 +36,7 @@ final class MutationTests {
             Map.entry("deSolvers.multistep", ""),
             Map.entry("deSolvers.rungeKutta", "deSolvers.adaptive.DormandPrinceSolverTest"),
             Map.entry("deSolvers.symplectic", ""),
+            Map.entry("deSolvers.text", ""),
             Map.entry("particles.effects",
             "particles.LawsOnRandomSystemsTest,particles.engine.ParticleJacobianTest,particles.ArrayStateSourceTest")));
 

@@ -96,7 +96,8 @@ final class FreshProgram extends URLClassLoader {
         for (String name : Set.copyOf(loaded)) {
             Class<?> type = loadClass(name);
             for (String law : new String[] {"law.Effect", "law.Reaction", "Rule"}) {
-                if (loadClass("particles." + law).isAssignableFrom(type) && !type.isInterface()) {
+                if (loadClass("particles." + law).isAssignableFrom(type) && !type.isInterface()
+                        && !name.startsWith("particles.engine.")) {          // the engine's own passes are no laws
                     laws.add(type.getSimpleName());
                 }
             }
