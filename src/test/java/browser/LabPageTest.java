@@ -87,6 +87,64 @@ class LabPageTest extends LabPageTestCase {
     }
 
     @Test
+    void anInvalidStepIsRefusedInTheConsolesWordsAndTheLastValidOneStays() {
+        page.openScene("02-one-spring");
+        setStep("0.1");
+        for (String typed : List.of("abc", "-1", "0", "0,05")) {
+            page.script("const step = document.getElementById('deltaTNumber'); step.value = arguments[0];"
+                    + " step.dispatchEvent(new Event('change'));", typed);
+            page.await(typed + " refused", () -> page.text("deltaTError").contains(typed));
+            assertEquals("0.1", page.element("deltaTNumber").getAttribute("value"));
+        }
+        assertEquals("", page.text("message"));
+        runToTheEnd();
+        assertEquals("126", page.text("steps"));                // 4 pi / 0.1 = 125.7
+    }
+
+    @Test
+    void plotsShowTheStatesOfStepsAndNothingBetweenThem() {
+        page.openScene("02-one-spring");
+        page.choose("solver", "euler");
+        page.await("euler", () -> page.text("sentence").contains("straight"));
+        setStep("0.5");
+        page.choose("speed", "1");
+        page.click("start");
+        page.await("five steps", () -> page.number("steps") >= 5);
+        page.click("start");
+        assertEquals("Continue", page.text("start"));
+        assertEquals(true, page.script("""
+                return [window.lab.energy.data[0], window.lab.phase.data[2][0]].every(all => all.length ===
+                  Number(document.getElementById('steps').textContent) + 1)
+                  && window.lab.energy.data[0].every((time, i) => time === 0.5 * i);
+                """));
+    }
+
+    @Test
+    void aPulledParticleFollowsAndThePullIsInTheWork() {
+        page.openScene("02-one-spring");
+        page.script("""
+                const view = document.getElementById('view'), {left, top} = view.getBoundingClientRect();
+                const moving = window.lab.view.structure.ids.findIndex((id, i) => !window.lab.view.structure.fixed[i]);
+                const [x, y] = window.lab.view.onScreen(moving);
+                const send = (type, dy) => view.dispatchEvent(new PointerEvent(type, {clientX: left + x,
+                  clientY: top + y + dy, pointerId: 1, pointerType: 'mouse', button: 0, bubbles: true}));
+                view.setPointerCapture = () => {};
+                send('pointerdown', 0);
+                send('pointermove', -80);
+                """);
+        page.await("the pull's work", () -> page.text("work").matches("(?s).*pointer \\(driven\\): [0-9].*"));
+        page.await("its force", () -> page.text("forceList").contains("pointer"));
+        page.script("document.getElementById('view').dispatchEvent(new PointerEvent('pointerup', {pointerId: 1}));");
+        page.await("no force of the pointer", () -> !page.text("forceList").contains("pointer"));
+        page.script("const time = document.getElementById('time'); time.value = 0.1;"
+                + " time.dispatchEvent(new Event('input'));");
+        page.await("an earlier moment", () -> page.number("clock") <= 0.1);
+        page.click("start");
+        page.await("what became of the pull", () -> page.text("message").contains("without your earlier pulls"));
+        page.await("no work", () -> page.text("work").isEmpty());
+    }
+
+    @Test
     void longStepsAreShownSmoothly() {
         page.openScene("02-one-spring");
         setStep("2");

@@ -34,7 +34,9 @@ abstract class LabPageTestCase {
     void setStep(String seconds) {
         page.script("const step = document.getElementById('deltaTNumber'); step.value = arguments[0];"
                 + " step.dispatchEvent(new Event('change'));", seconds);
-        page.await("deltaT = " + seconds, () -> page.text("steps").equals("0"));
+        page.await("deltaT = " + seconds, () -> page.text("steps").equals("0")
+                && ((Number) page.script("return window.lab.view.facts.deltaT;")).doubleValue()
+                == Double.parseDouble(seconds));
     }
 
     void runToTheEnd() {

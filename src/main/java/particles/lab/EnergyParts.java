@@ -2,6 +2,8 @@ package particles.lab;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.experiments.energy.EnergyLedgerRecorder;
 import particles.law.Effect;
@@ -33,6 +35,17 @@ final class EnergyParts {
     /** The names of the numbers. */
     List<String> names() {
         return names;
+    }
+
+    /**
+     * The numbers of the uniform fields, such as gravity: a chart has their zero at their lowest value in the run, so
+     * that the choice of the origin does not matter.
+     */
+    List<Integer> uniform() {
+        return IntStream.range(0, effects.size()).filter(e -> {
+            Set<Effect.Trait> traits = effects.get(e).getTraits();
+            return traits.contains(Effect.Trait.TRANSLATION_INVARIANT) && !traits.contains(Effect.Trait.INTERNAL);
+        }).mapToObj(e -> e + 2).toList();
     }
 
     /** The energies of a state (J); the numerical error is that of the ledger so far. */

@@ -69,9 +69,13 @@ final class History {
         return frames.get(low);
     }
 
-    /** The moments kept, the earliest first. */
-    List<Frame> frames() {
-        return List.copyOf(frames);
+    /** The moments kept that are after this time, the earliest first. */
+    List<Frame> after(double time) {
+        int first = frames.size();
+        while (first > 0 && frames.get(first - 1).time() > time) {
+            first--;
+        }
+        return List.copyOf(frames.subList(first, frames.size()));
     }
 
     /** About how much memory it takes. */

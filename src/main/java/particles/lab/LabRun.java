@@ -1,5 +1,7 @@
 package particles.lab;
 
+import deSolvers.catalog.SolverCatalog;
+import java.util.Map;
 import java.util.function.BooleanSupplier;
 import particles.Motion;
 import particles.Observer;
@@ -10,15 +12,20 @@ import particles.experiments.energy.EnergyHistory;
 import particles.experiments.energy.EnergyLedgerRecorder;
 import particles.experiments.energy.NumericalErrorLimit;
 import particles.scene.Scene;
+import particles.scene.format.SceneDescription;
 
 /** A run of a scene that is made a few steps at a time, and its history. */
 public final class LabRun {
     private static final long HISTORY_BYTES = 64_000_000;
+    /** The omega deltaT of the pointer's spring: yoshida4 with damping is stable up to 0.438. */
+    private static final double BEARABLE = 0.4;
 
     private final Scene scene;
     private final Simulation simulation;
     private final ParticleSystem system;
     private final EnergyParts energies;
+    private final EnergyLedgerRecorder ledger = new EnergyLedgerRecorder(1);
+    private final PointerSpring pointer;
     private final History history = new History(HISTORY_BYTES);
     private Structure structure;
     private double wanted;
@@ -33,14 +40,24 @@ public final class LabRun {
         simulation = scene.simulation();
         system = scene.system();
         EnergyHistory history = new EnergyHistory();
-        EnergyLedgerRecorder ledger = new EnergyLedgerRecorder(1);
         energies = new EnergyParts(system, ledger);
+        pointer = new PointerSpring(system.getParticles(), mostOmega(scene.description()));
+        system.addEffect(pointer);
+        simulation.addRule(pointer);
         structure = Structure.of(system);
         simulation.addObserver(history);
         simulation.addObserver(ledger);
         simulation.addObserver(new Recorder());
         simulation.addObserver(new NumericalErrorLimit(history, ledger, scene.energyEstimate()));
         simulation.start();
+    }
+
+    /** A solver whose steps are limited by springs bears a vibration of this angular frequency (rad/s) at least. */
+    private static double mostOmega(SceneDescription scene) {
+        boolean limited = !SolverCatalog.names().contains(scene.solver())
+                || !SolverCatalog.info(scene.solver()).adaptive()
+                && SolverCatalog.info(scene.solver()).imaginaryLimit() < Double.POSITIVE_INFINITY;
+        return limited ? BEARABLE / scene.deltaT() : Double.POSITIVE_INFINITY;
     }
 
     private final class Recorder implements Observer {
@@ -138,6 +155,15 @@ public final class LabRun {
     /** @return the scene */
     public Scene getScene() {
         return scene;
+    }
+
+    PointerSpring pointer() {
+        return pointer;
+    }
+
+    /** The work done on the system so far, by name (J). */
+    Map<String, Double> work() {
+        return ledger.getWork();
     }
 
     Frame shown() {

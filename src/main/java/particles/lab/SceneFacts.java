@@ -32,7 +32,7 @@ final class SceneFacts {
      * @param energies the parts of its energy
      * @return the facts by name
      */
-    static Map<String, Object> of(Scene scene, List<String> energies) {
+    static Map<String, Object> of(Scene scene, EnergyParts energies) {
         Map<String, Object> facts = new LinkedHashMap<>();
         facts.put("title", scene.description().title());
         facts.put("teaches", scene.description().lesson().teaches());
@@ -42,7 +42,8 @@ final class SceneFacts {
                 .ifPresent(given -> facts.put("tolerance", given.relative()));
         facts.put("duration", scene.description().duration());
         facts.put("energyScale", scene.energyEstimate());
-        facts.put("energies", energies);
+        facts.put("energies", energies.names());
+        facts.put("uniform", energies.uniform());
         facts.put("limits", limits(scene));
         scene.description().drawing().camera().ifPresent(camera -> facts.put("camera", camera(camera)));
         facts.put("look", look(scene.description().drawing().look()));

@@ -8,9 +8,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
+import particles.ParticleSystem;
 import particles.SimulationException;
+import particles.law.Particles;
+import particles.law.Vector3;
 import particles.messages.BlowUpMessage;
 import particles.messages.FrictionMessage;
+import particles.scene.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneException;
@@ -51,25 +56,28 @@ public final class Session {
      * @param file      its name in messages
      * @param text      its text
      * @param solver    a solver other than the scene's; empty for the scene's
-     * @param deltaT    a time step other than the scene's (s); 0 for the scene's
+     * @param deltaT    a time step other than the scene's (s), as it was typed; empty for the scene's
      * @param tolerance a relative tolerance other than the scene's or the solver's; 0 for these
      * @return the facts of the scene or, under {@code errors}, the lines about its mistakes, as JSON
      */
-    public String open(String file, String text, String solver, double deltaT, double tolerance) {
+    public String open(String file, String text, String solver, String deltaT, double tolerance) {
         try {
             SceneDescription described = SceneReader.read(file, text.getBytes(StandardCharsets.UTF_8), classes);
             boolean same = solver.isEmpty() || solver.equals(described.solver());
             Optional<Tolerances> tolerances = tolerance > 0
                     ? Optional.of(new Tolerances(tolerance, ABSOLUTE_PART * tolerance))
                     : same ? described.settings().solver().tolerances() : Optional.empty();
-            Scene scene = SceneBuilder.build(described
-                    .withSolver(new SolverDescription(same ? described.solver() : solver, tolerances))
-                    .withDeltaT(deltaT > 0 ? deltaT : described.deltaT()));
+            Overrides typed = new Overrides();
+            if (!deltaT.isEmpty()) {
+                typed.with("deltaT", deltaT, "deltaT");
+            }
+            Scene scene = SceneBuilder.build(typed.applyTo(described
+                    .withSolver(new SolverDescription(same ? described.solver() : solver, tolerances))));
             run = new LabRun(scene);
             shown = run.shown();
             failure = "";
             nanoseconds = 0;
-            return Json.of(SceneFacts.of(scene, run.energies().names()));
+            return Json.of(SceneFacts.of(scene, run.energies()));
         } catch (SceneException e) {
             return Json.of(Map.of("errors", e.getLines()));
         }
@@ -87,8 +95,13 @@ public final class Session {
         work(() -> run.advance(time, () -> System.nanoTime() > end), start);
     }
 
-    /** Makes one step. */
+    /** Shows the state one step after the moment shown; the run makes that step if it has not yet. */
     public void step() {
+        List<Frame> later = run.history().after(shown.time());
+        if (!later.isEmpty()) {
+            shown = later.get(0);
+            return;
+        }
         work(run::step, System.nanoTime());
     }
 
@@ -113,6 +126,34 @@ public final class Session {
         shown = run.history().at(time);
     }
 
+    /**
+     * Drags a particle towards a point from now on, until it is dragged elsewhere or released.
+     *
+     * @param id the particle; empty to release all
+     * @param x  a coordinate of that point (m)
+     * @param y  a coordinate of that point (m)
+     * @param z  a coordinate of that point (m)
+     */
+    public void drag(String id, double x, double y, double z) {
+        run.pointer().drag(indexOf(id), new Vector3(x, y, z));
+    }
+
+    private int indexOf(String id) {
+        Particles particles = run.getScene().system().getParticles();
+        return IntStream.range(0, particles.count()).filter(i -> particles.id(i).equals(id)).findFirst().orElse(-1);
+    }
+
+    /**
+     * @param id a particle
+     * @return its mass and the present forces on it, as JSON; empty if it is gone
+     */
+    public String particle(String id) {
+        int i = indexOf(id);
+        ParticleSystem system = run.getScene().system();
+        return i < 0 ? "{}" : Json.of(Map.of("mass", system.getParticles().mass(i), "forces",
+                ParticleForces.of(system, i)));
+    }
+
     /** @return the time of the run, the time shown, and the cost so far, as JSON */
     public String status() {
         Map<String, Object> status = new LinkedHashMap<>();
@@ -121,6 +162,7 @@ public final class Session {
         status.put("steps", run.getScene().simulation().getSteps());
         status.put("evaluations", run.getScene().system().getEvaluations());
         status.put("seconds", nanoseconds / (1e3 * NANOSECONDS));
+        status.put("work", run.work());
         status.put("historyBytes", run.history().bytes());
         status.put("over", run.isOver() && shown.time() >= run.getScene().system().getTime());
         status.put("failure", failure);
@@ -132,9 +174,19 @@ public final class Session {
         return shown.state();
     }
 
-    /** @return the energies at that moment, in the order of the scene's facts (J) */
-    public float[] energies() {
-        return shown.energies();
+    /**
+     * @param time a time (s)
+     * @return the time and the energies, in the order of the scene's facts (J), after each step kept that ended later
+     */
+    public float[] energies(double time) {
+        List<float[]> rows = new ArrayList<>();
+        for (Frame frame : run.history().after(time)) {
+            float[] row = new float[1 + frame.energies().length];
+            row[0] = (float) frame.time();
+            System.arraycopy(frame.energies(), 0, row, 1, frame.energies().length);
+            rows.add(row);
+        }
+        return joined(rows);
     }
 
     /** @return the present state of the run in full precision */
@@ -166,20 +218,26 @@ public final class Session {
     /**
      * @param id   a particle
      * @param axis 0 for x, 1 for y, 2 for z
-     * @return its time, position and velocity at every kept moment at which it existed, one after the other
+     * @param time a time (s)
+     * @return its time, position and velocity after each step kept that ended later, one after the other
      */
-    public float[] phase(String id, int axis) {
+    public float[] phase(String id, int axis, double time) {
         List<float[]> points = new ArrayList<>();
-        for (Frame frame : run.history().frames()) {
+        for (Frame frame : run.history().after(time)) {
             int i = List.of(frame.structure().ids()).indexOf(id);
             if (i >= 0) {
                 points.add(new float[] {(float) frame.time(), frame.state()[6 * i + axis],
                         frame.state()[6 * i + axis + 3]});
             }
         }
-        float[] all = new float[3 * points.size()];
-        for (int p = 0; p < points.size(); p++) {
-            System.arraycopy(points.get(p), 0, all, 3 * p, 3);
+        return joined(points);
+    }
+
+    private static float[] joined(List<float[]> rows) {
+        int width = rows.isEmpty() ? 0 : rows.get(0).length;
+        float[] all = new float[width * rows.size()];
+        for (int r = 0; r < rows.size(); r++) {
+            System.arraycopy(rows.get(r), 0, all, width * r, width);
         }
         return all;
     }

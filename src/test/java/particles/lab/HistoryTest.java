@@ -30,12 +30,12 @@ class HistoryTest {
 
     @Test
     void everyMomentIsKeptWhileThereIsRoom() {
-        assertEquals(100, filled(100, 0.1).frames().size());
+        assertEquals(100, filled(100, 0.1).after(-1).size());
     }
 
     @Test
     void aLongRunIsThinnedEvenly() {
-        List<Frame> frames = filled(100_000, 0.01).frames();
+        List<Frame> frames = filled(100_000, 0.01).after(-1);
         assertEquals(0, frames.get(0).time());
         double latest = frames.get(frames.size() - 1).time();
         assertTrue(latest > 990, "the latest is at " + latest);

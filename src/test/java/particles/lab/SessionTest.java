@@ -1,12 +1,18 @@
 package particles.lab;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import particles.spec.ClassNames;
 
 /** What a page asks for, it gets as text that scripts understand. */
@@ -28,7 +34,7 @@ class SessionTest {
 
     @Test
     void aSceneIsOpenedWithItsFacts() {
-        String facts = session.open("x.yaml", SCENE, "", 0, 0);
+        String facts = session.open("x.yaml", SCENE, "", "", 0);
         assertTrue(facts.contains("\"title\":\"A \\\"spring\\\"\""), facts);
         // omega = 10 rad/s and RK4's limit on the imaginary axis is 2.8284
         assertTrue(facts.contains("\"rk4\":0.2828"), facts);
@@ -39,12 +45,12 @@ class SessionTest {
     @Test
     void mistakesAreTheReadersOwnLines() {
         assertEquals("{\"errors\":[\"x.yaml:3:9: unknown solver 'rk5'; did you mean 'rk4'?",
-                session.open("x.yaml", SCENE.replace("rk4", "rk5"), "", 0, 0).replaceFirst("'rk4'\\?.*", "'rk4'?"));
+                session.open("x.yaml", SCENE.replace("rk4", "rk5"), "", "", 0).replaceFirst("'rk4'\\?.*", "'rk4'?"));
     }
 
     @Test
     void anotherSolverAndStepTakeTheSceneSPlace() {
-        session.open("x.yaml", SCENE, "euler", 0.5, 0);
+        session.open("x.yaml", SCENE, "euler", "0.5", 0);
         session.advance(10, 1e4);
         assertTrue(session.status().contains("\"steps\":2,\"evaluations\":2,"), session.status());
         assertTrue(session.status().contains("\"over\":true"), session.status());
@@ -52,23 +58,44 @@ class SessionTest {
 
     @Test
     void aBlowUpIsTold() {
-        session.open("x.yaml", SCENE.replace("duration: 1", "duration: 100"), "euler", 0.5, 0);
+        session.open("x.yaml", SCENE.replace("duration: 1", "duration: 100"), "euler", "0.5", 0);
         session.advance(100, 1e4);
         assertTrue(session.status().contains("\"failure\":\"euler stopped at t = "), session.status());
     }
 
     @Test
     void thePastIsSeenAgain() {
-        session.open("x.yaml", SCENE, "", 0, 0);
+        session.open("x.yaml", SCENE, "", "", 0);
         float[] start = session.state();
         session.advance(1, 1e4);
         session.look(0);
         assertArrayEqualsExactly(start, session.state());
-        float[] points = session.phase("bob", 0);
+        float[] points = session.phase("bob", 0, -1);
         assertEquals(3 * 101, points.length);
         assertEquals(2f, points[1]);
         // x = 1 + cos(10 t): a quarter of a period on, the velocity is -10 sin(1.57)
         assertEquals(-10 * Math.sin(1.6), points[3 * 16 + 2], 1e-4);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"07-sliding-friction.yaml, slow middle fast, contact", "40-rigid-pendulum.yaml, pivot bob, rods",
+            "43-rod-on-the-ground.yaml, left right, rods"})
+    void readingTheForcesAfterEveryStepChangesNoBitOfARun(String file, String ids, String reaction)
+            throws IOException {
+        String text = Files.readString(Path.of("scenes", file));
+        Session read = new Session(ClassNames.none());
+        read.open(file, text, "", "", 0);
+        session.open(file, text, "", "", 0);
+        boolean acted = false;
+        while (!session.status().contains("\"over\":true")) {
+            for (String id : ids.split(" ")) {
+                acted |= read.particle(id).contains('"' + reaction + '"');
+            }
+            read.step();
+            session.step();
+            assertArrayEquals(session.exactState(), read.exactState(), session.status());
+        }
+        assertTrue(acted);
     }
 
     private static void assertArrayEqualsExactly(float[] expected, float[] found) {

@@ -17,7 +17,7 @@ public final class Engine {
     }
 
     @JSExport
-    public static String openScene(String file, String text, String solver, double deltaT, double tolerance) {
+    public static String openScene(String file, String text, String solver, String deltaT, double tolerance) {
         return SESSION.open(file, text, solver, deltaT, tolerance);
     }
 
@@ -37,6 +37,16 @@ public final class Engine {
     }
 
     @JSExport
+    public static void drag(String id, double x, double y, double z) {
+        SESSION.drag(id, x, y, z);
+    }
+
+    @JSExport
+    public static String particle(String id) {
+        return SESSION.particle(id);
+    }
+
+    @JSExport
     public static String status() {
         return SESSION.status();
     }
@@ -49,8 +59,8 @@ public final class Engine {
 
     @JSExport
     @JSByRef
-    public static float[] energies() {
-        return SESSION.energies();
+    public static float[] energies(double time) {
+        return SESSION.energies(time);
     }
 
     @JSExport
@@ -71,7 +81,7 @@ public final class Engine {
 
     @JSExport
     @JSByRef
-    public static float[] phase(String id, int axis) {
-        return SESSION.phase(id, axis);
+    public static float[] phase(String id, int axis, double time) {
+        return SESSION.phase(id, axis, time);
     }
 }

@@ -26,7 +26,7 @@ public final class PageBuilder implements LabBuilder {
 
     /** The scripts of the page that import each other, in an order in which each comes after its imports. */
     private static final List<String> OWN_MODULES = List.of("camera", "lines", "marks", "scenery", "view",
-            "plots", "editor", "main");
+            "plots", "editor", "settings", "words", "hand", "inspector", "main");
     private static final Pattern PLACE = Pattern.compile("<!--\\{(\\w+)}-->");
 
     /** Made without parameters, by its name. */

@@ -70,7 +70,12 @@ export class SceneCamera {
 
   /** Where a particle is seen, or will be at its present velocity: pixels, or null behind the camera. */
   onScreen(state, i, seconds = 0) {
-    const p = pointAhead(state, i, seconds).project(this.camera);
+    return this.placeOf(pointAhead(state, i, seconds).toArray());
+  }
+
+  /** Where a point is seen. */
+  placeOf(point) {
+    const p = new THREE.Vector3(...point).project(this.camera);
     return p.z > 1 ? null : [(p.x + 1) / 2 * this.element.clientWidth, (1 - p.y) / 2 * this.element.clientHeight];
   }
 

@@ -24,6 +24,11 @@ export class Editor {
     this.code.setValue(text);
   }
 
+  /** Needed after it was hidden. */
+  refresh() {
+    this.code.refresh();
+  }
+
   save(name) {
     const link = document.createElement('a');
     link.href = URL.createObjectURL(new Blob([this.text], {type: 'text/yaml'}));

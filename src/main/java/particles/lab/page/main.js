@@ -2,22 +2,29 @@
 import {makeView} from './view.js';
 import {EnergyPlot, PhasePlot} from './plots.js';
 import {Editor} from './editor.js';
+import {Hand} from './hand.js';
+import {Inspector} from './inspector.js';
+import {Settings, few} from './settings.js';
+import {ofPage} from './words.js';
 
 const $ = id => document.getElementById(id);
-const few = number => Number(number.toPrecision(4)).toString();
 const REFERENCE_PARTICLES = 40, REFERENCE_MILLISECONDS = 4000;
+const WITHOUT_PULLS = 'The run up to this moment was computed anew, without your earlier pulls.';
 const PLOT_INTERVAL = 80;              // milliseconds: a curve of 4000 points takes 20 to draw
 
 const engine = URL.createObjectURL(new Blob([$('engine').textContent], {type: 'text/javascript'}));
 const worker = new Worker(engine);
 let reference = null;
-let solvers = [], facts = null, structure = null, frame = null;
-let playing = false, looking = false, run = 0, autoplay = false, plotted = 0;
+let facts = null, structure = null, frame = null;
+let playing = false, looking = false, run = 0, autoplay = false, plotted = 0, pulled = false;
 
-const view = makeView($('view'), pick);
+const view = makeView($('view'));
+const hand = new Hand($('view'), view, pick, drag);
+const inspector = new Inspector($('view'), id => worker.postMessage({type: 'particle', id}));
 const energy = new EnergyPlot($('energy'));
 const phase = new PhasePlot($('phase'));
 const editor = new Editor($('text'), edited);
+const settings = new Settings(change);
 
 // ---- opening scenes ----
 
@@ -31,14 +38,14 @@ function choose(name, solver = '') {
 function openText(newText, solver = '') {
   editor.text = text = newText;
   $('particle').replaceChildren();
-  change({solver, deltaT: 0, tolerance: 0});
+  change({solver, deltaT: '', tolerance: 0});
 }
 
 /** What was chosen beside the scene's text; what the text says of it later goes before it again. */
-let chosen = {solver: '', deltaT: 0, tolerance: 0};
-let text = '';
+let chosen = {solver: '', deltaT: '', tolerance: 0};
+let text = '', good = null;             // good: the settings of the scene that runs
 
-const settings = () => ({file: $('scene').value, text, ...chosen});
+const sent = () => ({file: $('scene').value, text, ...chosen});
 
 function change(more) {
   chosen = {...chosen, ...more};
@@ -49,7 +56,7 @@ function edited() {
   const before = text;
   text = editor.text;
   const differs = key => line(before, key) !== line(text, key);
-  change({...(differs('solver') && {solver: '', tolerance: 0}), ...(differs('deltaT') && {deltaT: 0})});
+  change({...(differs('solver') && {solver: '', tolerance: 0}), ...(differs('deltaT') && {deltaT: ''})});
 }
 
 const line = (text, key) => RegExp('^' + key + ':.*', 'm').exec(text)?.[0];
@@ -57,8 +64,9 @@ const line = (text, key) => RegExp('^' + key + ':.*', 'm').exec(text)?.[0];
 /** Starts anew with what is chosen; the run goes on if one was going. */
 function open() {
   autoplay = playing;
+  pulled = false;
   setPlaying(false);
-  worker.postMessage({type: 'open', run: ++run, ...settings()});
+  worker.postMessage({type: 'open', run: ++run, ...sent()});
 }
 
 function opened(message) {
@@ -66,13 +74,23 @@ function opened(message) {
     return;
   }
   const errors = message.facts.errors ?? [];
+  if (errors.length && good?.text === text && good.solver === chosen.solver && good.deltaT !== chosen.deltaT) {
+    chosen = {...chosen, deltaT: good.deltaT};
+    settings.refuse(errors);
+    if (autoplay) {
+      start();
+    }
+    return;
+  }
   editor.show(errors);
   $('start').disabled = $('step').disabled = $('restart').disabled = errors.length > 0;
   if (errors.length) {
+    showEditor(true);
     $('message').textContent = 'The scene has ' + (errors.length === 1 ? 'an error' : errors.length + ' errors')
         + '; see below its text.';
     return;
   }
+  good = sent();
   $('message').textContent = '';
   if (message.facts.look.arrows !== facts?.look.arrows) {
     view.setArrows($('arrows').checked = message.facts.look.arrows > 0);
@@ -80,33 +98,14 @@ function opened(message) {
   facts = message.facts;
   structure = null;
   looking = false;
-  $('teaches').textContent = facts.title + ': ' + facts.teaches;
-  $('solver').value = facts.solver;
-  $('tolerance').value = chosen.tolerance;
-  showStep();
-  energy.start(facts.energies);
+  $('teaches').textContent = facts.title + ': ' + ofPage(facts.teaches);
+  settings.show(facts, chosen.tolerance);
+  energy.start(facts.energies, facts.uniform);
+  inspector.start();
   $('time').max = facts.duration;
   if (autoplay) {
     start();
   }
-}
-
-function showStep() {
-  const solver = solvers.find(one => one.name === facts.solver);
-  const limit = facts.limits[facts.solver];
-  const slider = $('deltaT');
-  $('sentence').textContent = solver?.sentence ?? 'A solver of your own.';
-  $('toleranceLabel').hidden = !solver?.adaptive;
-  $('deltaTNumber').value = facts.deltaT;
-  slider.value = Math.log10(facts.deltaT);
-  slider.setAttribute('aria-valuetext', facts.deltaT + ' seconds');
-  const part = limit > 0 ? (Math.log10(limit) - slider.min) / (slider.max - slider.min) : -1;
-  $('mark').hidden = !(part >= 0 && part <= 1);
-  $('mark').style.left = `calc(${100 * part}% + ${8 - 16 * part}px)`;
-  $('limit').textContent = solver?.adaptive ? 'Chooses its own steps, at most deltaT long.'
-      : limit === 0 ? 'Undamped springs gain energy at any deltaT.'
-      : limit > 0 ? 'Stable at least up to ' + few(limit) + ' s for the springs of this scene (the red mark).'
-      : 'No spring limits deltaT here.';
 }
 
 // ---- running ----
@@ -116,20 +115,36 @@ function setPlaying(on) {
   if (!on && structure) {
     askForPhase();                      // all steps, also those between the moments shown
   }
-  $('start').textContent = on ? 'Pause' : 'Start';
+  showStart();
+}
+
+function showStart() {
+  const again = !frame || frame.failure || frame.over && !looking || !frame.steps;
+  $('start').textContent = playing ? 'Pause' : again ? 'Start' : 'Continue';
 }
 
 function start() {
   const speed = Number($('speed').value);
   if (frame?.failure || frame?.over && !looking) {
-    worker.postMessage({type: 'goOn', run: ++run, time: 0, speed});
+    goOn(0, speed);
   } else if (looking) {
-    worker.postMessage({type: 'goOn', run: ++run, time: frame.time, speed});
+    goOn(frame.time, speed);
   } else {
     worker.postMessage({type: 'play', speed});
   }
   autoplay = false;
   setPlaying(true);
+}
+
+/** The worker computes the run anew up to this moment; pulls are not repeated, so what they changed is not kept. */
+function goOn(time, speed) {
+  $('message').textContent = pulled && time > 0 ? WITHOUT_PULLS : '';
+  worker.postMessage({type: 'goOn', run: ++run, time, speed});
+  if (pulled) {
+    pulled = false;
+    energy.start(facts.energies, facts.uniform);
+    newPhase();
+  }
 }
 
 function pause() {
@@ -144,6 +159,8 @@ function shown(message) {
     if (first) {
       view.open(facts, structure, message.state);
       startPhase();
+    } else {
+      listParticles();
     }
     view.setStructure(structure);
   }
@@ -153,36 +170,38 @@ function shown(message) {
   frame = message;
   looking = Boolean(message.looking);
   view.show(message);
-  if (!looking) {
-    energy.add(message.time, message.energies);
-    $('time').value = message.time;
-  }
+  energy.add(message.energies);
+  phase.add(message.points);
+  $('time').value = message.time;
   const particle = structure.ids.indexOf($('particle').value);
   if (particle >= 0) {
     const at = 6 * particle + Number($('axis').value);
-    phase.add(message.state[at], message.state[at + 3], !looking);
+    phase.mark(message.state[at], message.state[at + 3]);
+    inspector.show($('particle').value, message.state, particle, looking);
   }
   $('clock').textContent = few(message.time) + ' s';
   $('steps').textContent = message.steps;
   $('evaluations').textContent = message.evaluations;
   $('seconds').textContent = few(message.seconds) + ' s';
+  $('work').replaceChildren(...Object.entries(message.work).filter(([name, joules]) => joules).map(([name, joules]) => {
+    const row = document.createElement('li');
+    row.textContent = name + ': ' + few(joules);
+    return row;
+  }));
   if (message.failure && !looking) {
     $('message').textContent = message.failure;
   }
   if (message.over || message.failure) {
     setPlaying(false);
   }
+  showStart();
 }
 
 // ---- phase space ----
 
 function startPhase() {
-  const ids = structure.ids.filter((id, i) => !structure.fixed[i]);
-  const before = $('particle').value;
-  $('particle').replaceChildren(...ids.map(id => new Option(id)));
-  if (ids.includes(before)) {
-    $('particle').value = before;
-  } else if (facts.phase) {
+  listParticles();
+  if (!$('particle').value && facts.phase) {
     $('particle').value = facts.phase[0];
     $('axis').value = facts.phase[1];
   }
@@ -190,9 +209,25 @@ function startPhase() {
   startReference();
 }
 
+/** The particles that can move; in a scene with births they come and go. */
+function listParticles() {
+  const before = $('particle').value, first = facts.phase?.[0];
+  const ids = structure.ids.filter((id, i) => !structure.fixed[i]);
+  if (ids.length && ids.join() !== [...$('particle').options].map(option => option.value).join()) {
+    $('particle').replaceChildren(...ids.map(id => new Option(id)));
+    $('particle').value = ids.includes(before) ? before : ids.includes(first) ? first : ids[0];
+    if (before !== $('particle').value) {
+      $('axis').value = $('particle').value === first ? facts.phase[1] : $('axis').value;
+      newPhase();
+    }
+  }
+}
+
 function newPhase() {
   phase.start('xyz'[$('axis').value]);
-  askForPhase();
+  if ($('particle').value) {
+    askForPhase();
+  }
 }
 
 function askForPhase() {
@@ -205,6 +240,21 @@ function pick(id) {
   $('particle').value = id;
   newPhase();
 }
+
+/** A pull sets a paused run going. */
+function drag(id, point) {
+  if (point && !playing && !frame?.over) {
+    start();
+  }
+  pulled ||= Boolean(point);
+  worker.postMessage({type: 'drag', id: point ? id : '', point: point ?? [0, 0, 0]});
+}
+
+view.drawn = () => {
+  const i = structure?.ids.indexOf($('particle').value) ?? -1;
+  inspector.draw(point => view.camera.placeOf(point), i < 0 ? null : [...frame.state.subarray(6 * i, 6 * i + 3)],
+      view.camera.viewHeight, $('forces').checked);
+};
 
 /** The curve as good as exact, where a scene is small enough that it is known soon. */
 function startReference() {
@@ -219,8 +269,8 @@ function startReference() {
       phase.setReference(data.points);
     }
   };
-  reference.postMessage({type: 'open', ...settings(), solver: 'dormand-prince', tolerance: 1e-10,
-    deltaT: facts.duration / 1000});
+  reference.postMessage({type: 'open', ...sent(), solver: 'dormand-prince', tolerance: 1e-10,
+    deltaT: String(facts.duration / 1000)});
   reference.postMessage({type: 'run', milliseconds: REFERENCE_MILLISECONDS});
   reference.postMessage({type: 'phase', id: $('particle').value, axis: Number($('axis').value)});
 }
@@ -231,9 +281,7 @@ const isChosen = message => message.id === $('particle').value && message.axis =
 
 worker.onmessage = ({data}) => ({
   solvers: () => {
-    solvers = data.solvers;
-    const own = $('students').textContent.split(' ').filter(name => name);
-    $('solver').append(...[...solvers.map(one => one.name), ...own].map(name => new Option(name)));
+    settings.list(data.solvers, $('students').textContent.split(' ').filter(name => name));
     const first = scenes.find(scene => scene.dataset.first !== undefined);
     $('scene').value = first.dataset.name;
     choose(first.dataset.name, first.dataset.first);
@@ -241,32 +289,42 @@ worker.onmessage = ({data}) => ({
   opened: () => opened(data),
   frame: () => shown(data),
   phase: () => isChosen(data) && phase.set(data.points),
+  particle: () => { inspector.answer(data); view.stale = true; },
   broken: () => broken(data.message)
 })[data.type]?.();
 worker.onerror = event => broken(event.message);
 
 function broken(message) {
+  if (frame) {
+    frame.failure = message;            // the run cannot go on, only start anew
+  }
   setPlaying(false);
   $('message').textContent = 'Internal error; please report it: ' + message;
 }
-
 
 $('scene').onchange = () => choose($('scene').value);
 $('start').onclick = () => playing ? pause() : start();
 $('step').onclick = () => { pause(); worker.postMessage({type: 'step'}); };
 $('restart').onclick = open;
-$('solver').onchange = () => change({solver: $('solver').value, tolerance: 0});
-$('tolerance').onchange = () => change({tolerance: Number($('tolerance').value)});
-$('deltaTNumber').onchange = () => change({deltaT: Number($('deltaTNumber').value) || 0});
-$('deltaT').oninput = () => { $('deltaTNumber').value = Number((10 ** $('deltaT').value).toPrecision(2)); };
-$('deltaT').onchange = () => change({deltaT: Number($('deltaTNumber').value)});
 $('speed').onchange = () => playing && worker.postMessage({type: 'play', speed: Number($('speed').value)});
 $('time').oninput = () => { setPlaying(false); worker.postMessage({type: 'look', time: Number($('time').value)}); };
 $('particle').onchange = $('axis').onchange = newPhase;
 $('arrows').onchange = () => view.setArrows($('arrows').checked);
+$('forces').onchange = () => { view.stale = true; };
 $('labels').onchange = () => view.setLabels($('labels').checked);
+$('logarithmic').onchange = () => energy.setLogarithmic($('logarithmic').checked);
+$('showEditor').onclick = () => showEditor($('editor').hidden);
 $('save').onclick = () => editor.save($('scene').value);
 $('open').onchange = () => $('open').files[0]?.text().then(text => openText(text));
+
+function showEditor(on) {
+  $('editor').hidden = !on;
+  $('showEditor').setAttribute('aria-expanded', on);
+  document.body.classList.toggle('editing', on);
+  editor.refresh();
+  resize();
+}
+
 const resize = () => [view, energy, phase].forEach(part => part.resize());
 addEventListener('resize', resize);
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', resize);
@@ -279,6 +337,8 @@ function draw(now = 0) {
   }
   requestAnimationFrame(draw);
 }
+new ResizeObserver(resize).observe($('view'));
+showEditor(!matchMedia('(max-width: 1699px)').matches);
 window.lab = {view, energy, phase};          // for the browser's console, and for tests
 worker.postMessage({type: 'solvers'});
 draw();

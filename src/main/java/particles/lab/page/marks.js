@@ -1,5 +1,6 @@
 // Labels of particles and arrows along their velocities, over the picture so that nothing hides them.
-const MOST_NAMES = 60, HEAD = 11, LONGEST = 1e5;         // pixels
+const MOST_NAMES = 300, FEW_NAMES = 12;
+const HEAD = 11, LONGEST = 1e5;         // pixels
 
 export class Marks {
   constructor(element) {
@@ -8,11 +9,16 @@ export class Marks {
     const drawing = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
     this.arrows = document.createElementNS('http://www.w3.org/2000/svg', 'path');
     drawing.setAttribute('class', 'arrows');
-    drawing.append(this.arrows);
+    this.pull = document.createElementNS('http://www.w3.org/2000/svg', 'path');
+    this.pull.setAttribute('class', 'pull');
+    drawing.append(this.arrows, this.pull);
     element.append(drawing);
   }
 
-  /** The labels that the scene gives to particles and, where names are wanted, the names of the first particles. */
+  /**
+   * The labels that the scene gives to particles and, where names are wanted, the names of the first particles. Where
+   * many would overlap, the earlier one is shown, and the scene's before all others.
+   */
   setLabels(ids, marks, withNames) {
     this.labels.splice(0).forEach(({element}) => element.remove());
     ids.forEach((id, particle) => {
@@ -22,9 +28,11 @@ export class Marks {
         element.className = 'name';
         element.textContent = texts.join(': ');
         this.element.append(element);
-        this.labels.push({particle, element});
+        this.labels.push({particle, element, width: element.offsetWidth, height: element.offsetHeight,
+          first: marks[id]?.label ? 0 : 1});
       }
     });
+    this.labels.sort((a, b) => a.first - b.first);
   }
 
   /**
@@ -32,17 +40,25 @@ export class Marks {
    * from the top, or null behind the camera; away(i) is how many pixels its label keeps from its middle
    */
   draw(place, away, moving, seconds) {
-    for (const {particle, element} of this.labels) {
-      const at = place(particle, 0);
-      element.hidden = !at;
-      if (at) {
-        const gap = away(particle), fits = at[0] + gap + element.offsetWidth < this.element.clientWidth;
-        const x = fits ? at[0] + gap : at[0] - gap - element.offsetWidth;
-        element.style.transform = `translate(${x}px, ${at[1] - element.offsetHeight / 2}px)`;
+    const taken = [], many = this.labels.length > FEW_NAMES;
+    for (const {particle, element, width, height} of this.labels) {
+      const at = place(particle, 0), gap = away(particle);
+      const left = at && (at[0] + gap + width < this.element.clientWidth ? at[0] + gap : at[0] - gap - width);
+      const box = at && [left, at[1] - height / 2, left + width, at[1] + height / 2];
+      element.hidden = !box || many && taken.some(other => box[0] < other[2] && other[0] < box[2] && box[1] < other[3]
+          && other[1] < box[3]);
+      if (!element.hidden) {
+        taken.push(box);
+        element.style.transform = `translate(${box[0]}px, ${box[1]}px)`;
       }
     }
     this.arrows.setAttribute('d', seconds > 0
         ? moving.map(i => arrow(place(i, 0), place(i, seconds))).join('') : '');
+  }
+
+  /** The spring to the pointer, from where the particle is seen to the pointer. */
+  drawPull(from, to) {
+    this.pull.setAttribute('d', from && to ? `M${from.join(' ')}L${to.join(' ')}` : '');
   }
 }
 

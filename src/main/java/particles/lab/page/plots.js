@@ -1,62 +1,110 @@
 // The energies over time and the phase space of one particle, drawn as the run goes.
-// By Okabe and Ito: people with any colour vision can tell them apart.
+// By Okabe and Ito: people with any colour vision can tell them apart. An energy has one colour in all scenes.
 const COLOURS = ['#d55e00', '#0072b2', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#8c6d1f', '#7f7f7f'];
+const OF_ENERGIES = {'total': 0, 'kinetic': 1, 'gravity': 2, 'springs': 3, 'attraction': 4, 'cohesion': 5,
+  'numerical error': 7};
 const MOST = 4000;                      // points of a curve; then every second is dropped
+const FEW = 150;                        // points that are dots as well
 
 const ink = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 const short = v => v !== 0 && (Math.abs(v) >= 1e5 || Math.abs(v) < 1e-3) ? v.toExponential(1) : String(v);
 const axes = (x, y) => [x, y].map((label, i) => ({label, values: (u, values) => values.map(short),
   size: i ? 62 : 44, labelSize: 20, stroke: () => ink('--ink'),
   grid: {stroke: () => ink('--line'), width: 1}, ticks: {stroke: () => ink('--line')}}));
-const size = element => ({width: Math.max(240, element.clientWidth), height: 240});
+const size = element => ({width: Math.max(240, element.clientWidth),
+  height: parseFloat(getComputedStyle(element).getPropertyValue('--height')) || 240});
+const colourOf = name => COLOURS[OF_ENERGIES[name] ?? 6];
+/** The value at the cursor or, where there is none, the latest. */
+const latest = (u, value, series) => (value ?? u.data[series][u.data[series].length - 1])?.toPrecision(4) ?? '';
 
 export class EnergyPlot {
   constructor(element) {
     this.element = element;
+    this.logarithmic = false;
   }
 
-  start(names) {
+  /** names: of the energies; uniform: the numbers of those whose zero is their lowest value so far */
+  start(names, uniform) {
     this.names = names;
-    this.clear();
-    this.plot?.destroy();
-    this.plot = new uPlot({...size(this.element), axes: axes('time (s)', ''),
-      scales: {x: {time: false, range: (u, low, high) => [0, high > 0 ? high : 1]}},
-      cursor: {drag: {x: false, y: false}},
-      series: [{label: 'time (s)', value: (u, v) => v?.toPrecision(4) ?? ''},
-        ...names.map((label, i) => ({label, show: false,
-        stroke: COLOURS[i % COLOURS.length], width: i === 0 ? 2.5 : 1.5, dash: i === names.length - 1 ? [4, 3] : [],
-        value: (u, v) => v?.toPrecision(4) ?? ''}))]}, this.data, this.element);
-  }
-
-  clear() {
-    this.data = [[], ...this.names.map(() => [])];
+    this.uniform = uniform;
+    this.data = [[], ...names.map(() => [])];
     this.lastKept = -Infinity;
     this.stride = 0;
+    this.build();
   }
 
-  add(time, energies) {
-    const times = this.data[0];
-    if (times.length && time <= times[times.length - 1] || time < this.lastKept + this.stride) {
-      return;
-    }
-    this.lastKept = time;
-    times.push(time);
-    energies.forEach((energy, i) => {
-      this.data[i + 1].push(energy);
-      if (energy && !this.plot.series[i + 1].show) {
-        this.plot.setSeries(i + 1, {show: true});       // an effect that stores nothing has no curve
-      }
-    });
-    if (times.length > MOST) {
-      this.data = this.data.map(column => column.filter((value, i) => i % 2 === 0));
-      this.stride = 2 * time / MOST;
-    }
+  build() {
+    this.plot?.destroy();
+    const error = this.names.length - 1;
+    const [time, energy] = axes('time (s)', 'energy (J)');
+    this.plot = new uPlot({...size(this.element), axes: [time, energy, {...axes('', 'numerical error (J)')[1],
+      scale: 'error', side: 1, grid: {show: false}}],
+      scales: {x: {time: false, range: (u, low, high) => [0, high > 0 ? high : 1]},
+        error: {distr: this.logarithmic ? 3 : 1}},
+      cursor: {drag: {x: false, y: false}},
+      series: [{label: 'time (s)', value: latest},
+        ...this.names.map((name, i) => ({label: this.uniform.includes(i) ? name + ' (from its lowest)' : name,
+        show: false, stroke: colourOf(name), width: i === 0 ? 2.5 : 1.5, scale: i === error ? 'error' : 'y',
+        dash: i === error ? [4, 3] : [], value: latest,
+        points: {show: (u, series, from, to) => to - from <= FEW, size: 5}}))]}, this.shown(), this.element);
+    this.rows = [...this.plot.root.querySelectorAll('.u-series')];
+    this.rows.forEach((row, i) => { row.hidden = i > 0; });
+    this.data.forEach((column, i) => i && column.some(value => value) && this.showSeries(i));
     this.stale = true;
+  }
+
+  /** An effect that stores nothing has no curve. */
+  showSeries(i) {
+    if (!this.plot.series[i].show) {
+      this.plot.setSeries(i, {show: true});
+      this.rows[i].hidden = false;
+    }
+  }
+
+  /** rows: the time and the energies after each step, one after the other */
+  add(rows) {
+    const width = this.names.length + 1, times = this.data[0];
+    for (let r = 0; r < rows.length; r += width) {
+      const time = rows[r];
+      if (times.length && time <= times[times.length - 1] || time < this.lastKept + this.stride) {
+        continue;
+      }
+      this.lastKept = time;
+      for (let i = 0; i < width; i++) {
+        this.data[i].push(rows[r + i]);
+        if (i && rows[r + i]) {
+          this.showSeries(i);
+        }
+      }
+      if (times.length > MOST) {
+        this.data.forEach((column, i) => column.splice(0, Infinity, ...column.filter((value, k) => k % 2 === 0)));
+        this.stride = 2 * time / MOST;
+      }
+      this.stale = true;
+    }
+  }
+
+  /** The columns with gravity's zero at its lowest, as in energy.png, and on a logarithmic axis no zeros. */
+  shown() {
+    const columns = [...this.data];
+    for (const i of this.uniform) {
+      const low = columns[i + 1].reduce((least, value) => Math.min(least, value), Infinity);
+      columns[i + 1] = columns[i + 1].map(value => value - low);
+      columns[1] = columns[1].map(value => value - low);
+    }
+    const error = columns.length - 1;
+    columns[error] = this.logarithmic ? columns[error].map(value => Math.abs(value) || null) : columns[error];
+    return columns;
+  }
+
+  setLogarithmic(on) {
+    this.logarithmic = on;
+    this.build();
   }
 
   draw() {
     if (this.stale) {
-      this.plot.setData(this.data);
+      this.plot.setData(this.shown());
       this.stale = false;
     }
   }
@@ -66,6 +114,7 @@ export class EnergyPlot {
   }
 }
 
+/** Straight lines, with dots where the points are few; or dots alone. */
 function polyline(dots) {
   return (u, index) => {
     const [xs, ys] = u.data[index];
@@ -79,16 +128,15 @@ function polyline(dots) {
     c.lineWidth = u.series[index].width * devicePixelRatio;
     for (let i = 0; i < xs.length; i++) {
       const x = u.valToPos(xs[i], 'x', true), y = u.valToPos(ys[i], 'y', true);
-      if (dots) {
-        c.moveTo(x, y);
-        c.arc(x, y, 5 * devicePixelRatio, 0, 2 * Math.PI);
-      } else if (i) {
-        c.lineTo(x, y);
-      } else {
-        c.moveTo(x, y);
-      }
+      i && !dots ? c.lineTo(x, y) : c.moveTo(x, y);
     }
-    dots ? c.fill() : c.stroke();
+    c.stroke();
+    const radius = dots ? 5 : u.series[index].dots && xs.length <= FEW ? 2.5 : 0;
+    for (let i = 0; i < xs.length && radius > 0; i++) {
+      c.beginPath();
+      c.arc(u.valToPos(xs[i], 'x', true), u.valToPos(ys[i], 'y', true), radius * devicePixelRatio, 0, 2 * Math.PI);
+      c.fill();
+    }
     c.restore();
     return null;
   };
@@ -102,12 +150,13 @@ export class PhasePlot {
   start(axis) {
     const facets = [{scale: 'x', auto: true}, {scale: 'y', auto: true}];
     this.data = [null, [[], []], [[], []], [[], []]];
+    this.lastTime = -Infinity;
     this.plot?.destroy();
     const range = (u, low, high, scale) => this.ranges(u)[scale];
-    this.plot = new uPlot({...size(this.element), height: 300, mode: 2, axes: axes(axis + ' (m)', 'v (m/s)'),
+    this.plot = new uPlot({...size(this.element), mode: 2, axes: axes(axis + ' (m)', 'v (m/s)'),
       scales: {x: {time: false, range}, y: {range}}, legend: {show: false}, cursor: {show: false},
       series: [{}, {facets, stroke: () => ink('--line'), width: 7, paths: polyline(false)},
-        {facets, stroke: COLOURS[1], width: 1.5, paths: polyline(false)},
+        {facets, stroke: COLOURS[1], width: 1.5, dots: true, paths: polyline(false)},
         {facets, stroke: COLOURS[0], width: 1, paths: polyline(true)}]}, this.data, this.element);
   }
 
@@ -125,35 +174,38 @@ export class PhasePlot {
         : {x: widen(x, Math.max(1, up / across)), y: widen(y, Math.max(1, across / up))};
   }
 
-  /** points: time, position, velocity, one after the other */
+  /** points: time, position and velocity after each step, one after the other; in place of those before */
   set(points) {
-    const [xs, ys] = this.data[2] = [[], []];
+    this.data[2] = [[], []];
+    this.lastTime = -Infinity;
+    this.add(points);
+  }
+
+  /** Adds what is later than the points before. */
+  add(points) {
+    const [xs, ys] = this.data[2];
     for (let i = 0; i < points.length; i += 3) {
-      xs.push(points[i + 1]);
-      ys.push(points[i + 2]);
+      if (points[i] > this.lastTime) {
+        xs.push(points[i + 1]);
+        ys.push(points[i + 2]);
+        this.lastTime = points[i];
+      }
+    }
+    if (xs.length > MOST) {
+      this.data[2] = [xs, ys].map(column => column.filter((value, i) => i % 2 === 0));
     }
     this.stale = true;
   }
 
   setReference(points) {
-    const [xs, ys] = this.data[1] = [[], []];
-    for (let i = 0; i < points.length; i += 3) {
-      xs.push(points[i + 1]);
-      ys.push(points[i + 2]);
-    }
+    this.data[1] = [points.filter((value, i) => i % 3 === 1), points.filter((value, i) => i % 3 === 2)]
+        .map(column => [...column]);
     this.stale = true;
   }
 
-  add(x, v, isNew) {
+  /** Shows where the particle is, between two steps as well. */
+  mark(x, v) {
     this.data[3] = [[x], [v]];
-    const [xs, ys] = this.data[2];
-    if (isNew) {
-      xs.push(x);
-      ys.push(v);
-      if (xs.length > MOST) {
-        this.data[2] = [xs, ys].map(column => column.filter((value, i) => i % 2 === 0));
-      }
-    }
     this.stale = true;
   }
 
@@ -165,6 +217,6 @@ export class PhasePlot {
   }
 
   resize() {
-    this.plot?.setSize({...size(this.element), height: 300});
+    this.plot?.setSize(size(this.element));
   }
 }

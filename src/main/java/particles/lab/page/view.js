@@ -9,8 +9,8 @@ const LABEL_GAP = 6;                    // pixels
 const FEW_BALLS = 100;
 
 /** The picture; where the browser cannot draw one, a line that says so. */
-export function makeView(element, pick) {
-  return document.createElement('canvas').getContext('webgl2') ? new View(element, pick) : new NoPicture(element);
+export function makeView(element) {
+  return document.createElement('canvas').getContext('webgl2') ? new View(element) : new NoPicture(element);
 }
 
 class NoPicture {
@@ -22,6 +22,10 @@ class NoPicture {
     this.facts = facts;
   }
 
+  nearest() {
+    return -1;
+  }
+
   setStructure() {}
   setLabels() {}
   setArrows() {}
@@ -31,7 +35,7 @@ class NoPicture {
 }
 
 class View {
-  constructor(element, pick) {
+  constructor(element) {
     this.element = element;
     this.renderer = new THREE.WebGLRenderer({antialias: true, preserveDrawingBuffer: true});
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
@@ -40,13 +44,6 @@ class View {
     this.marks = new Marks(element);
     this.matrix = new THREE.Matrix4();
     this.colour = new THREE.Color();
-    let down = null;
-    element.addEventListener('pointerdown', event => { down = [event.clientX, event.clientY]; });
-    element.addEventListener('pointerup', event => {
-      if (down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 4) {
-        this.pickAt(event, pick);
-      }
-    });
     this.resize();
   }
 
@@ -144,6 +141,7 @@ class View {
   setLabels(on) {
     this.showNames = on;
     this.setNames();
+    this.draw();                        // until then they have no place
   }
 
   setArrows(on) {
@@ -235,25 +233,38 @@ class View {
     const {ids, fixed} = this.structure, pixels = this.element.clientHeight / this.camera.viewHeight;
     this.marks.draw((i, seconds) => this.onScreen(i, seconds), i => this.radius(i) * pixels + LABEL_GAP,
         [...ids.keys()].filter(i => !fixed[i]), this.arrowSeconds());
+    const pulled = ids.indexOf(this.pull?.id);
+    this.marks.drawPull(pulled < 0 ? null : this.onScreen(pulled), pulled < 0 ? null
+        : this.camera.placeOf(this.pull.point));
+    this.drawn?.();
   }
 
+  /** Where a particle is seen, or will be at its velocity; null behind the camera. */
   onScreen(i, seconds = 0) {
     return this.camera.onScreen(this.moment.state, i, seconds);
   }
 
-  pickAt(event, pick) {
+  /** The particle that can move and is seen nearest to a place of the window, within so many pixels; -1 if none is. */
+  nearest({clientX, clientY}, reach) {
     const bounds = this.element.getBoundingClientRect();
-    let nearest = -1, least = 24;
+    let nearest = -1, least = reach;
     this.structure?.ids.forEach((id, i) => {
       const [x, y] = this.onScreen(i) ?? [Infinity, Infinity];
-      const distance = Math.hypot(x - event.clientX + bounds.left, y - event.clientY + bounds.top);
+      const distance = Math.hypot(x - clientX + bounds.left, y - clientY + bounds.top);
       if (distance < least && !this.structure.fixed[i]) {
         [nearest, least] = [i, distance];
       }
     });
-    if (nearest >= 0) {
-      pick(this.structure.ids[nearest]);
-    }
+    return nearest;
+  }
+
+  /** The point under a place of the window that is as far away as a particle: coordinates (m). */
+  pointUnder({clientX, clientY}, particle) {
+    const bounds = this.element.getBoundingClientRect();
+    const point = new THREE.Vector3().fromArray(this.moment.state, 6 * particle).project(this.camera.camera);
+    point.x = 2 * (clientX - bounds.left) / bounds.width - 1;
+    point.y = 1 - 2 * (clientY - bounds.top) / bounds.height;
+    return point.unproject(this.camera.camera).toArray();
   }
 
   resize() {

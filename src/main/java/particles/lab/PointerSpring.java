@@ -1,0 +1,110 @@
+package particles.lab;
+
+import java.util.Set;
+import particles.ParticleSystem;
+import particles.Rule;
+import particles.law.DifferentiableEffect;
+import particles.law.ForceDerivatives;
+import particles.law.IndexedEffect;
+import particles.law.Particles;
+import particles.law.Vector3;
+
+/**
+ * The spring by which somebody drags a particle: from the particle to the pointer, half critically damped. Its whole
+ * force counts as work from outside. While nobody drags, it changes no bit of a run.
+ */
+final class PointerSpring implements IndexedEffect, DifferentiableEffect, Rule {
+    /** How fast a particle follows (rad/s), if all other particles hang on it. */
+    private static final double QUICKNESS = 12;
+
+    private final Particles particles;
+    private final double mostOmega;
+    private int particle = -1;
+    private Vector3 pointer;
+    private double stiffness;
+    private double damping;
+    private boolean changed;
+
+    /**
+     * @param particles the particles
+     * @param mostOmega the fastest vibration that its steps bear (rad/s)
+     */
+    PointerSpring(Particles particles, double mostOmega) {
+        this.particles = particles;
+        this.mostOmega = mostOmega;
+    }
+
+    /** Drags a particle towards a point, from now on; no particle if the index is -1. */
+    void drag(int particle, Vector3 pointer) {
+        this.particle = particle >= 0 && particles.isFixed(particle) ? -1 : particle;
+        this.pointer = pointer;
+        changed = true;
+        if (this.particle >= 0) {
+            double mass = particles.mass(particle);
+            double all = 0;
+            for (int i = 0; i < particles.count(); i++) {
+                all += particles.isFixed(i) ? 0 : particles.mass(i);
+            }
+            stiffness = Math.min(all * QUICKNESS * QUICKNESS, mass * mostOmega * mostOmega);
+            damping = Math.sqrt(stiffness * mass);
+        }
+    }
+
+    @Override
+    public String getName() {
+        return "pointer";
+    }
+
+    @Override
+    public Set<Trait> getTraits() {
+        return Set.of(Trait.DRIVING);
+    }
+
+    @Override
+    public boolean dependsOnVelocity() {
+        return particle >= 0;
+    }
+
+    @Override
+    public void addForces(double[] state, double time, double[] force) {
+        for (int c = 0; c < 3 && particle >= 0; c++) {
+            force[Particles.STRIDE * particle + 3 + c] += pull(state, c);
+        }
+    }
+
+    private double pull(double[] state, int c) {
+        int x = Particles.STRIDE * particle + c;
+        double to = c == 0 ? pointer.x() : c == 1 ? pointer.y() : pointer.z();
+        return stiffness * (to - state[x]) - damping * state[x + 3];
+    }
+
+    @Override
+    public double getDrivenPower(double[] state, double time) {
+        double power = 0;
+        for (int c = 0; c < 3 && particle >= 0; c++) {
+            power += pull(state, c) * state[Particles.STRIDE * particle + 3 + c];
+        }
+        return power;
+    }
+
+    @Override
+    public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
+        if (particle >= 0) {
+            derivatives.add(particle, particle, new double[] {-stiffness, 0, 0, 0, -stiffness, 0, 0, 0, -stiffness},
+                    new double[] {-damping, 0, 0, 0, -damping, 0, 0, 0, -damping});
+        }
+    }
+
+    @Override
+    public void reindex(int[] newIndex) {
+        particle = particle < 0 ? -1 : newIndex[particle];
+    }
+
+    /** Tells the run that the force has changed, so that solvers forget earlier steps. */
+    @Override
+    public boolean afterStep(ParticleSystem system, double deltaT) {
+        boolean told = changed;
+        changed = false;
+        return told;
+    }
+}

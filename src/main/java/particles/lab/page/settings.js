@@ -1,0 +1,61 @@
+// The solver, its time step and its tolerance: what is chosen beside the scene's text.
+const $ = id => document.getElementById(id);
+export const few = number => Number(number.toPrecision(4)).toString();
+
+export class Settings {
+  /** changed(what): called with the settings that somebody has changed */
+  constructor(changed) {
+    const slider = $('deltaT'), typed = $('deltaTNumber');
+    $('solver').onchange = () => changed({solver: $('solver').value, tolerance: 0});
+    $('tolerance').onchange = () => changed({tolerance: Number($('tolerance').value)});
+    typed.onchange = () => changed({deltaT: typed.value.trim()});
+    slider.oninput = () => {
+      typed.value = Number((10 ** slider.value).toPrecision(2));
+      this.showStability(Number(typed.value));
+    };
+    slider.onchange = () => changed({deltaT: typed.value});
+  }
+
+  /** solvers: the catalogue's; own: the names of students' solvers in this page */
+  list(solvers, own) {
+    this.solvers = solvers;
+    $('solver').append(...[...solvers.map(one => one.name), ...own].map(name => new Option(name)));
+  }
+
+  show(facts, tolerance) {
+    this.facts = facts;
+    const solver = this.solvers.find(one => one.name === facts.solver), limit = facts.limits[facts.solver];
+    const slider = $('deltaT');
+    $('solver').value = facts.solver;
+    $('tolerance').value = tolerance;
+    $('sentence').textContent = solver?.sentence ?? 'A solver of your own.';
+    $('toleranceLabel').hidden = !solver?.adaptive;
+    $('deltaTNumber').value = facts.deltaT;
+    slider.value = Math.log10(facts.deltaT);
+    slider.setAttribute('aria-valuetext', facts.deltaT + ' seconds');
+    const part = limit > 0 ? (Math.log10(limit) - slider.min) / (slider.max - slider.min) : -1;
+    $('mark').hidden = !(part >= 0 && part <= 1);
+    $('mark').style.left = `calc(${100 * part}% + ${8 - 16 * part}px)`;
+    $('limit').textContent = solver?.adaptive ? 'Chooses its own steps, at most deltaT long.'
+        : limit === 0 ? 'Undamped springs gain energy at any deltaT.'
+        : limit > 0 ? 'Stable at least up to ' + few(limit) + ' s for the springs of this scene (the red mark).'
+        : 'No spring limits deltaT here.';
+    this.refuse([]);
+    this.showStability(facts.deltaT);
+  }
+
+  showStability(deltaT) {
+    this.stability?.show(this.facts, deltaT);
+  }
+
+  /** Says beside the field why what was typed is not taken; the last valid one is shown again. */
+  refuse(lines) {
+    $('deltaTError').textContent = lines.join('\n').replace(/^deltaT: /gm, '');
+    $('deltaTNumber').setAttribute('aria-invalid', lines.length > 0);
+    if (lines.length) {
+      $('deltaTNumber').value = this.facts.deltaT;
+      $('deltaT').value = Math.log10(this.facts.deltaT);
+      this.showStability(this.facts.deltaT);
+    }
+  }
+}
