@@ -54,7 +54,7 @@ final class DenseSystem implements ShiftedJacobian {
     }
 
     @Override
-    public boolean prepare(double g, double tolerance) {
+    public boolean prepare(double g) {
         for (int at = 0; at < n * n; at++) {
             matrix[at] = -g * jacobian[at] + (at % (n + 1) == 0 ? 1 : 0);
         }

@@ -11,8 +11,8 @@ import deSolvers.FixedStepSolver;
  * </blockquote>
  * If an end of a compressed spring moves sideways, the spring pushes it further that way. This negative stiffness could
  * make the system indefinite, and is left out of J.
- * The linear system is solved to 1e-10 of its right-hand side where it is solved by iterations, so that the momentum of
- * a free system stays to that.
+ * The linear system is solved to 1e-4 of its right-hand side where it is solved by iterations, so that a free system
+ * keeps its momentum to about that, and a factorised one to round-off.
  *
  * <p><b>Order</b> 1.<br>
  * <b>Evaluations</b> 1, and n more for the Jacobian where the source does not know its own

@@ -37,8 +37,6 @@ final class Newton {
     private static final double GOOD_CONTRACTION = 0.01;
     /** A correction that shrinks less than this with a new matrix is either round-off, or the matrix is poor. */
     private static final double STAGNATION = 0.5;
-    /** A stiff cloth that begins to buckle needs some hundreds. */
-    private static final int MOST_ITERATIONS = 1000;
     /** Corrections below this size may lead to a stationary point of the energy that is not a minimum. */
     private static final double NEAR = 1e-4;
     /** Such corrections have to shrink by this factor. */
@@ -51,8 +49,6 @@ final class Newton {
      * factor again.
      */
     private static final double LINEAR_TOLERANCE = 1e-4;
-    /** The same for the only correction of a linearised step: its residual is momentum that appears or vanishes. */
-    private static final double LINEARISED_TOLERANCE = 1e-10;
 
     private final ImplicitWork.Counter work = new ImplicitWork.Counter();
     private final JacobianChoice choice = new JacobianChoice(work);
@@ -60,7 +56,6 @@ final class Newton {
     private ShiftedJacobian jacobian;
     private double[] start;
     private double g;
-    private double tolerance;                           // of linear systems
     private double[] slope = {};
     private double[] residual = {};
     private double[] correction = {};
@@ -88,7 +83,7 @@ final class Newton {
      * @throws DESolverException if the iteration does not converge
      */
     void solve(StepTransaction source, double[] start, double g, double[] m) {
-        begin(source, start, g, m, LINEAR_TOLERANCE);
+        begin(source, start, g, m);
         jacobian.guess(m);
         evaluate(m);
         source.requireFinite(slope);
@@ -107,7 +102,7 @@ final class Newton {
      * @throws DESolverException if the linear system cannot be solved
      */
     void solveLinearised(StepTransaction source, double[] start, double g, double[] m) {
-        begin(source, start, g, m, LINEARISED_TOLERANCE);
+        begin(source, start, g, m);
         evaluate(m);
         source.requireFinite(slope);
         iterations = 1;
@@ -118,8 +113,7 @@ final class Newton {
         jacobian.complete(start, g, m);
     }
 
-    private void begin(StepTransaction source, double[] start, double g, double[] m, double tolerance) {
-        this.tolerance = tolerance;
+    private void begin(StepTransaction source, double[] start, double g, double[] m) {
         this.source = source;
         this.start = start;
         this.g = g;
@@ -149,7 +143,7 @@ final class Newton {
     private boolean iterate(double[] m) {
         boolean haveCorrection = false;
         Kind kind = Kind.EXACT;
-        for (iterations = 1; iterations <= MOST_ITERATIONS; iterations++) {
+        for (iterations = 1; iterations <= jacobian.mostIterations(); iterations++) {
             boolean known = kind == Kind.CAREFUL || jacobian.seesSmallEntries(m);
             if (isRoundOff() && known) {
                 return true;
@@ -193,7 +187,7 @@ final class Newton {
         work.newtonIterations++;
         size = Double.POSITIVE_INFINITY;
         jacobian.setJacobian(source, m, slope, g, kind);
-        if (!jacobian.prepare(g, tolerance) || !correct(correction)) {
+        if (!jacobian.prepare(g) || !correct(correction)) {
             return false;
         }
         jacobian.terms(m, slope, g, roundOff);
@@ -204,7 +198,7 @@ final class Newton {
     }
 
     private boolean correct(double[] result) {
-        return NewtonUpdate.solve(jacobian, residual, result, tolerance);
+        return NewtonUpdate.solve(jacobian, residual, result, LINEAR_TOLERANCE);
     }
 
     /**
@@ -248,7 +242,7 @@ final class Newton {
     }
 
     private DESolverException failure() {
-        int made = Math.min(iterations, MOST_ITERATIONS);
+        int made = Math.min(iterations, jacobian.mostIterations());
         String cause = size == Double.POSITIVE_INFINITY
                 ? "the linear solver failed at Newton's iteration " + made + ": the matrix is singular or not finite,"
                         + " or GMRES did not converge"

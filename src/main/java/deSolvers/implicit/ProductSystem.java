@@ -56,7 +56,7 @@ final class ProductSystem implements ShiftedJacobian {
     }
 
     @Override
-    public boolean prepare(double g, double tolerance) {
+    public boolean prepare(double g) {
         this.g = g;
         return true;
     }

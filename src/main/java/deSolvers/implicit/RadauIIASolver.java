@@ -148,7 +148,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
 
     private boolean prepare(double h) {
         double square = RadauTableau.MU_RE * RadauTableau.MU_RE + RadauTableau.MU_IM * RadauTableau.MU_IM;
-        return jacobian.prepare(h / RadauTableau.MU, RadauNewton.LINEAR_TOLERANCE)
+        return jacobian.prepare(h / RadauTableau.MU)
                 && jacobian.prepareComplex(h * RadauTableau.MU_RE / square, -h * RadauTableau.MU_IM / square);
     }
 

@@ -91,10 +91,16 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         solver.forget();
     }
 
+    /** A stiff cloth that begins to buckle needs some hundreds, each of which leads down to lower energy. */
     @Override
-    public boolean prepare(double g, double tolerance) {
+    public int mostIterations() {
+        return 1000;
+    }
+
+    @Override
+    public boolean prepare(double g) {
         this.g = g;
-        return solver.prepare(matrix, exact ? matrix : products, blocks.combine(g, matrix), tolerance);
+        return solver.prepare(matrix, exact ? matrix : products, blocks.combine(g, matrix));
     }
 
     @Override

@@ -49,8 +49,13 @@ interface ShiftedJacobian {
     default void forget() {
     }
 
-    /** Prepares for a real g and systems solved to a tolerance; false if the matrix is found to be singular. */
-    boolean prepare(double g, double tolerance);
+    /** The number of iterations after which Newton's method gives up. */
+    default int mostIterations() {
+        return 60;
+    }
+
+    /** Prepares for a real g; false if the matrix is found to be singular. */
+    boolean prepare(double g);
 
     /** Prepares for a complex g besides; false if the matrix is found to be singular. */
     boolean prepareComplex(double gRe, double gIm);

@@ -13,8 +13,11 @@ package deSolvers.linear;
 public final class BlockSolver implements LinearSolver {
     /** Up to this number of rows the matrix is always factorised. */
     private static final int SMALL = 64;
-    /** Conjugate gradients need about this number of iterations per digit, times the root of the condition number. */
-    private static final double ITERATIONS = 2.6 / 1.9;
+    /**
+     * Conjugate gradients need about this number times the square root of the condition number of iterations for four
+     * digits.
+     */
+    private static final double ITERATIONS = 2.6;
     /** GMRES, which restarts, needs about this many times more. */
     private static final double BY_GMRES = 2;
     /** Up to this number of expected iterations no factorisation is considered. */
@@ -61,10 +64,9 @@ public final class BlockSolver implements LinearSolver {
      * @param matrix    A, or an approximation from which the preconditioner is made
      * @param operator  A
      * @param condition an estimate of the condition number of A after scaling by its diagonal blocks
-     * @param tolerance the tolerance with which systems will be solved
      * @return false if it is found to be singular
      */
-    public boolean prepare(BlockMatrix matrix, LinearOperator operator, double condition, double tolerance) {
+    public boolean prepare(BlockMatrix matrix, LinearOperator operator, double condition) {
         if (this.matrix == null || this.matrix.pattern() != matrix.pattern()) {
             factors = null;
             factorised = false;
@@ -74,7 +76,7 @@ public final class BlockSolver implements LinearSolver {
         current = false;
         spent = 0;
         symmetric = matrix.isSymmetric();
-        boolean direct = matrix.pattern().rows <= SMALL || iterationsCostMore(expected(condition, tolerance));
+        boolean direct = matrix.pattern().rows <= SMALL || iterationsCostMore(expected(condition));
         if (direct && factorised && most <= fewest + MOST_MORE) {
             return true;
         }
@@ -82,10 +84,8 @@ public final class BlockSolver implements LinearSolver {
         return direct && factorise() || blockJacobi.prepare(matrix);
     }
 
-    /** The first two digits of a solution take few iterations; each further one takes as many. */
-    private double expected(double condition, double tolerance) {
-        double digits = -StrictMath.log10(tolerance);
-        return (symmetric ? 1 : BY_GMRES) * ITERATIONS * Math.sqrt(condition) * (digits - 2.1);
+    private double expected(double condition) {
+        return (symmetric ? 1 : BY_GMRES) * ITERATIONS * Math.sqrt(condition);
     }
 
     private boolean iterationsCostMore(double expected) {

@@ -39,7 +39,7 @@ class ShiftedJacobianTest {
         Arrays.fill(b, 18, 24, 0);
         try (StepTransaction step = new StepTransaction(EulerSolver.class).begin(source, g)) {
             jacobian.setJacobian(step, state, slope, g, ShiftedJacobian.Kind.EXACT);
-            assertTrue(jacobian.prepare(g, 1e-12) && jacobian.prepareComplex(0.6 * g, 0.8 * g));
+            assertTrue(jacobian.prepare(g) && jacobian.prepareComplex(0.6 * g, 0.8 * g));
             assertTrue(jacobian.solve(right, real, 1e-12) && jacobian.solveComplex(b, complex, 1e-12));
         }
         double[] both = Arrays.copyOf(real, 3 * n);
@@ -104,7 +104,7 @@ class ShiftedJacobianTest {
         double[] x = new double[180];
         try (StepTransaction step = new StepTransaction(EulerSolver.class).begin(pushing, 0.01)) {
             system.setJacobian(step, state, slope, 0.01, ShiftedJacobian.Kind.PROJECTED);
-            assertTrue(system.prepare(0.01, 1e-12) && system.solve(b, x, 1e-12));
+            assertTrue(system.prepare(0.01) && system.solve(b, x, 1e-12));
         }
         double before = 0;
         double after = 0;

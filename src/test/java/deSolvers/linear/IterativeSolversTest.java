@@ -95,7 +95,7 @@ class IterativeSolversTest {
     void theBlockSolverKeepsItsTolerance(int edge, double stiffness, boolean symmetric) {
         BlockMatrix matrix = SparseCases.springs(SparseCases.grid(edge), stiffness, symmetric, work);
         BlockSolver solver = new BlockSolver(work);
-        assertTrue(solver.prepare(matrix, matrix, stiffness, 1e-4));
+        assertTrue(solver.prepare(matrix, matrix, stiffness));
         double[] b = SparseCases.vector(3 * edge * edge);
         double[] x = new double[b.length];
         assertTrue(solver.solve(b, x, 1e-6));
@@ -113,14 +113,14 @@ class IterativeSolversTest {
         double[] x = new double[192];
         for (double stiffness : new double[] {100, 110, 1e7}) {
             BlockMatrix matrix = SparseCases.springs(pattern, stiffness, true, work);
-            assertTrue(solver.prepare(matrix, matrix, stiffness, 1e-4));
+            assertTrue(solver.prepare(matrix, matrix, stiffness));
             assertTrue(solver.solve(b, x, 1e-8));
             assertTrue(SparseCases.residual(matrix, b, x) < 1e-7);
             assertEquals(1, work.factorisations, "for " + stiffness);
         }
         solver.forget();
         BlockMatrix matrix = SparseCases.springs(pattern, 100, true, work);
-        assertTrue(solver.prepare(matrix, matrix, 100, 1e-4));
+        assertTrue(solver.prepare(matrix, matrix, 100));
         assertEquals(2, work.factorisations);
     }
 
@@ -130,7 +130,7 @@ class IterativeSolversTest {
     void complexSystemsAreSolvedWithTheRealPreconditioner(int edge) {
         BlockMatrix matrix = SparseCases.springs(SparseCases.grid(edge), 0, true, work);
         BlockSolver solver = new BlockSolver(work);
-        assertTrue(solver.prepare(matrix, matrix, 1, 1e-4));
+        assertTrue(solver.prepare(matrix, matrix, 1));
         int m = 3 * edge * edge;
         double[] b = SparseCases.vector(2 * m);
         double[] x = new double[2 * m];

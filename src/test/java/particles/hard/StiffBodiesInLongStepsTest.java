@@ -75,7 +75,7 @@ class StiffBodiesInLongStepsTest {
     /** Measured at most 1.3e-8 of 2 m/s, by the linear solver of linearised-euler at 1e9; 1e-12 and less elsewhere. */
     @ParameterizedTest
     @CsvSource({"backward-euler, 1e5", "linearised-euler, 1e5", "implicit-midpoint, 1e5", "radau, 1e5",
-            "linearised-euler, 1e9"})
+            "linearised-euler, 1e9", "backward-euler, 1e9"})
     void aFreeSpinningBlockKeepsItsMomentum(String solver, double stiffness) {
         ParticleSystem system = spinning(stiffness);
         HardSystems.End end = run(system, solver, FRAME, 1, ENERGY_LIMIT);
@@ -86,15 +86,6 @@ class StiffBodiesInLongStepsTest {
         assertEquals(2, mean(system, 0), bound);
         // 2.67 m/s at the start, measured at most 2.78: the springs vibrate a little
         assertTrue(fastest(system) < 2.9, "speed " + fastest(system));
-    }
-
-    /** At 1e9 N/m a turn by 0.05 rad in a step is too much for Newton's method, and it says so at once. */
-    @Test
-    void newtonsMethodSaysThatASpinningBlockIsTooStiff() {
-        HardSystems.End end = run(spinning(1e9), "backward-euler", FRAME, 1, ENERGY_LIMIT);
-        assertEquals(0, end.ended());
-        assertTrue(end.message().contains("Newton's iteration did not converge"), end.message());
-        assertTrue(end.message().contains("deltaT is probably too large"), end.message());
     }
 
     @ParameterizedTest
