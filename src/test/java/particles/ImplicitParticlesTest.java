@@ -93,8 +93,8 @@ class ImplicitParticlesTest {
     }
 
     /**
-     * Linear systems are solved to 1e-4 by iterations. Measured, as a part of the sum of m |v|: 1.3e-4 for the linearised
-     * step of the softer cloth; 2e-12 where the matrix is factorised, 3e-11 with Newton's method.
+     * Linear systems are solved to 1e-4 by iterations. Measured, as a part of the sum of m |v|: 1.3e-4 for the
+     * linearised step of the softer cloth; 2e-12 where the matrix is factorised, 3e-11 with Newton's method.
      */
     @ParameterizedTest
     @CsvSource({"60, linearised-euler, 1e-3", "1e5, linearised-euler, 3e-10", "60, backward-euler, 3e-10"})
