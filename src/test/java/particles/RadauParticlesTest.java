@@ -3,8 +3,8 @@ package particles;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.implicit.RadauIIASolver;
 import deSolvers.implicit.ImplicitWork;
+import deSolvers.implicit.RadauIIASolver;
 import deSolvers.problems.PlainSource;
 import java.util.Set;
 import org.junit.jupiter.api.Tag;

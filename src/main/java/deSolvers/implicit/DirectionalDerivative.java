@@ -1,8 +1,8 @@
 package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
-import deSolvers.StepTransaction;
 import deSolvers.JacobianStateSource;
+import deSolvers.StepTransaction;
 import deSolvers.linear.Gmres;
 import java.util.Arrays;
 

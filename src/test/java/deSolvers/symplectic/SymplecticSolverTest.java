@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.DEStateSource;
 import deSolvers.DESolverException;
+import deSolvers.DEStateSource;
 import deSolvers.problems.SecondOrderProblem;
 import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;

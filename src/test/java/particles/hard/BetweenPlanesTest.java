@@ -7,11 +7,11 @@ import static particles.hard.HardSystems.fastest;
 import static particles.hard.HardSystems.run;
 import static particles.hard.HardSystems.scene;
 
+import deSolvers.catalog.SolverCatalog;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import deSolvers.catalog.SolverCatalog;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;

@@ -6,12 +6,12 @@ import static particles.hard.HardSystems.add;
 import static particles.hard.HardSystems.run;
 import static particles.hard.HardSystems.springs;
 
+import deSolvers.catalog.SolverCatalog;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import deSolvers.catalog.SolverCatalog;
 import particles.ParticleSystem;
 
 /**

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Random;
 import particles.ParticleSystem;
 import particles.law.DifferentiableEffect;
-import particles.law.Effect.Trait;
 import particles.law.Effect;
+import particles.law.Effect.Trait;
 import particles.law.ForceDerivatives;
 import particles.teaching.Formula;
 

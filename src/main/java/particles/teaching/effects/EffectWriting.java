@@ -6,8 +6,8 @@ import java.util.Random;
 import particles.ParticleSystem;
 import particles.law.Effect;
 import particles.law.PerParticleEffect;
-import particles.teaching.Finding.Kind;
 import particles.teaching.Finding;
+import particles.teaching.Finding.Kind;
 import particles.teaching.Formula;
 
 /**

@@ -6,8 +6,8 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.List;
 import particles.teaching.marking.CommonMistake;
-import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.Draw;
+import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.NumericExercise;
 import particles.teaching.marking.Question;
 

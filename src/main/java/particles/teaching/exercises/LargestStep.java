@@ -8,8 +8,8 @@ import particles.ParticleSystem;
 import particles.effects.springs.SpringForce;
 import particles.law.Vector3;
 import particles.teaching.marking.CommonMistake;
-import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.Draw;
+import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.NumericExercise;
 import particles.teaching.marking.Question;
 

@@ -2,8 +2,8 @@ package particles.teaching.exercises;
 
 import java.util.List;
 import particles.teaching.marking.CommonMistake;
-import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.Draw;
+import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.NumericExercise;
 import particles.teaching.marking.Question;
 

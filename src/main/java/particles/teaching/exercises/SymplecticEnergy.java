@@ -4,8 +4,8 @@ import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import java.util.List;
 import particles.teaching.marking.CommonMistake;
-import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.Draw;
+import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.NumericExercise;
 import particles.teaching.marking.Question;
 

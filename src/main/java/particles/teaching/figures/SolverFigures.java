@@ -14,9 +14,9 @@ import particles.teaching.solvers.OrderMeasurement;
 import particles.teaching.solvers.SolverVerdict;
 import particles.teaching.sources.Springs;
 import particles.teaching.sources.WindyOscillators;
+import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
-import particles.view.ChartData;
 import particles.view.DataTable;
 
 /**

@@ -15,9 +15,9 @@ import particles.experiments.stability.StabilityMap;
 import particles.experiments.stability.StabilityRegion.Window;
 import particles.experiments.stability.StepTrial;
 import particles.teaching.Formula;
+import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
-import particles.view.ChartData;
 import particles.view.DataTable;
 
 /**

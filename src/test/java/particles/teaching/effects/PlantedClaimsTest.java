@@ -9,8 +9,8 @@ import java.util.Random;
 import java.util.Set;
 import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Test;
-import particles.law.Effect.Trait;
 import particles.law.Effect;
+import particles.law.Effect.Trait;
 import particles.teaching.Finding;
 
 /** Force laws whose force is right and whose account of it is not, and the other way round. */

@@ -19,10 +19,10 @@ import org.ejml.dense.row.CommonOps_DDRM;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import particles.teaching.solvers.PlantedSolvers.AdamsBashforth2;
 import particles.teaching.solvers.PlantedSolvers;
-import particles.view.ChartData.Series;
+import particles.teaching.solvers.PlantedSolvers.AdamsBashforth2;
 import particles.view.ChartData;
+import particles.view.ChartData.Series;
 
 /** Stability of solvers that nobody told us about, from their steps, against closed forms. */
 class StabilityFiguresTest {

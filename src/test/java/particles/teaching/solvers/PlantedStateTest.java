@@ -1,5 +1,8 @@
 package particles.teaching.solvers;
 
+import static particles.teaching.solvers.PlantedSolvers.MOVES;
+import static particles.teaching.solvers.PlantedSolvers.NEW_STATE;
+import static particles.teaching.solvers.PlantedSolvers.PLACES;
 import static particles.teaching.solvers.PlantedSolvers.assertFound;
 import static particles.teaching.solvers.PlantedSolvers.euler;
 import static particles.teaching.solvers.PlantedSolvers.rk4;
@@ -8,9 +11,6 @@ import static particles.teaching.solvers.PlantedSolvers.slopeAt;
 import static particles.teaching.solvers.PlantedSolvers.solver;
 import static particles.teaching.solvers.PlantedSolvers.state;
 import static particles.teaching.solvers.PlantedSolvers.with;
-import static particles.teaching.solvers.PlantedSolvers.MOVES;
-import static particles.teaching.solvers.PlantedSolvers.NEW_STATE;
-import static particles.teaching.solvers.PlantedSolvers.PLACES;
 
 import org.junit.jupiter.api.Test;
 

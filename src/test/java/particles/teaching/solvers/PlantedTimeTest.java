@@ -1,5 +1,7 @@
 package particles.teaching.solvers;
 
+import static particles.teaching.solvers.PlantedSolvers.PLACES;
+import static particles.teaching.solvers.PlantedSolvers.WEIGHTS;
 import static particles.teaching.solvers.PlantedSolvers.assertFound;
 import static particles.teaching.solvers.PlantedSolvers.euler;
 import static particles.teaching.solvers.PlantedSolvers.midpoint;
@@ -9,8 +11,6 @@ import static particles.teaching.solvers.PlantedSolvers.slopeAt;
 import static particles.teaching.solvers.PlantedSolvers.solver;
 import static particles.teaching.solvers.PlantedSolvers.state;
 import static particles.teaching.solvers.PlantedSolvers.with;
-import static particles.teaching.solvers.PlantedSolvers.PLACES;
-import static particles.teaching.solvers.PlantedSolvers.WEIGHTS;
 
 import org.junit.jupiter.api.Test;
 
