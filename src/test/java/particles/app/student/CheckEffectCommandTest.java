@@ -229,8 +229,8 @@ class CheckEffectCommandTest {
     @Tag("slow")
     @Test
     void anEndlessLoopEndsTheCheckAndNotTheRun(@TempDir Path folder) throws IOException, InterruptedException {
-        assertFailure("it did not come back within 7 s: an endless loop, in Loops.addForces, line ", Loops.class,
-                folder);
+        assertFailure("it did not come back within 7 s of CPU time: an endless loop, in Loops.addForces, line ",
+                Loops.class, folder);
     }
 
     @Test
