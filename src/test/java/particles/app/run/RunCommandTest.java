@@ -142,7 +142,7 @@ class RunCommandTest {
         assertEnds(ExitCode.DONE, "", "--scene=2");
         assertTrue(files().containsAll(Set.of("frames/frame-00007.png", "animation.gif")), files()::toString);
         String[] end = Files.readString(out.resolve("trajectory.csv")).strip().replaceFirst("(?s).*\n", "").split(",");
-        assertEquals(5.2918e-11, Double.parseDouble(end[2]), 1e-14);     // back where it began; measured: 1.6e-15 m
+        assertEquals(5.2918e-11, Double.parseDouble(end[2]), 1.8e-15);   // back where it began; measured: 1.9e-16 m
         assertTrue(lines.toString().contains("energy: -2.18e-18 J at the start, -2.18e-18 J at the end"),
                 lines::toString);
     }
