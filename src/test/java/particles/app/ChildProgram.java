@@ -9,6 +9,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 
 /** Runs the program in a child process, with settings that differ between machines. */
 final class ChildProgram {
@@ -55,10 +56,15 @@ final class ChildProgram {
     }
 
     Process start(String... args) throws IOException {
+        return startJava(Stream.concat(Stream.of("-cp", System.getProperty("java.class.path"), "particles.app.Main"),
+                Stream.of(args)).toArray(String[]::new));
+    }
+
+    /** @param args of Java: a class path and a program */
+    Process startJava(String... args) throws IOException {
         List<String> command = new ArrayList<>(before);
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         command.addAll(jvm);
-        command.addAll(List.of("-cp", System.getProperty("java.class.path"), "particles.app.Main"));
         command.addAll(List.of(args));
         ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(lines.toFile());
         builder.environment().putAll(environment);
