@@ -89,7 +89,7 @@ final class Browser implements AutoCloseable {
             }
             """;
     private static final Logger LOG = Logger.getLogger("org.openqa.selenium");
-    private static final Duration PATIENCE = Duration.ofSeconds(60);
+    private static final Duration PATIENCE = Duration.ofSeconds(300);
     private static final int PAUSE = 50;
 
     private final ChromeDriver driver;

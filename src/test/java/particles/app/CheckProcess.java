@@ -12,8 +12,6 @@ import particles.app.cli.ExitCode;
 
 /** Runs a check of a class that never returns, in a process with the program's small memory. */
 public final class CheckProcess {
-    private static final int PATIENCE_SECONDS = 120;
-
     private CheckProcess() {
     }
 
@@ -33,7 +31,7 @@ public final class CheckProcess {
                 "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"), Main.class.getName(), command,
                 option + planted.getName(), "--inThisProcess", "--out=" + folder).redirectErrorStream(true).start();
         String screen = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
+        assertTrue(process.waitFor(ChildProgram.PATIENCE_SECONDS, TimeUnit.SECONDS));
         assertEquals(ExitCode.BAD_INPUT.code(), process.exitValue(), screen);
         String report = Files.readString(folder.resolve(command + ".md"));
         assertTrue(report.startsWith("# " + planted.getName() + ": the check did not finish."), report);

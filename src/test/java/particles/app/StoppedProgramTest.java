@@ -17,8 +17,6 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** The program in a child process that is stopped by a signal, as by Ctrl-C or a shutdown. */
 class StoppedProgramTest {
-    private static final long PATIENCE_SECONDS = 60;
-
     @TempDir
     Path top;
 
@@ -33,7 +31,7 @@ class StoppedProgramTest {
     }
 
     private void awaitFile(Process process, Path file) throws InterruptedException, IOException {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(ChildProgram.PATIENCE_SECONDS);
         while (!Files.exists(file)) {
             assertTrue(process.isAlive() && System.nanoTime() < end, Files.readString(top.resolve("lines.txt")));
             Thread.sleep(20);
@@ -46,7 +44,7 @@ class StoppedProgramTest {
         Process process = start(out, "--duration=10000");
         awaitFile(process, out.resolve("frames/frame-00002.png"));
         process.destroy();
-        assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
+        assertTrue(process.waitFor(ChildProgram.PATIENCE_SECONDS, TimeUnit.SECONDS));
         assertNotEquals(0, process.exitValue());
         try (Stream<Path> files = Files.walk(out)) {
             assertEquals(List.of(), files.map(Path::toString).filter(name -> name.endsWith(".part")).toList());

@@ -1,0 +1,43 @@
+package particles.app;
+
+import java.util.concurrent.atomic.AtomicBoolean;
+import particles.effects.EffectContext;
+import particles.effects.EffectKind;
+import particles.law.PerParticleEffect;
+import particles.spec.Values;
+
+/**
+ * A force of 0 that a scene names; it prints one line when a thread other than the caller's evaluates it. Each helper
+ * evaluates its own range of the particles, so the line comes at the first step, however busy the machine is.
+ */
+public final class ThreadWitness implements PerParticleEffect {
+    /** The first word of the line. */
+    static final String HELPED = "helped";
+
+    private final AtomicBoolean said = new AtomicBoolean();
+
+    @Override
+    public String getName() {
+        return "witness";
+    }
+
+    @Override
+    public void addForces(double[] state, double time, double[] force, int from, int to) {
+        String thread = Thread.currentThread().getName();
+        if (thread.startsWith("forces-") && !said.getAndSet(true)) {
+            System.out.println(HELPED + " " + thread);
+        }
+    }
+
+    /** The law in a scene: {@code - particles.app.ThreadWitness}. */
+    public static final class Keys extends EffectKind {
+        public Keys() {
+            super(ThreadWitness.class.getName(), "A force of 0.");
+        }
+
+        @Override
+        public void build(Values values, EffectContext scene) {
+            scene.add(new ThreadWitness());
+        }
+    }
+}
