@@ -55,15 +55,4 @@ record Combination(String what, List<String> names, double[] weights) {
         IntStream.range(0, y.length).forEach(j -> sum[j] += factor * y[j]);
         return sum;
     }
-
-    /** @return which entries of a state stay as they were, such as entries 3 to 5 of 24 */
-    static String stay(List<Integer> left, int size) {
-        int first = left.get(0);
-        int last = left.get(left.size() - 1);
-        boolean row = last - first == left.size() - 1 && left.size() > 2;
-        String some = left.stream().limit(6).toList().toString().replaceAll("[\\[\\]]", "");
-        return (left.size() == 1 ? "entry " + first + " of " + size + " stays as it was" : "entries "
-                + (row ? first + " to " + last : some + (left.size() > 6 ? "..." : "")) + " of " + size
-                + " stay as they were");
-    }
 }

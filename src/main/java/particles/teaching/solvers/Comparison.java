@@ -163,11 +163,10 @@ final class Comparison {
         rounded += hint.equals(Slip.FLOAT.text) ? 1 : 0;
         distance += stage == 0 ? 2 : 0;
         wrongWeights += end ? wrong.size() : 0;
-        if (end && hint.isEmpty() && !known.isOfParticles()) {
-            hint = ": the weight" + (wrong.size() == 1 ? "" : "s") + " of " + join(wrong.stream().filter(j -> j > 0)
-                    .map(j -> known.slope(j - 1))) + (wrong.size() == 1 ? " is " : " are ") + join(wrong.stream().map(j
-                    -> Formula.number(row.weight(j)))) + " instead of " + join(wrong.stream().map(j ->
-                    Formula.number(right.weight(j))));
+        if (end && hint.isEmpty() && n > 2) {
+            int j = wrong.get(0);
+            hint = ": the weight of " + known.slope(j - 1) + " is " + Formula.number(row.weight(j)) + " instead of "
+                    + Formula.number(right.weight(j));
         }
         wrong(Phrase.DIFFERS, row.what(), row.formula(), known.source(), right.formula(), hint);
     }

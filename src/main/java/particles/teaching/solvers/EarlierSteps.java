@@ -68,66 +68,31 @@ record EarlierSteps(double[] weights, double[] times) {
         if (order() >= weights.length) {
             return Optional.empty();
         }
-        double sum = Combination.sum(weights);
-        return Optional.of(tooOld().orElseGet(() -> Phrase.ADAMS_WEIGHTS.of(numbers(weights), Math.abs(sum - 1) > SAME
-                ? "add up to " + Formula.number(sum) + " and not to 1" : "make a method of order " + order(),
-                numbers(adamsWeights(times)))));
-    }
-
-    /** The weights of an Adams method with derivatives of other times, as those kept are not shifted as they age. */
-    private Optional<Finding> tooOld() {
-        for (int count = weights.length; count <= HIGHEST; count++) {
-            for (int latest = 0; latest < 2; latest++) {
-                int newest = latest;
-                double[] right = IntStream.range(0, count).mapToDouble(j -> newest - j).toArray();
-                if (isGrouped(weights, adamsWeights(right))) {
-                    return Optional.of(Phrase.ADAMS_OLD.of(count, clocks(times), clocks(right)));
-                }
-            }
+        double[] right = IntStream.range(0, times.length).mapToDouble(j -> times[0] - j).toArray();
+        if (Combination.same(weights, adamsWeights(right))) {
+            return Optional.of(Phrase.ADAMS_OLD.of(numbers(weights), clocks(times), clocks(right)));
         }
-        return Optional.empty();
+        double sum = Combination.sum(weights);
+        return Optional.of(Phrase.ADAMS_WEIGHTS.of(numbers(weights), clocks(times), Math.abs(sum - 1) > SAME
+                ? "add up to " + Formula.number(sum) + " and not to 1" : "make a method of order " + order(),
+                numbers(adamsWeights(times))));
     }
 
     private static String clocks(double[] times) {
         return Arrays.stream(times).mapToObj(Formula::time).collect(Collectors.joining(", "));
     }
 
-    /** Whether each weight is the sum of one or several neighbouring weights of a formula. */
-    private static boolean isGrouped(double[] found, double[] formula) {
-        int next = 0;
-        for (double weight : found) {
-            double sum = 0;
-            do {
-                if (next == formula.length) {
-                    return false;
-                }
-                sum += formula[next++];
-            } while (Math.abs(sum - weight) > SAME);
-        }
-        return next == formula.length;
-    }
-
-    /** The weights that integrate all polynomials of lower degree exactly, by Lagrange's polynomials. */
+    /** The weights that integrate all polynomials of lower degree exactly. */
     private static double[] adamsWeights(double[] times) {
-        int n = times.length;
-        double[] right = new double[n];
-        for (int j = 0; j < n; j++) {
-            double[] polynomial = {1};
-            for (int k = 0; k < n; k++) {
-                if (k != j) {
-                    double[] product = new double[polynomial.length + 1];
-                    for (int q = 0; q < polynomial.length; q++) {
-                        product[q] -= polynomial[q] * times[k] / (times[j] - times[k]);
-                        product[q + 1] += polynomial[q] / (times[j] - times[k]);
-                    }
-                    polynomial = product;
-                }
-            }
-            for (int q = 0; q < n; q++) {
-                right[j] += polynomial[q] / (q + 1);
+        double[][] powers = new double[times.length][times.length];
+        double[] integrals = new double[times.length];
+        for (int q = 0; q < times.length; q++) {
+            integrals[q] = 1.0 / (q + 1);
+            for (int j = 0; j < times.length; j++) {
+                powers[j][q] = StrictMath.pow(times[j], q);
             }
         }
-        return right;
+        return LeastSquares.weights(powers, integrals);
     }
 
     /** @return the finding for first steps that are less accurate than the formula; empty if they are not */
@@ -137,7 +102,6 @@ record EarlierSteps(double[] weights, double[] times) {
     }
 
     private static String numbers(double[] weights) {
-        return List.of(Arrays.stream(weights).mapToObj(Formula::number).toArray()).stream().map(String::valueOf)
-                .collect(Collectors.joining(", "));
+        return Arrays.stream(weights).mapToObj(Formula::number).collect(Collectors.joining(", "));
     }
 }

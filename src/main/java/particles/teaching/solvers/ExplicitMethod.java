@@ -70,10 +70,8 @@ final class ExplicitMethod {
             return Optional.of(new Diagnosis("It makes no step.", List.copyOf(findings)));
         }
         Scheme scheme = step.isOneFormula() ? oneFormula() : ofParticles();
-        Scheme words = meant(scheme).stream().filter(method -> method.size() >= scheme.size()).findFirst().orElse(
-                scheme);
         boolean clock = rules.checkClock();
-        boolean end = rules.checkState(scheme, words) && rules.checkDeltaT(scheme, words);
+        boolean end = rules.checkState(scheme) && rules.checkDeltaT(scheme);
         String identity = identity(scheme, end, clock);
         return Optional.of(new Diagnosis(identity, List.copyOf(findings), order));
     }
@@ -127,7 +125,7 @@ final class ExplicitMethod {
             rows.add(position);
         }
         rows.add(scaled(step.newVelocity(), 2, 1 / H, step.newVelocity()[0]));
-        return Scheme.ofParticles("", 0, rows, clocks()).merged();
+        return Scheme.ofParticles("", 0, rows, clocks()).withoutUnused();
     }
 
     /** The method in a sentence; adds what differs from it. */
@@ -150,7 +148,7 @@ final class ExplicitMethod {
                     findings.add(0, finding));
             return "This is " + method.name() + but;
         }
-        Optional<Finding> unsolved = !end || !clock ? Optional.empty() : SolvedEquation.rounds(scheme, promise)
+        Optional<Finding> unsolved = !end || !clock ? Optional.empty() : SolvedEquation.rounds(maker, scheme, promise)
                 .or(() -> KnownMethods.mistake(scheme)).or(() ->
                 promise.filter(NamePromise::isImplicit).map(name -> Phrase.EXPLICIT.of("an explicit method with "
                 + count(scheme), name.says())));
@@ -170,24 +168,19 @@ final class ExplicitMethod {
                 : "s") + " per step";
     }
 
-    /** Judges coefficients that are those of no known method by their order, and by the nearest one. */
+    /** Judges coefficients that are those of no known method by their measured order, and by the nearest one. */
     private String unknown(Scheme scheme, Comparison nearest, String but) {
         boolean particles = scheme.isOfParticles();
-        int conditions = particles ? 4 : OrderConditions.order(scheme);
-        double full = conditions < 4 ? conditions : Math.max(particles ? 0 : 4, measured.getAsDouble());
+        double full = Math.max(0, measured.getAsDouble());
         full = Double.isNaN(full) ? 0 : full;
-        order = (int) Math.min(conditions, Math.round(full));
         int wanted = promise.map(NamePromise::order).orElse(nearest.isNear() ? nearest.known().order() : 1);
+        order = (int) Math.round(full);
         boolean keepsArea = particles && keepsArea();
         boolean pays = full > 1.7 || full > 1 - ALMOST && (particles ? keepsArea : isStableBeyondEuler(scheme));
-        boolean exact = particles || OrderConditions.isExact(scheme);
-        if ((exact || !nearest.isRounded()) && (!particles || !isWrong()) && full >= wanted - ALMOST && pays) {
-            if (!exact) {
-                findings.add(Phrase.FEW_DIGITS.of());
-            }
-            return (particles ? "This is a method of order " + Math.round(full)
+        if (!nearest.isRounded() && (!particles || !isWrong()) && full >= wanted - ALMOST && pays) {
+            return (particles ? "This is a method of order " + order
                     + " that moves positions and velocities in turn," + (keepsArea ? " symplectic," : "")
-                    : "This is a Runge-Kutta method of order " + Math.round(full)) + " with " + count(scheme)
+                    : "This is a Runge-Kutta method of order " + order) + " with " + count(scheme)
                     + "; its coefficients match no named method" + but;
         }
         if (nearest.isNear() || promise.filter(NamePromise::isWhole).isPresent() && nearest.known().size()

@@ -42,7 +42,7 @@ final class KnownMethods {
             Ralston's method of order 3 | 3 | 1/2; 0 3/4 | 2/9 1/3 4/9
             SSPRK3, the method of Shu and Osher | 3 | 1; 1/4 1/4 | 1/6 1/6 2/3
             Kutta's 3/8 rule | 4 | 1/3; -1/3 1; 1 -1 1 | 1/8 3/8 3/8 1/8
-            Ralston's method of order 4 | 4 | .4; .29697761 .15875964; .21810040 -3.05096516 3.83286476 \
+            Ralston's method of order 4 (its eight printed digits) | 4 | .4; .29697761 .15875964; .21810040 -3.05096516 3.83286476 \
             | .17476028 -.55148066 1.20553560 .17118478
             Gill's method | 4 | 1/2; R-.5 1-R; 0 -R 1+R | 1/6 1-R/3 1+R/3 1/6
             Fehlberg's method of order 4 | 4 | 1/4; 3/32 9/32; 1932/2197 -7200/2197 7296/2197; \
@@ -172,7 +172,20 @@ final class KnownMethods {
 
     /** @return the methods of this kind, those of the slides first */
     static List<Scheme> like(Scheme found) {
-        return found.isOfParticles() ? OF_PARTICLES : ONE_FORMULA;
+        return found.isOfParticles() ? OF_PARTICLES : found.size() < 2 ? ONE_FORMULA : Stream.concat(ONE_FORMULA
+                .stream(), Stream.of(subSteps(found.size()))).toList();
+    }
+
+    private static Scheme subSteps(int n) {
+        List<double[]> rows = new ArrayList<>();
+        for (int i = 0; i <= n; i++) {
+            double[] row = new double[i + 1];
+            Arrays.fill(row, 1.0 / n);
+            row[0] = 1;
+            rows.add(row);
+        }
+        return Scheme.oneFormula("the Euler method in " + n + " sub-steps", 1, rows, IntStream.range(0, n).mapToDouble(i
+                -> (double) i / n).toArray());
     }
 
     /** @return whether a known method evaluates the derivative at these states, whatever its weights */

@@ -3,6 +3,7 @@ package particles.teaching.solvers;
 import deSolvers.DESolver;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.function.Supplier;
 import particles.teaching.StudentFailure;
@@ -86,7 +87,8 @@ public record OrderMeasurement(double order, List<double[]> points) {
                 : error;
     }
 
-    double smallestError() {
-        return points.stream().mapToDouble(point -> point[1]).min().orElse(Double.NaN);
+    /** @return the point with the smallest error */
+    double[] smallest() {
+        return points.stream().min(Comparator.comparingDouble(point -> point[1])).orElseThrow();
     }
 }

@@ -13,11 +13,11 @@ enum Phrase {
     NOTHING_YET, NOT_FINITE, EXCEPTION, NOT_REPEATABLE, CLOCK_STILL, CLOCK_FIXED, CLOCK_NEW_TIME, CLOCK_OFTEN,
     CLOCK_PARTS, CLOCK_BACK, CLOCK_LATER, STAGE_TIMES, TIME_OF_STAGE, REJECTED_CLOCK, NO_DERIVATIVE,
     ARRAY_LENGTH, NEVER_SET, LEFT_AT_TRIAL, SET_TOO_EARLY, LOST, LOST_FRACTIONS, KEPT, DAMPED, KEPT_STAGE,
-    LEFT_OUT, OTHER_ENTRY, DIGITS, CUT_OFF, ENTRY_BY_ENTRY, DELTA_T_IN_STAGE, DELTA_T, MISSING, TOO_MANY,
+    LEFT_OUT, DIGITS, CUT_OFF, ENTRY_BY_ENTRY, DELTA_T_IN_STAGE, DELTA_T, MISSING, TOO_MANY,
     DIFFERS, CHANGED, PARTS, WEIGHTS_SUM, LOW_ORDER, OTHER_STEPS, CONTRADICTS, EXPLICIT, ROUNDS, OLD_VELOCITY,
     NEW_VELOCITY, NOTHING_EARLIER, NO_CONTROL, NAME_ORDER, EQUATION, UNSOLVED, EQUATION_TIME, LOOSE, STALE,
     ADAMS_WEIGHTS, ADAMS_OLD, ADAMS_START, UNSTABLE, UNCONTROLLED, LARGEST_ERROR, ABSOLUTE_ERROR, ELSEWHERE,
-    LAYOUT, NO_CONVERGENCE, UNUSED, FEW_DIGITS;
+    LAYOUT, NO_CONVERGENCE, UNUSED;
 
     private static final String BOOK = """
             # the class
@@ -42,8 +42,8 @@ enum Phrase {
             time STAGE_TIMES: %s evaluated at %s; %s says %s%s
             time TIME_OF_STAGE: %s is evaluated at %s and %s: the coefficients of a stage have to add up to that of \
                 its time, and make %s instead of %s
-            time REJECTED_CLOCK: with derivatives up to 1 the clock moves and the state stays, with tiny ones both \
-                move: the clock may move only when a sub-step is accepted
+            time REJECTED_CLOCK: after a sub-step that is rejected the state is put back and the clock is not: the \
+                clock may move only when a sub-step is accepted
             # the state
             method NO_DERIVATIVE: getStateDerivative is never called: without the derivative the solver cannot know \
                 where to go
@@ -62,16 +62,14 @@ enum Phrase {
             state DAMPED: the new %s has %s times %s in it instead of %3$s: a factor is damping, which the equation \
                 does not have
             state KEPT_STAGE: %s a state with %s times s in it; every trial state is s plus increments
-            state LEFT_OUT: %s in %s: the loop has to reach all entries, from 0 to source.getStateSize() - 1
-            state OTHER_ENTRY: entry %s of the new state moves with entry %s: the state is three positions and three \
-                velocities for each particle in turn, (x1, v1, x2, v2, ...), so that %s; not all positions and then \
-                all velocities
+            state LEFT_OUT: these entries stay as they were in %s: %s; the loop has to reach all %s, from 0 to \
+                source.getStateSize() - 1
             state DIGITS: digits get lost: the new state is off by %s of its size, as %s
             method CUT_OFF: with derivatives up to %s the step is not the one that it makes with derivatives up to \
                 1: something is cut off, or depends on the size
-            state ENTRY_BY_ENTRY: getStateDerivative is called %s times per step, between setting parts of the \
-                state: later entries move along the derivative of a state that is half new. All entries have to be \
-                computed from one derivative; setState belongs behind the loop
+            state ENTRY_BY_ENTRY: getStateDerivative is called %s times per step, once for each entry: later entries \
+                move along the derivative of a state that is half new. All entries have to be computed from one \
+                derivative; setState belongs behind the loop
             # deltaT
             method DELTA_T_IN_STAGE: %s a state that is off: %s
             method DELTA_T: the new %s does not follow deltaT: %s
@@ -110,16 +108,17 @@ enum Phrase {
             method UNSOLVED: the equation of %s is not solved: the step is new = %s, in which the new state's \
                 derivative does not enter. Iterate until nothing changes, by Newton's method with all of the matrix \
                 I - deltaT J
-            time EQUATION_TIME: %s
+            time EQUATION_TIME: the derivative %s of the step is taken at the clock %s; the clock has to \
+                stand at %s then
             method LOOSE: the iteration ends too early: with a nonlinear law and deltaT = %s s the equation of the \
                 step is off by %s; iterate until the change is below about 1e-10
             state STALE: the derivative is stale: getStateDerivative is called in the first step only, and each step \
                 needs the derivative at its own start
-            method ADAMS_WEIGHTS: the weights of a step are %s, which %s; the Adams method with these evaluations \
-                has %s
-            method ADAMS_OLD: the weights are those of the Adams method of order %s, and its derivatives are those \
-                at %s instead of %s: an old one is kept too long, or twice. In each step the oldest is dropped, then \
-                the others move by one place, the oldest of them first
+            method ADAMS_WEIGHTS: the weights of a step are %s for the derivatives at %s, which %s; the Adams method \
+                with these has %s
+            method ADAMS_OLD: the weights are those of an Adams method, %s, and its derivatives are those at %s \
+                instead of %s: an old one is kept too long, or twice. In each step the oldest is dropped, then the \
+                others move by one place, the oldest of them first
             method ADAMS_START: the formula has order %s, and the measured order is %s: the first steps, before \
                 there are enough earlier derivatives, are not accurate enough. Begin with a method of order %s or \
                 more, such as RK4
@@ -136,16 +135,16 @@ enum Phrase {
             method ABSOLUTE_ERROR: two springs start at 1 and at -1, and after a step of %s s one is not the mirror \
                 image of the other, but %s off: an error may be negative, and its size counts, Math.abs
             method ELSEWHERE: after a step of %s s the state is that of %s: either the weights add up to %s and not \
-                to 1, or %s
+                to 1, or a part of the step is missing or made once too often (count sub-steps with an int, as sums \
+                of fractions are rounded)
             state LAYOUT: with one particle the error goes to 0 with deltaT, with two it does not: some entries of \
                 the state are not moved, or are moved with another particle's. The loop has to reach all of them, \
                 and the state is (x1, v1, x2, v2, ...), three positions and three velocities for each particle in \
                 turn
-            method NO_CONVERGENCE: the error does not go to 0 with deltaT: over the same time it is %s with deltaT = \
-                %s s. Check that each evaluation is at its own state and time, and that the weights add up to 1
+            method NO_CONVERGENCE: the error does not go to 0 with deltaT: it is still %s with deltaT \
+                = %s s. Check that each evaluation is at its own state and time, and that the weights add up to 1
             # style
             style UNUSED: an evaluation of the step enters nothing, and could be left out
-            style FEW_DIGITS: the coefficients have about eight digits: the error stops falling there
             """.replaceAll(" +", " ");
     private static final Map<String, String[]> TEXTS = BOOK.lines().filter(line -> !line.startsWith("#"))
             .map(line -> line.split(" ", 3)).collect(Collectors.toMap(parts -> parts[1], parts -> parts));

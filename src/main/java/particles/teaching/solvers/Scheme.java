@@ -93,54 +93,22 @@ record Scheme(String name, int order, List<Combination> stages, double[] times, 
                 .anyMatch(e -> ends.get(e).weight(1 + e + j) != 0);
     }
 
-    /** @return whether two evaluations are at one place and time */
-    private boolean isRepeated(int j, int k) {
-        return stages.get(j).is(stages.get(k)) && Formula.sameTime(times[j], times[k]);
-    }
-
     /** @return the same without evaluations at the end, or at the next one's place, that enter nothing */
     Scheme withoutUnused() {
-        return with(IntStream.range(0, size()).map(j -> isUsed(j) || !isOfParticles() && j < size() - 1
-                && !isRepeated(j, j + 1) ? j : -1).toArray());
-    }
-
-    /** @return the same with one evaluation for each place and time, without those that enter nothing */
-    Scheme merged() {
-        for (int j = 1; j < size(); j++) {
-            for (int k = 0; k < j; k++) {
-                if (isRepeated(j, k)) {
-                    int[] same = IntStream.range(0, size()).toArray();
-                    same[j] = k;
-                    return with(same).merged();
-                }
-            }
-        }
-        return withoutUnused();
-    }
-
-    /** The same with some evaluations replaced by others, which get their weights, or by none (-1). */
-    private Scheme with(int[] replacement) {
-        int[] kept = IntStream.range(0, size()).filter(i -> replacement[i] == i).toArray();
+        int[] kept = IntStream.range(0, size()).filter(j -> isUsed(j) || !isOfParticles() && j < size() - 1 && !(stages
+                .get(j).is(stages.get(j + 1)) && Formula.sameTime(times[j], times[j + 1]))).toArray();
         List<double[]> rows = new ArrayList<>();
-        Arrays.stream(kept).forEach(i -> rows.add(moved(stages.get(i), firstSlope(), replacement, kept)));
+        Arrays.stream(kept).forEach(i -> rows.add(columns(stages.get(i), firstSlope(), kept)));
         for (int e = ends.size() - 1; e >= 0; e--) {
-            rows.add(moved(ends.get(e), e + 1, replacement, kept));
+            rows.add(columns(ends.get(e), e + 1, kept));
         }
         double[] left = Arrays.stream(kept).mapToDouble(i -> times[i]).toArray();
         return isOfParticles() ? ofParticles(name, order, rows, left) : oneFormula(name, order, rows, left);
     }
 
-    private static double[] moved(Combination row, int first, int[] replacement, int[] kept) {
-        double[] sums = Arrays.copyOf(row.weights(), first + replacement.length);
-        for (int j = 0; j < replacement.length; j++) {
-            if (replacement[j] >= 0 && replacement[j] != j) {
-                sums[first + replacement[j]] += sums[first + j];
-            }
-        }
-        double[] weights = Arrays.copyOf(sums, first + kept.length);
-        for (int j = 0; j < kept.length; j++) {
-            weights[first + j] = sums[first + kept[j]];
-        }
+    private static double[] columns(Combination row, int first, int[] kept) {
+        double[] weights = Arrays.copyOf(row.weights(), first + kept.length);
+        Arrays.setAll(weights, j -> row.weight(j < first ? j : first + kept[j - first]));
         return weights;
     }
 }

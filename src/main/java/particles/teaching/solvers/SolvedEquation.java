@@ -27,61 +27,61 @@ final class SolvedEquation {
     private static final double START = 0.5;
     private static final double[] STEPS = {1.0 / 4, 3.0 / 16, 1.0 / 8, 3.0 / 32, 1.0 / 16, 3.0 / 64, 1.0 / 32, 1.0 / 64,
         1.0 / 128};
-    private static final int MOST_ROUNDS = 14;
 
     /** A derivative in an equation: at s + place (new - s) and t + time deltaT. */
-    private record Term(String name, double place, double time) {
+    private record Term(double place, double time) {
+        String text() {
+            return place == 0 ? "deltaT f(s, t)" : place == 1 ? "deltaT f(new, t + deltaT)"
+                    : "deltaT f((s + new)/2, t + deltaT/2)";
+        }
     }
 
-    private static final Term NOW = new Term("deltaT f(s, t)", 0, 0);
-    private static final Term NEW = new Term("deltaT f(new, t + deltaT)", 1, 1);
-    private static final Term HALF = new Term("deltaT f((s + new)/2, t + deltaT/2)", 0.5, 0.5);
-    private static final String AT_END = "the derivative at the end of the step is taken at the clock t; move the clock"
-            + " to t + deltaT before it";
+    /** A method's equation: as many old states, then its terms, with these weights. */
+    private record Known(String name, int old, List<Term> terms, double... weights) {
 
-    /** The terms of an equation, the mistake in their clocks, and the methods that have such terms. */
-    private record Shape(int old, List<Term> terms, String clock, List<Known> methods) {
+        /** @return the equation, and those in which the clock of one term is another one */
+        List<List<Term>> clocks() {
+            List<List<Term>> all = new ArrayList<>(List.of(terms));
+            for (int j = 0; j < terms.size(); j++) {
+                for (double time : new double[] {0, 0.5, 1}) {
+                    List<Term> changed = new ArrayList<>(terms);
+                    changed.set(j, new Term(terms.get(j).place, time));
+                    all.add(changed);
+                }
+            }
+            return all;
+        }
+
+        double distance(double[] others) {
+            return IntStream.range(0, weights.length).mapToDouble(j -> Math.abs(weights[j] - others[j])).sum();
+        }
+
+        double residual(Supplier<DESolver> maker, double h, double amplitude) {
+            Made made = Made.by(maker, h, 1, amplitude);
+            return misfit(made.columns(old, terms), weights, made.next);
+        }
+
+        double derivatives(double[] of) {
+            return Arrays.stream(of, old, of.length).sum();
+        }
     }
 
-    private record Known(String name, double... weights) {
-    }
+    private static final Term NEW = new Term(1, 1);
+    private static final List<Term> ENDS = List.of(new Term(0, 0), NEW);
+    private static final List<Known> METHODS = List.of(new Known(KnownMethods.BACKWARD_EULER, 1, ENDS, 1, 0, 1),
+            new Known(KnownMethods.TRAPEZOID, 1, ENDS, 1, 0.5, 0.5),
+            new Known(KnownMethods.IMPLICIT_MIDPOINT, 1, List.of(new Term(0.5, 0.5)), 1, 1),
+            new Known("the BDF formula of order 2", 2, List.of(NEW), 4.0 / 3, -1.0 / 3, 2.0 / 3),
+            new Known("the BDF formula of order 3", 3, List.of(NEW), 18.0 / 11, -9.0 / 11, 2.0 / 11, 6.0 / 11));
 
-    private static final List<Known> ENDS = List.of(new Known(KnownMethods.BACKWARD_EULER, 1, 0, 1),
-            new Known(KnownMethods.TRAPEZOID, 1, 0.5, 0.5));
-    private static final List<Known> MIDDLE = List.of(new Known(KnownMethods.IMPLICIT_MIDPOINT, 1, 1));
-
-    private static final List<Shape> ONE_STEP = List.of(
-            new Shape(1, List.of(NOW, NEW), "", ENDS),
-            new Shape(1, List.of(HALF), "", MIDDLE),
-            new Shape(1, List.of(NOW, new Term("deltaT f(new, t)", 1, 0)), AT_END, ENDS),
-            new Shape(1, List.of(new Term("deltaT f(s, t + deltaT)", 0, 1), NEW),
-                    "both derivatives are taken at the clock t + deltaT; take the"
-                    + " one at the start before the clock moves", ENDS),
-            new Shape(1, List.of(new Term("deltaT f((s + new)/2, t)", 0.5, 0)),
-                    "the derivative half way is taken at the clock t; move the clock"
-                    + " to t + deltaT/2 before it", MIDDLE),
-            new Shape(1, List.of(new Term("deltaT f((s + new)/2, t + deltaT)", 0.5, 1)),
-                    "the derivative half way is taken at the clock t + deltaT; the"
-                    + " clock has to stand at t + deltaT/2", MIDDLE));
-    private static final List<Shape> EARLIER = List.of(
-            new Shape(2, List.of(NEW), "", List.of(new Known("the BDF formula of order 2", 4.0 / 3, -1.0 / 3, 2.0
-                    / 3))),
-            new Shape(3, List.of(NEW), "", List.of(new Known("the BDF formula of order 3", 18.0 / 11, -9.0 / 11,
-                    2.0 / 11, 6.0 / 11))));
-
-    private final Shape shape;
-    private final double[] weights;
     private final Known nearest;
+    private final List<Term> terms;
+    private final double[] weights;
 
-    private SolvedEquation(Shape shape, double[] weights, Predicate<String> named) {
-        this.shape = shape;
+    private SolvedEquation(Known nearest, List<Term> terms, double[] weights) {
+        this.nearest = nearest;
+        this.terms = terms;
         this.weights = weights;
-        nearest = shape.methods.stream().min(Comparator.comparingDouble(known -> distance(known.weights, weights)
-                + (named.test(known.name) ? 0 : SAME))).orElseThrow();
-    }
-
-    private static double distance(double[] x, double[] y) {
-        return IntStream.range(0, x.length).mapToDouble(j -> Math.abs(x[j] - y[j])).sum();
     }
 
     /**
@@ -90,34 +90,37 @@ final class SolvedEquation {
      * @return the equation; empty if its steps solve none that is known here
      */
     static Optional<SolvedEquation> of(Supplier<DESolver> maker, boolean earlier, Predicate<String> named) {
+        List<Known> methods = METHODS.stream().filter(known -> known.old > 1 == earlier).toList();
         SolvedEquation best = null;
         double least = FITS;
-        List<Shape> shapes = earlier ? EARLIER : ONE_STEP;
         for (double h : earlier ? new double[] {1.0 / 8} : STEPS) {
             Made made = Made.by(maker, h, earlier ? 6 : 1, 1);
-            for (Shape shape : shapes) {
-                for (Known known : shape.methods) {
-                    double misfit = misfit(made.columns(shape), known.weights, made.next) / h;
+            for (Known known : methods) {
+                for (List<Term> terms : known.clocks()) {
+                    double misfit = misfit(made.columns(known.old, terms), known.weights, made.next) / h;
                     if (misfit < least) {
                         least = misfit;
-                        best = new SolvedEquation(shape, known.weights, named);
+                        best = new SolvedEquation(known, terms, known.weights);
                     }
                 }
             }
         }
         Made made = Made.by(maker, 1.0 / 8, earlier ? 6 : 1, 1);
-        for (Shape shape : best == null ? shapes : List.<Shape>of()) {
-            double[][] columns = made.columns(shape);
+        for (Known shape : best == null ? methods : List.<Known>of()) {
+            double[][] columns = made.columns(shape.old, shape.terms);
             double[] found = LeastSquares.weights(columns, made.next);
             if (misfit(columns, found, made.next) < FITS / 8) {
-                return Optional.of(new SolvedEquation(shape, found, named));
+                Known nearest = methods.stream().filter(known -> known.old == shape.old && known.terms.equals(
+                        shape.terms)).min(Comparator.comparingDouble(known -> known.distance(found) + (named.test(
+                        known.name) ? 0 : SAME))).orElseThrow();
+                return Optional.of(new SolvedEquation(nearest, shape.terms, found));
             }
         }
         return Optional.ofNullable(best);
     }
 
     boolean isRight() {
-        return shape.clock.isEmpty() && distance(weights, nearest.weights) < SAME;
+        return isKnown() && terms.equals(nearest.terms);
     }
 
     /** @return the mistake in the equation; empty if it is a known one */
@@ -125,18 +128,19 @@ final class SolvedEquation {
         if (isRight()) {
             return Optional.empty();
         }
-        if (IntStream.range(shape.old, weights.length).allMatch(j -> Math.abs(weights[j]) < SAME || shape.terms.get(j
-                - shape.old).place == 0)) {
+        if (isKnown()) {
+            int j = IntStream.range(0, terms.size()).filter(i -> !terms.get(i).equals(nearest.terms.get(i))).findFirst()
+                    .orElseThrow();
+            double place = terms.get(j).place;
+            return Optional.of(Phrase.EQUATION_TIME.of(place == 0 ? "at the start" : place == 1 ? "at the end"
+                    : "half way", Formula.time(terms.get(j).time), Formula.time(place)));
+        }
+        if (Math.abs(weights[weights.length - 1]) < SAME) {
             return Optional.of(Phrase.UNSOLVED.of(nearest.name, text(weights)));
         }
-        if (distance(weights, nearest.weights) < SAME) {
-            boolean both = nearest.name.equals(KnownMethods.TRAPEZOID) && shape.clock.equals(AT_END);
-            return Optional.of(Phrase.EQUATION_TIME.of(both ? "both derivatives are taken at the clock t; move the"
-                    + " clock to t + deltaT before the one at the end" : shape.clock));
-        }
-        double sum = IntStream.range(shape.old, weights.length).mapToDouble(j -> weights[j]).sum();
-        double right = IntStream.range(shape.old, weights.length).mapToDouble(j -> nearest.weights[j]).sum();
-        boolean theta = shape.old == 1 && shape.clock.isEmpty() && shape.terms.size() == 2 && Math.abs(sum - 1) < SAME;
+        double sum = nearest.derivatives(weights);
+        double right = nearest.derivatives(nearest.weights);
+        boolean theta = nearest.terms.equals(ENDS) && Math.abs(sum - 1) < SAME;
         return theta ? Optional.empty() : Optional.of(Phrase.EQUATION.of(text(weights), nearest.name, text(
                 nearest.weights), Math.abs(sum - right) < SAME ? "" : ": the weights of the derivatives add up to "
                 + Formula.number(Math.rint(sum * 66) / 66) + " and have to make " + Formula.number(right)
@@ -150,15 +154,14 @@ final class SolvedEquation {
 
     /** @return whether the weights are those of the method, whatever the clocks */
     boolean isKnown() {
-        return distance(weights, nearest.weights) < SAME;
+        return nearest.distance(weights) < SAME;
     }
 
     private String text(double[] c) {
         List<String> names = new ArrayList<>(List.of("s", "s(one step before)", "s(two steps before)").subList(0,
-                shape.old));
-        shape.terms.forEach(term -> names.add(term.name));
-        double[] shown = Arrays.stream(c).map(x -> Math.rint(x * 66) / 66).toArray();
-        return Formula.sum(distance(c, shown) < SAME ? shown : c, names);
+                nearest.old));
+        terms.forEach(term -> names.add(term.text()));
+        return Formula.sum(Arrays.stream(c).map(x -> Math.rint(x * 66) / 66).toArray(), names);
     }
 
     /**
@@ -166,14 +169,12 @@ final class SolvedEquation {
      * @return the mistake of an iteration that ends too early, as the residual on a strongly nonlinear law shows
      */
     static Optional<Finding> loose(Supplier<DESolver> maker, String name, double longest) {
-        Shape shape = MIDDLE.get(0).name.equals(name) ? ONE_STEP.get(1) : ONE_STEP.get(0);
-        Known known = shape.methods.stream().filter(method -> method.name.equals(name)).findFirst().orElseThrow();
+        Known known = METHODS.stream().filter(method -> method.name.equals(name)).findFirst().orElseThrow();
         double worst = 0;
         double at = 0;
         for (int part = 1; part <= 24; part++) {
             double h = part * longest / 24;
-            Made made = Made.by(maker, h, 1, 3);
-            double residual = misfit(made.columns(shape), known.weights, made.next);
+            double residual = known.residual(maker, h, 3);
             if (residual > worst && Double.isFinite(residual)) {
                 worst = residual;
                 at = h;
@@ -182,36 +183,20 @@ final class SolvedEquation {
         return worst <= SOLVED ? Optional.empty() : Optional.of(Phrase.LOOSE.of(at, worst));
     }
 
-    /** @return the mistake of an explicit step that is the first rounds of the iteration for an implicit method */
-    static Optional<Finding> rounds(Scheme scheme, Optional<NamePromise> promise) {
-        int n = scheme.size();
-        for (int method = 0; method < 3 && !scheme.isOfParticles(); method++) {
-            double place = method == 1 ? 0.5 : 1;
-            double now = method == 2 ? 0.5 : 0;
-            String name = KnownMethods.IMPLICIT.get(method);
-            boolean named = promise.filter(p -> p.methods().contains(name)).isPresent();
-            boolean useless = promise.isEmpty() && method == 0;    // the others are of order 2, as Heun's method
-            for (int first = named || useless ? 0 : 1; first < 2 && n <= MOST_ROUNDS && n > 1; first++) {
-                double[][] rows = new double[n + 1][n + 1];
-                double[] times = new double[n];
-                for (int i = 0; i <= n; i++) {
-                    rows[i][0] = 1;
-                    boolean euler = i < 2 && first == 0;
-                    if (i > 0) {
-                        rows[i][1] += (i == n ? 1 : place) * (euler ? 0 : now);
-                        rows[i][i] += (i == n ? 1 : place) * (euler ? 1 : 1 - now);
-                        times[Math.min(i, n - 1)] = place;
-                    }
-                }
-                times[0] = first == 0 ? 0 : place;
-                boolean same = IntStream.range(0, n).allMatch(i -> Combination.same(rows[i], scheme.stages().get(i)
-                        .weights()) && Formula.sameTime(times[i], scheme.times()[i]));
-                if (same && Combination.same(rows[n], scheme.ends().get(0).weights())) {
-                    return Optional.of(Phrase.ROUNDS.of(n == 2 ? "one round" : n - 1 + " rounds", name));
-                }
-            }
-        }
-        return Optional.empty();
+    /**
+     * Each round of the iteration for an implicit method makes the residual smaller by deltaT; so the exponent with
+     * which it falls tells them. One round may be a method of its own, as Heun's is.
+     *
+     * @return the mistake of a step that is the first rounds of such an iteration
+     */
+    static Optional<Finding> rounds(Supplier<DESolver> maker, Scheme scheme, Optional<NamePromise> promise) {
+        int evaluations = scheme.size();
+        return METHODS.stream().filter(known -> known.old == 1 && !scheme.isOfParticles()
+                && (evaluations > 2 || promise.filter(name ->
+                name.methods().contains(known.name)).isPresent() || promise.isEmpty() && known == METHODS.get(0)))
+                .filter(known -> StrictMath.log(known.residual(maker, 1.0 / 8, 1) / known.residual(maker, 1.0 / 16, 1))
+                > (evaluations + 0.6) * StrictMath.log(2)).findFirst().map(known -> Phrase.ROUNDS.of(evaluations == 2
+                ? "one round" : evaluations - 1 + " rounds", known.name));
     }
 
     /** What a solver made of a source: the states before, latest first, and the new one. */
@@ -238,13 +223,9 @@ final class SolvedEquation {
             return new Made(source, h, before, source.state(), start);
         }
 
-        double[][] columns(Shape shape) {
-            double[][] columns = new double[shape.old + shape.terms.size()][];
-            for (int j = 0; j < columns.length; j++) {
-                columns[j] = j < shape.old ? before.get(Math.min(j, before.size() - 1))
-                        : rate(shape.terms.get(j - shape.old));
-            }
-            return columns;
+        double[][] columns(int old, List<Term> terms) {
+            return IntStream.range(0, old + terms.size()).mapToObj(j -> j < old ? before.get(Math.min(j, before.size()
+                    - 1)) : rate(terms.get(j - old))).toArray(double[][]::new);
         }
 
         private double[] rate(Term term) {

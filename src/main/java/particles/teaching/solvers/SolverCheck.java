@@ -202,7 +202,7 @@ public final class SolverCheck {
     private Diagnosis measured() {
         return new Diagnosis(UNREAD, clock()
                 .or(unread::entryByEntry)
-                .or(unread::layout)
+                .or(() -> vanishes(measurement()) ? Optional.empty() : unread.rejectedClock())
                 .or(() -> UnreadMethod.firstSubStep(explicit, finding -> finding.kind() != Finding.Kind.METHOD))
                 .or(this::layout)
                 .or(() -> poorOrder(() -> UnreadMethod.firstSubStep(explicit, finding -> true).or(unread::unstable)))
@@ -210,7 +210,7 @@ public final class SolverCheck {
     }
 
     private static boolean vanishes(OrderMeasurement measurement) {
-        return measurement.order() >= LOWEST_ORDER || measurement.smallestError() < SMALL_ERROR;
+        return measurement.order() >= LOWEST_ORDER || measurement.smallest()[1] < SMALL_ERROR;
     }
 
     /** Whether the measured order is that of the coefficients. */
@@ -236,15 +236,8 @@ public final class SolverCheck {
         }
         Optional<Finding> far = vanishes ? Optional.empty() : unread.elsewhere();
         return far.or(causes).or(() -> Optional.of(vanishes ? Phrase.NAME_ORDER.of(ExplicitMethod.twoDigits(order),
-                promise.get().saysWithOrder()) : Phrase.NO_CONVERGENCE.of(points(1), points(0))));
-    }
-
-    /** @return the first, a middle and the last of the measured points */
-    private String points(int column) {
-        List<double[]> points = measurement().points();
-        return List.of(points.get(0), points.get(points.size() / 2), points.get(points.size() - 1)).stream()
-                .map(point -> String.format(Locale.ROOT, "%.3g", point[column])).toList().toString().replaceAll(
-                "[\\[\\]]", "");
+                promise.get().saysWithOrder()) : Phrase.NO_CONVERGENCE.of(measurement.smallest()[1],
+                measurement.smallest()[0])));
     }
 
     /** Whether the clock ends where the step does, also in later steps. */
@@ -267,8 +260,7 @@ public final class SolverCheck {
     }
 
     private static String why(StudentSource source, double h, double end) {
-        return Math.abs(end - 1) < 1e-6 && source.getTime() == (float) h ? ": it is moved in float arithmetic"
-                : end > 1 && source.error() < SMALL_ERROR ? ", and the state is where the clock is: the last sub-step"
+        return end > 1 && source.error() < SMALL_ERROR ? ", and the state is where the clock is: the last sub-step"
                 + " has to be cut to what is left of deltaT" : "";
     }
 

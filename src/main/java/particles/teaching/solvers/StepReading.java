@@ -3,10 +3,12 @@ package particles.teaching.solvers;
 import deSolvers.DESolver;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import particles.teaching.Finding;
 import particles.teaching.sources.Probe;
@@ -29,6 +31,7 @@ final class StepReading {
     /** Unusually large derivatives, to detect a solver that limits them. */
     private static final double LARGE = 1e3;
     private static final int SIZE = 24;
+    private static final int FEW = 6;
     /** A few roundings of double arithmetic; measured 3e-16 for RK4, 4e-13 for Yoshida's method. */
     private static final double DOUBLE_ROUNDING = 1e-12;
     /** Below this it may be float arithmetic, with roundings of 6e-8, or numbers that are rounded to a few decimals. */
@@ -79,16 +82,9 @@ final class StepReading {
                 }
             }
         }
-        x = new double[n + 2][];
-        v = new double[n + 2][];
-        List<List<Integer>> left = new ArrayList<>();
-        for (int i = 0; i < n + 2; i++) {
-            List<Integer> without = new ArrayList<>();
-            x[i] = common(rows[i], 0, without);
-            v[i] = common(rows[i], 3, without);
-            left.add(without);
-        }
-        compare(left);
+        x = Arrays.stream(rows).map(row -> largest(row, 0)).toArray(double[][]::new);
+        v = Arrays.stream(rows).map(row -> largest(row, 3)).toArray(double[][]::new);
+        compare();
     }
 
     /** A run, and the state before its last step. */
@@ -106,14 +102,18 @@ final class StepReading {
      * @return the reading; empty if a step is not a combination with fixed weights
      */
     static Optional<StepReading> of(Supplier<DESolver> maker, double h, double size, int steps) {
+        Optional<StepReading> found = Optional.empty();
         for (boolean alike : new boolean[] {false, true}) {
             try {
-                return Optional.of(new StepReading(maker, h, size, alike, steps));
+                found = Optional.of(new StepReading(maker, h, size, alike, steps));
+                if (found.get().isOneFormula()) {
+                    return found;
+                }
             } catch (RuntimeException e) {
                 continue;                               // adaptive, implicit, or with an iteration for the velocity
             }
         }
-        return Optional.empty();
+        return found;
     }
 
     private Run run(double[] start, Probe.Answer answer) {
@@ -129,30 +129,10 @@ final class StepReading {
         return new Run(probe, before, time);
     }
 
-    /**
-     * The commonest row of the entries of one kind in which a derivative is; the entries without any, where others
-     * have some, are added to the list.
-     */
-    private static double[] common(double[][] rows, int first, List<Integer> without) {
-        double[] best = rows[first];
-        int most = -1;
-        for (int k = first; k < SIZE; k += k % 3 == 2 ? 4 : 1) {
-            double[] row = rows[k];
-            int count = (all(row) > 0 ? SIZE : 0)
-                    + (int) Arrays.stream(rows).filter(other -> Combination.same(row, other)).count();
-            if (count > most) {
-                most = count;
-                best = row;
-            }
-        }
-        for (int k = first; k < SIZE; k += k % 3 == 2 ? 4 : 1) {
-            double[] row = rows[k];
-            if (!Combination.same(row, best) && all(row) == 0 && Math.abs(row[PARTNER]) <= Math.abs(
-                    best[PARTNER])) {
-                without.add(k);
-            }
-        }
-        return best;
+    /** The row with most of the derivatives, among the entries of one kind; others may be left out by mistake. */
+    private static double[] largest(double[][] rows, int first) {
+        return IntStream.range(0, SIZE).filter(k -> k % 6 / 3 == first / 3).mapToObj(k -> rows[k]).max(
+                Comparator.comparingDouble(StepReading::all)).orElseThrow();
     }
 
     private static double all(double[] row) {
@@ -170,20 +150,12 @@ final class StepReading {
     }
 
     /** Makes steps with numbers that use all digits of a double, and compares all states with those by the rows. */
-    private void compare(List<List<Integer>> left) {
-        int n = evaluations();
-        for (int i = 0; i < n + 2 && findings.isEmpty(); i++) {
-            if (!left.get(i).isEmpty()) {
-                findings.add(Phrase.LEFT_OUT.of(Combination.stay(left.get(i), SIZE), i == n + 1 ? "the new state"
-                        : "the trial state at evaluation " + (i + 1)));
-            }
-        }
+    private void compare() {
+        double rounded = misfit(size);
         boolean still = all(newVelocity()) == 0;
         if (findings.isEmpty() && base.everSet() && still != (all(newPosition()) + newPosition()[PARTNER] == 0)) {
-            List<Integer> kind = IntStream.range(0, SIZE).filter(k -> k % 6 > 2 == still).boxed().toList();
-            findings.add(Phrase.LEFT_OUT.of(Combination.stay(kind, SIZE), "the new state"));
+            leaveOut(IntStream.range(0, SIZE).filter(k -> k % 6 > 2 == still).boxed().toList(), evaluations() + 1);
         }
-        double rounded = misfit(size, left);
         if (!(rounded <= ROUNDED)) {
             throw new IllegalStateException("the weights do not describe the step");
         }
@@ -192,13 +164,22 @@ final class StepReading {
                     ? "in float arithmetic; all numbers have to be double"
                     : "if a number were rounded on the way; only what is printed may be"));
         }
-        if (size == 1 && !(misfit(LARGE, left) <= ROUNDED)) {
+        if (size == 1 && !(misfit(LARGE) <= ROUNDED)) {
             findings.add(Phrase.CUT_OFF.of(LARGE));
         }
     }
 
+    /** Notes the entries that stay, in the state of an evaluation or in the new one; once. */
+    private void leaveOut(List<Integer> entries, int i) {
+        if (findings.isEmpty() && !entries.isEmpty()) {
+            String some = entries.stream().limit(FEW).map(String::valueOf).collect(Collectors.joining(", "));
+            findings.add(Phrase.LEFT_OUT.of(i > evaluations() ? "the new state" : "the trial state at evaluation "
+                    + (i + 1), entries.size() > FEW ? some + "..." : some, SIZE));
+        }
+    }
+
     /** @return the largest difference, relative to the numbers that are added; NaN for other evaluations */
-    private double misfit(double most, List<List<Integer>> left) {
+    private double misfit(double most) {
         Random random = new Random(2003);
         double[] start = random.doubles(SIZE, 1, 2).map(value -> value * Math.min(1, most)).toArray();
         double[][] slopes = slopes(random, most);
@@ -210,19 +191,26 @@ final class StepReading {
         double largest = 0;
         for (int i = 0; i < n + 2; i++) {
             double[] found = run.state(i);
+            List<Integer> left = new ArrayList<>();
             for (int k = 0; k < SIZE; k++) {
                 double[] row = k % 6 < 3 ? x[i] : v[i];
                 int other = k % 6 < 3 ? k + 3 : k - 3;
-                double sum = row[OWN] * start[k] + row[PARTNER] * start[other];
+                double old = row[OWN] * start[k] + row[PARTNER] * start[other];
+                double sum = old;
                 double added = Math.abs(start[k]);
                 for (int j = 0; j < n; j++) {
                     double part = row[2 + j] * slopes[j][k] + row[2 + n + j] * slopes[j][other];
                     sum += part;
                     added += Math.abs(part);
                 }
-                double off = left.get(i).contains(k) ? 0 : Math.abs(found[k] - sum) / added;
-                largest = off <= largest ? largest : off;
+                double off = Math.abs(found[k] - sum) / added;
+                if (off > DOUBLE_ROUNDING && (found[k] == start[k] || Math.abs(found[k] - old) < NOTHING * added)) {
+                    left.add(k);
+                } else {
+                    largest = off <= largest ? largest : off;
+                }
             }
+            leaveOut(left, i);
         }
         return largest;
     }

@@ -55,19 +55,19 @@ record StepRules(StepReading step, StepReading twice, Optional<StepReading> back
     }
 
     /** @return whether the new state can be compared further */
-    boolean checkState(Scheme scheme, Scheme words) {
+    boolean checkState(Scheme scheme) {
         if (!step.calls().everSet()) {
             wrong.accept(Phrase.NEVER_SET.of());
             return false;
         }
         if (!step.calls().setAfterLast() && !evaluatesTheNewState(scheme)) {
-            wrong.accept(scheme.size() > 1 ? Phrase.LEFT_AT_TRIAL.of(words.words(scheme.ends().get(scheme.ends()
-                    .size() - 1).formula())) : Phrase.SET_TOO_EARLY.of());
+            wrong.accept(scheme.size() > 1 ? Phrase.LEFT_AT_TRIAL.of(
+                    scheme.ends().get(scheme.ends().size() - 1).formula()) : Phrase.SET_TOO_EARLY.of());
             return false;
         }
         for (Combination row : scheme.isOfParticles() ? List.<Combination>of() : scheme.stages()) {
             if (!Formula.same(row.weight(0), 1)) {
-                wrong.accept(Phrase.KEPT_STAGE.of(words.words(row.what()), row.weight(0)));
+                wrong.accept(Phrase.KEPT_STAGE.of(row.what(), row.weight(0)));
             }
         }
         for (Combination row : scheme.ends()) {
@@ -76,7 +76,7 @@ record StepRules(StepReading step, StepReading twice, Optional<StepReading> back
             String letter = row.names().get(0);
             if (!Formula.same(kept, 1)) {
                 wrong.accept(Arrays.stream(row.weights()).allMatch(weight -> weight == 0)
-                        ? Phrase.LOST_FRACTIONS.of(what) : kept == 0 ? Phrase.LOST.of(what, words.words(row.formula()),
+                        ? Phrase.LOST_FRACTIONS.of(what) : kept == 0 ? Phrase.LOST.of(what, row.formula(),
                         letter) : (scheme.isOfParticles() ? Phrase.DAMPED : Phrase.KEPT).of(what, kept, letter));
             }
         }
@@ -91,11 +91,11 @@ record StepRules(StepReading step, StepReading twice, Optional<StepReading> back
     }
 
     /** @return whether the step is made with deltaT, so that its weights can be compared */
-    boolean checkDeltaT(Scheme scheme, Scheme words) {
+    boolean checkDeltaT(Scheme scheme) {
         boolean particles = scheme.isOfParticles();
         IntStream.range(1, particles ? 1 : step.evaluations()).forEach(i -> fault(reading -> StepReading.derivatives(
-                reading.positions()[i])).ifPresent(fault -> wrong.accept(Phrase.DELTA_T_IN_STAGE.of(words.words(scheme
-                .stages().get(i).what()), fault))));
+                reading.positions()[i])).ifPresent(fault -> wrong.accept(Phrase.DELTA_T_IN_STAGE.of(scheme
+                .stages().get(i).what(), fault))));
         Optional<String> velocity = fault(reading -> StepReading.derivatives(reading.newVelocity()));
         Optional<String> position = particles ? fault(StepReading::moved) : Optional.empty();
         velocity.or(() -> position).ifPresent(fault -> wrong.accept(Phrase.DELTA_T.of(particles ? velocity.isEmpty()

@@ -29,7 +29,7 @@ final class OthersWrongSolvers {
 
     static List<Specimen> all() {
         return List.of(
-                wrong("RK4Mine", "weights of k3 and k4 swapped", "weights of k3 and k4", rungeKutta(RK4,
+                wrong("RK4Mine", "weights of k3 and k4 swapped", "weight of k3", rungeKutta(RK4,
                         "1/6 1/3 1/6 1/3", "")),
                 wrong("MidpointSolver", "clock at t", "gMid is evaluated at t;", rungeKutta("1/2", "0 1", "0 0")),
                 wrong("Euler", "clock never moved", "never moves", (source, h)
@@ -82,7 +82,7 @@ final class OthersWrongSolvers {
                 wrong("ImplicitEuler", "one round of the iteration", "iteration for the new state ends too early",
                         rungeKutta("1", "0 1", "")),
                 wrong("BackwardEulerSolver", "clock at t", "at the clock t;", implicit(0, 1, 1, 0, 1e-12, 100)),
-                wrong("EulerLoop", "one entry left out", "entry 23", (source, h) -> {
+                wrong("EulerLoop", "one entry left out", ": 23;", (source, h) -> {
                     double[] s = state(source);
                     double[] moved = plus(s, h, slope(source));
                     moved[s.length - 1] = s[s.length - 1];
@@ -159,7 +159,7 @@ final class OthersWrongSolvers {
                     source.setState(s);
                     source.incTime(h);
                 }),
-                wrong("Trapezoid", "both at t + deltaT", "both derivatives are taken at the clock t \\+ deltaT",
+                wrong("Trapezoid", "both at t + deltaT", "at the start of the step is taken at the clock t \\+ deltaT",
                         (source, h) -> {
                     source.incTime(h);
                     implicit(0.5, 0.5, 1, 0, 1e-12, 50).make(source, h);

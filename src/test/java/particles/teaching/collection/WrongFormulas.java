@@ -51,7 +51,7 @@ final class WrongFormulas {
                 wrong("RungeKutta3Solver", "weights add up to 7/6", "weight|add up",
                         rungeKutta("1/2; -1 2", "1/6 2/3 1/3", "")),
                 wrong("SSPRK3Solver", "last weight", "weight|add up", rungeKutta("1; 1/4 1/4", "1/6 1/6 1/3", "")),
-                wrong("RK4Solver", "weight of k3", "weight of k3", rungeKutta(RK4, "1/6 1/3 1/6 1/6", "")),
+                wrong("RK4Solver", "weight", "weight of k3", rungeKutta(RK4, "1/6 1/3 1/6 1/6", "")),
                 wrong("RK4Solver", "weights in disorder", "weight", rungeKutta(RK4, "1/3 1/6 1/6 1/3", "")),
                 wrong("RK4Solver", "all weights 1/4", "weight", rungeKutta(RK4, "1/4 1/4 1/4 1/4", "")),
                 wrong("RK4Solver", "not divided by 6", "6 times", rungeKutta(RK4, "1 2 2 1", "")),

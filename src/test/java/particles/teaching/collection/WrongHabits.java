@@ -79,7 +79,7 @@ final class WrongHabits {
                     source.setState(plus(trial, h, slopeAt(source, trial)));
                     source.incTime(h / 2);
                 }),
-                wrong("EulerSolver", "loop ends too early", "entry 23|loop", (source, h) -> {
+                wrong("EulerSolver", "loop ends too early", ": 23;|loop", (source, h) -> {
                     double[] s = state(source);
                     double[] f = slope(source);
                     for (int i = 0; i < s.length - 1; i++) {

@@ -120,7 +120,7 @@ class PlantedStateTest {
             }
             source.setState(state);
             source.incTime(deltaT);
-        }), "state: entry 23 of 24 stays as it was in the new state: the loop has to");
+        }), "state: these entries stay as they were in the new state: 23; the loop has to");
     }
 
     @Test
