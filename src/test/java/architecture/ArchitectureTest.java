@@ -66,7 +66,7 @@ class ArchitectureTest {
                                            particles.output.charts particles.output.files particles.output.frames
                                            particles.output.raster particles.scene particles.scene.format
                                            particles.threads particles.view picocli
-            particles.app.student:         deSolvers deSolvers.catalog particles.app.cli particles.law
+            particles.app.student:         deSolvers deSolvers.catalog particles.app.cli particles.javac particles.law
                                            particles.output.charts particles.output.files particles.output.report
                                            particles.output.text
                                            particles.spec particles.teaching particles.teaching.effects
@@ -93,12 +93,13 @@ class ArchitectureTest {
             particles.experiments.work:    deSolvers deSolvers.catalog deSolvers.implicit deSolvers.problems particles
                                            particles.effects particles.effects.springs particles.experiments.runs
                                            particles.experiments.spectrum particles.law particles.scene particles.view
+            particles.javac:               javax.tools
             particles.lab:                 deSolvers.catalog particles particles.experiments.energy
                                            particles.experiments.stability particles.law
                                            particles.messages particles.scene particles.scene.format particles.spec
                                            particles.view
             particles.lab.browser:         deSolvers particles.effects particles.lab particles.spec org.teavm
-            particles.lab.compile:         particles.lab javax.tools org.teavm
+            particles.lab.compile:         particles.javac particles.lab org.teavm
             particles.law:
             particles.messages:            deSolvers deSolvers.catalog deSolvers.text particles particles.effects
                                            particles.experiments.stability particles.law particles.reactions

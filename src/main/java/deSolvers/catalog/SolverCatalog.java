@@ -150,7 +150,8 @@ public final class SolverCatalog {
         if (entry == null) {
             throw new NoSuchElementException("unknown solver '" + name + "'"
                     + DidYouMean.hint(name, names(), "'%s'"::formatted)
-                    + " known: " + String.join(", ", names()));
+                    + " known: " + String.join(", ", names()) + (name.matches("[A-Z]\\w*")
+                    ? "; a class of your own is called exercises." + name : ""));
         }
         return entry.info();
     }

@@ -20,6 +20,8 @@ public record Finding(Kind kind, String text) {
         FAILURE("failure"),
         /** It is a right method, and not the one that the class's name promises. */
         NAME("name"),
+        /** Nothing is written yet, as in a skeleton. */
+        UNWRITTEN("not yet"),
         /** The check did not come to an end: no mark, and no mistake. */
         UNDECIDED("not decided"),
         /** No mistake, but something that could be better. */

@@ -38,7 +38,8 @@ public final class CheckProcess {
         assertEquals(planted.getSimpleName(), screen.lines().findFirst().orElseThrow()
                 .replaceFirst("(.*[.$])?(\\w+): wrong.*",
                 "$2"), "the verdict comes first: " + screen);
-        String first = screen.lines().filter(line -> line.startsWith("failure: ")).findFirst().orElseThrow();
+        String first = screen.lines().filter(line -> line.startsWith("WRONG, failure: ")).findFirst().orElseThrow()
+                .replaceFirst("WRONG, ", "");
         assertTrue(report.contains("- **failure**: " + first.replaceFirst("failure: ", "")), report);
         assertTrue(screen.contains("report: " + folder.resolve(command + ".md")), screen);
         return first;

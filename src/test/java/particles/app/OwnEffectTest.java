@@ -173,12 +173,13 @@ class OwnEffectTest {
     @Test
     void checkEffectCreatesTheEffectFromItsKeys() throws IOException {
         write("Coriolis", LAW);
-        assertEquals(List.of(), EffectCheck.check(EffectSample.law("Coriolis", new StudentClasses())));
+        assertEquals(List.of(), EffectCheck.check(particles -> EffectSample.create("Coriolis", particles,
+                new StudentClasses())));
     }
 
     @Test
     void theSkeletonOfNewEffectRunsInAScene() throws IOException {
-        write("MyForce", EffectSkeleton.effect("MyForce"));
+        write("MyForce", EffectSkeleton.effect("MyForce", false));
         assertEquals("MyForce", scene(SCENE.replaceFirst("exercises.*",
                 "exercises.MyForce: {strength: 2}")).system().getEffects()
                 .get(0).getName());

@@ -98,7 +98,8 @@ class RegisteredEffectsTest {
         assertEquals(name.equals("wind") || name.equals("turbulence"),
                 effect.getTraits().contains(Effect.Trait.DRIVING),
                 "only what blows drives");
-        assertEquals(List.of(), EffectCheck.check(EffectSample.law(name, ClassNames.none())));
+        assertEquals(List.of(), EffectCheck.check(particles -> EffectSample.create(name, particles,
+                ClassNames.none())));
     }
 
     @Test

@@ -5,14 +5,16 @@ import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import particles.law.Effect;
+import particles.law.Particles;
 import particles.output.report.ResultPage;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.effects.EffectCheck;
-import particles.teaching.effects.EffectLaw;
 import particles.teaching.effects.EffectSample;
+import particles.teaching.effects.ForceDirection;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -40,14 +42,14 @@ public final class CheckEffectCommand extends CheckCommand {
         String identity;
         List<Finding> findings;
         try {
-            EffectLaw law = EffectSample.law(effect, new StudentClasses());
-            Effect made = law.maker().apply(EffectSample.system().getParticles());
+            Function<Particles, Effect> law = particles -> EffectSample.create(effect, particles, new StudentClasses());
+            Effect made = law.apply(EffectSample.system().getParticles());
             findings = EffectCheck.check(law);
             Optional<String> other = EffectSample.checkedThrough(effect);
             subject = other.isPresent() ? effect : made.getClass().getSimpleName();
             identity = other.map(name -> "It acts through '" + name + "', which then")
                     .orElse("The effect '" + made.getName() + "'") + " claims " + claims(made.getTraits()) + "."
-                    + changed(EffectSample.actingThrough(effect));
+                    + (findings.stream().anyMatch(Finding::isWrong) ? "" : ForceDirection.of(law)) + changed(EffectSample.actingThrough(effect));
         } catch (NoSuchElementException | IllegalArgumentException e) {
             identity = Checked.NOT_CHECKED;
             findings = List.of(new Finding(Kind.FAILURE, String.valueOf(e.getMessage())));

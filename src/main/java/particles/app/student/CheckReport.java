@@ -25,10 +25,16 @@ final class CheckReport {
      * @return the lines
      */
     static List<String> lines(Checked checked, String printed, Path report) {
-        List<String> wrong = checked.findings().stream().filter(Finding::isWrong).map(Finding::toString).toList();
-        List<String> notes = checked.findings().stream().filter(finding -> !finding.isWrong())
-                .map(finding -> finding.toString()).toList();
         List<String> lines = new ArrayList<>();
+        for (Finding finding : checked.findings()) {
+            if (finding.kind() == Finding.Kind.UNWRITTEN) {
+                lines.add(checked.subject() + ": " + finding.text());
+                return lines;
+            }
+        }
+        List<String> wrong = checked.findings().stream().filter(Finding::isWrong).map(CheckReport::line).toList();
+        List<String> notes = checked.findings().stream().filter(finding -> !finding.isWrong()).map(CheckReport::line)
+                .toList();
         lines.add(checked.subject() + ": " + (checked.identity().equals(Checked.NOT_CHECKED) ? ""
                 : verdict(checked.findings())) + checked.identity());
         add(lines, wrong, MOST_MISTAKES);
@@ -55,6 +61,15 @@ final class CheckReport {
             case UNDECIDED -> "not decided. ";
             default -> "wrong. ";
         }).findFirst().orElse("right. ");
+    }
+
+    /** Capitals for what costs the mark. */
+    private static String line(Finding finding) {
+        return switch (finding.kind()) {
+            case STYLE, UNDECIDED -> "";
+            case NAME -> "PROMISE, ";
+            default -> "WRONG, ";
+        } + finding;
     }
 
     private static void add(List<String> lines, List<String> more, int most) {

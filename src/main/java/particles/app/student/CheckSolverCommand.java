@@ -65,7 +65,8 @@ public final class CheckSolverCommand extends CheckCommand {
         SolverVerdict verdict = SolverCheck.check(maker, name);
         String title = name + ": " + verdict.identity();
         List<String> text = paragraphs(verdict.findings());
-        if (verdict.wrong().stream().anyMatch(finding -> finding.kind() == Kind.FAILURE)) {
+        if (verdict.wrong().stream().anyMatch(finding -> finding.kind() == Kind.FAILURE
+                || finding.kind() == Kind.UNWRITTEN)) {
             return new Checked(name, verdict.identity(), verdict.findings(), new ResultPage(NAME, title, text,
                     List.of(), List.of()));
         }

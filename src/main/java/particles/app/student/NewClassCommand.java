@@ -7,6 +7,7 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.Locale;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.OptionStyle;
@@ -21,7 +22,7 @@ import picocli.CommandLine.Option;
  * class.
  */
 public abstract class NewClassCommand extends ProgramCommand {
-    @Option(names = "--class", paramLabel = "NAME", required = true,
+    @Option(names = "--class", paramLabel = "NAME",
             description = "The name of the class, such as HeunSolver or MyForce.")
     private String className;
 
@@ -37,6 +38,11 @@ public abstract class NewClassCommand extends ProgramCommand {
         this.style = style;
     }
 
+    /** @return the class's name if none is given; empty if one has to be */
+    String usualName() {
+        return "";
+    }
+
     /** @return the class's text */
     abstract String text(String name);
 
@@ -48,7 +54,11 @@ public abstract class NewClassCommand extends ProgramCommand {
 
     @Override
     public final void run(PrintWriter out) throws IOException {
-        String name = className.replaceFirst("^exercises[.]", "");
+        String name = (className == null ? usualName() : className).replaceFirst("^exercises[.]", "");
+        if (name.isEmpty()) {
+            throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("class") + " needs a value: "
+                    + style.option("class") + "=NAME");
+        }
         if (!SolverSkeleton.isClassName(name)) {
             throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("class") + ": '" + className
                     + "' is not a class name; use a capital, then letters and digits");
@@ -74,6 +84,10 @@ public abstract class NewClassCommand extends ProgramCommand {
                         + " formulas.")
         private String from;
 
+        @Option(names = "--example", paramLabel = "METHOD",
+                description = "Writes a whole small solver to compare with: euler, heun or midpoint.")
+        private String example;
+
         private final OptionStyle style;
 
         /** Creates the command; see {@link NewClassCommand}. */
@@ -83,12 +97,22 @@ public abstract class NewClassCommand extends ProgramCommand {
         }
 
         @Override
+        String usualName() {
+            return example == null || example.isEmpty() ? "" : example.substring(0, 1).toUpperCase(Locale.ROOT)
+                    + example.substring(1) + "Example";
+        }
+
+        @Override
         String text(String name) {
             if (!SolverSkeleton.SOLVER_BASES.contains(from)) {
                 throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("from") + ": '" + from
                         + "' cannot be extended here; allowed are: " + String.join(", ", SolverSkeleton.SOLVER_BASES));
             }
-            return SolverSkeleton.solver(name, from);
+            if (example != null && !SolverSkeleton.examples().contains(example)) {       // picocli leaves it null
+                throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("example") + ": there is no example '"
+                        + example + "'; allowed are: " + String.join(", ", SolverSkeleton.examples()));
+            }
+            return example == null ? SolverSkeleton.solver(name, from) : SolverSkeleton.example(name, example);
         }
 
         @Override
@@ -105,6 +129,10 @@ public abstract class NewClassCommand extends ProgramCommand {
     /** {@code gradle newEffect}: writes the skeleton of a force law. */
     @Command(name = "newEffect", description = "Writes the skeleton of a force law of your own.")
     public static final class NewEffect extends NewClassCommand {
+        @Option(names = "--conservative", paramLabel = "true|false", arity = "0..1", fallbackValue = "true",
+                defaultValue = "false", description = "Whether it has a potential energy.")
+        private boolean conservative;
+
         /** Creates the command; see {@link NewClassCommand}. */
         public NewEffect(Path folder, OptionStyle style) {
             super(folder, style);
@@ -112,7 +140,7 @@ public abstract class NewClassCommand extends ProgramCommand {
 
         @Override
         String text(String name) {
-            return EffectSkeleton.effect(name);
+            return EffectSkeleton.effect(name, conservative);
         }
 
         @Override

@@ -1,29 +1,22 @@
 package particles.app.student;
 
 import java.io.ByteArrayOutputStream;
-import java.io.File;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.io.UncheckedIOException;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
-import javax.tools.Diagnostic;
-import javax.tools.DiagnosticCollector;
 import javax.tools.FileObject;
 import javax.tools.ForwardingJavaFileManager;
-import javax.tools.JavaCompiler;
 import javax.tools.JavaFileManager;
 import javax.tools.JavaFileObject;
 import javax.tools.SimpleJavaFileObject;
-import javax.tools.StandardJavaFileManager;
 import javax.tools.StandardLocation;
-import javax.tools.ToolProvider;
+import particles.javac.Javac;
 
 /**
  * Class loader that compiles students' classes in memory on demand, each by itself, so that a class that does not
@@ -54,7 +47,7 @@ public final class StudentLoader extends ClassLoader {
     /**
      * {@inheritDoc}
      *
-     * @throws IllegalArgumentException with the compiler's first message, if the class does not compile
+     * @throws IllegalArgumentException if the class does not compile, or is not the one that the file's name says
      */
     @Override
     protected Class<?> findClass(String name) throws ClassNotFoundException {
@@ -63,48 +56,24 @@ public final class StudentLoader extends ClassLoader {
             throw new ClassNotFoundException(name);
         }
         if (!compiled.containsKey(name)) {
-            compile(source);
+            Javac.compile(source, folder.toAbsolutePath().getParent(), List.of(), InMemory::new);
         }
         if (!compiled.containsKey(name)) {
-            throw new ClassNotFoundException(name);
+            String bare = name.replace(PACKAGE + ".", "");
+            if (bare.contains("$")) {
+                throw new ClassNotFoundException(name);
+            }
+            throw new IllegalArgumentException(source.getFileName() + (compiled.containsKey(bare)
+                    ? ": the first line has to be 'package exercises;'" : ": the class in it has to be called " + bare
+                    + ", as the file is"));
         }
         byte[] bytes = compiled.get(name).toByteArray();
         return defineClass(name, bytes, 0, bytes.length);
     }
 
-    private void compile(Path source) {
-        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
-        if (compiler == null) {                         // null on a Java that only runs programs
-            throw new IllegalArgumentException("this Java has no compiler: your own classes need a JDK, not a JRE");
-        }
-        DiagnosticCollector<JavaFileObject> messages = new DiagnosticCollector<>();
-        try (StandardJavaFileManager files = compiler.getStandardFileManager(messages, Locale.ROOT, null);
-                InMemory memory = new InMemory(files)) {
-            files.setLocation(StandardLocation.SOURCE_PATH, List.of(folder.toAbsolutePath().getParent().toFile()));
-            boolean compiles = compiler.getTask(null, memory, messages,
-                    List.of("-cp", System.getProperty("java.class.path"),
-                    "-proc:none"),
-                    null, files.getJavaFileObjects(source.toFile())).call();
-            if (!compiles) {
-                throw new IllegalArgumentException(messages.getDiagnostics().stream()
-                        .filter(message -> message.getKind() == Diagnostic.Kind.ERROR).findFirst()
-                        .map(StudentLoader::line)
-                        .orElse(source.getFileName() + ": it does not compile"));
-            }
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
-    private static String line(Diagnostic<? extends JavaFileObject> message) {
-        String text = "it does not compile: " + message.getMessage(Locale.ROOT).replaceAll("\\s+", " ");
-        return message.getSource() == null ? text       // null for what is wrong with no file
-                : new File(message.getSource().getName()).getName() + ":" + message.getLineNumber() + ": " + text;
-    }
-
     /** Keeps compiled classes in memory and shows the compiler only students' sources. */
-    private final class InMemory extends ForwardingJavaFileManager<StandardJavaFileManager> {
-        InMemory(StandardJavaFileManager files) {
+    private final class InMemory extends ForwardingJavaFileManager<JavaFileManager> {
+        InMemory(JavaFileManager files) {
             super(files);
         }
 

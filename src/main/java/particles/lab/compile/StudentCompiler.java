@@ -9,15 +9,9 @@ import java.nio.file.Path;
 import java.util.Collections;
 import java.util.Enumeration;
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import javax.tools.Diagnostic;
-import javax.tools.DiagnosticCollector;
-import javax.tools.JavaCompiler;
-import javax.tools.JavaFileObject;
-import javax.tools.StandardJavaFileManager;
-import javax.tools.ToolProvider;
+import particles.javac.Javac;
 import particles.lab.LabBuilder.Contents;
 
 /** Compiles students' classes, and the list of them that the page has. */
@@ -47,7 +41,7 @@ final class StudentCompiler {
             }
         }
         Path classes = Files.createDirectories(folder.resolve("classes"));
-        compile(list, sources, classes);
+        Javac.compile(list, sources, List.of("-d", classes.toString()), files -> files);
         return new OwnFirst(classes);
     }
 
@@ -68,22 +62,6 @@ final class StudentCompiler {
     private static String entries(List<String> names, String inner) {
         return names.stream().map(name -> "java.util.Map.entry(\"" + name + "\", " + name + inner + "::new)")
                 .collect(Collectors.joining(", "));
-    }
-
-    private static void compile(Path list, Path sources, Path classes) throws IOException {
-        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
-        DiagnosticCollector<JavaFileObject> messages = new DiagnosticCollector<>();
-        try (StandardJavaFileManager files = compiler.getStandardFileManager(messages, Locale.ROOT, null)) {
-            boolean compiles = compiler.getTask(null, files, messages,
-                    List.of("-cp", System.getProperty("java.class.path"),
-                    "-proc:none", "-sourcepath", sources.toString(), "-d", classes.toString()), null,
-                    files.getJavaFileObjects(list)).call();
-            if (!compiles) {
-                throw new IllegalArgumentException(messages.getDiagnostics().stream()
-                        .filter(message -> message.getKind() == Diagnostic.Kind.ERROR).findFirst()
-                        .map(message -> message.toString().strip()).orElse("it does not compile"));
-            }
-        }
     }
 
     /** Class loader that prefers the classes just compiled. */

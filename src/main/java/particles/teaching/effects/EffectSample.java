@@ -3,7 +3,6 @@ package particles.teaching.effects;
 import deSolvers.catalog.DidYouMean;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.Random;
@@ -19,7 +18,6 @@ import particles.law.Obstacle;
 import particles.law.Particles;
 import particles.law.Vector3;
 import particles.spec.ClassNames;
-import particles.spec.Key;
 
 /** Sample systems on which effects are checked, and effects by name. */
 public final class EffectSample {
@@ -86,21 +84,6 @@ public final class EffectSample {
     }
 
     /**
-     * @param name    as for {@link #create}
-     * @param classes finds the class
-     * @return the law with the description in its keys
-     */
-    public static EffectLaw law(String name, ClassNames classes) {
-        if (name.equals(SPRINGS) || name.equals(DAMPED_SPRINGS)) {
-            return new EffectLaw(particles -> create(name, particles, classes));
-        }
-        EffectKind kind = named(name).orElseGet(() -> byClass(name, classes));
-        Object described = kind.keys().schema().get("properties");
-        boolean signed = kind.keys().keys().stream().filter(Key::required).anyMatch(key -> !isPositive(described, key));
-        return new EffectLaw(particles -> create(name, particles, classes), kind.sentence(), signed);
-    }
-
-    /**
      * @param name the name of an effect, as for {@link #create}
      * @return the effect through which an effect without a force of its own is checked, as wind through drag
      */
@@ -115,11 +98,6 @@ public final class EffectSample {
     public static List<String> actingThrough(String name) {
         return EffectCatalog.ALL.stream().filter(kind -> kind.needs().stream().findFirst().equals(Optional.of(name)))
                 .map(EffectKind::name).toList();
-    }
-
-    private static boolean isPositive(Object described, Key<?> key) {
-        return described instanceof Map<?, ?> properties && properties.get(key.name()) instanceof Map<?, ?> schema
-                && schema.get("minimum") instanceof Number least && least.doubleValue() >= 0;
     }
 
     private static Optional<EffectKind> named(String name) {

@@ -171,6 +171,10 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         if (Math.abs(factor - 1) < SHOWN) {
             return "kept";
         }
+        if (factor > 1.995) {
+            return factor < 2.005 ? "doubles in every step" : String.format(Locale.ROOT,
+                    "becomes %.3g times as large in every step", factor);
+        }
         return String.format(Locale.ROOT, "%s by %.2g %% in every step", factor > 1 ? "grows" : "shrinks",
                 100 * Math.abs(factor - 1));
     }

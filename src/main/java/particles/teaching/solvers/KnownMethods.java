@@ -42,8 +42,8 @@ final class KnownMethods {
             Ralston's method of order 3 | 3 | 1/2; 0 3/4 | 2/9 1/3 4/9
             SSPRK3, the method of Shu and Osher | 3 | 1; 1/4 1/4 | 1/6 1/6 2/3
             Kutta's 3/8 rule | 4 | 1/3; -1/3 1; 1 -1 1 | 1/8 3/8 3/8 1/8
-            Ralston's method of order 4 (its eight printed digits) | 4 | .4; .29697761 .15875964; .21810040 -3.05096516 3.83286476 \
-            | .17476028 -.55148066 1.20553560 .17118478
+            Ralston's method of order 4 (its eight printed digits) | 4 | .4; .29697761 .15875964; \
+            .21810040 -3.05096516 3.83286476 | .17476028 -.55148066 1.20553560 .17118478
             Gill's method | 4 | 1/2; R-.5 1-R; 0 -R 1+R | 1/6 1-R/3 1+R/3 1/6
             Fehlberg's method of order 4 | 4 | 1/4; 3/32 9/32; 1932/2197 -7200/2197 7296/2197; \
             439/216 -8 3680/513 -845/4104; -8/27 2 -3544/2565 1859/4104 -11/40 | 25/216 0 1408/2565 2197/4104 -1/5 0

@@ -31,7 +31,7 @@ record NamePromise(String says, int order, List<String> methods, Strength streng
 
     /** Words in a name that say nothing about the method; a letter and digits before it number an exercise. */
     private static final String NOISE =
-            "^[a-z]\\d+|my|solver|stepper|integrator|method|rule|step|the|mine|own|fixed|test|good|newton|new|scheme"
+            "^[a-z]\\d+|my|solver|stepper|integrator|method|rule|step|the|mine|own|fixed|test|example|good|newton|new|scheme"
             + "|task|exercise|question|homework|assignment|aufgabe|version|verfahren|explicit|forward|classical|classic"
             + "|standard|slides?|particles?|\\d";
     private static final Pattern CHANGES = Pattern.compile("richardson|extrapol|romberg|adapt|embedded|pair|doubling"

@@ -21,7 +21,7 @@ enum Phrase {
 
     private static final String BOOK = """
             # the class
-            state NOTHING_YET: the step does nothing yet: write it, then check again
+            unwritten NOTHING_YET: the step does nothing yet: write it, then check again
             state NOT_FINITE: the new state is NaN or infinite although state and derivative are finite: look for \
                 0/0, the root of a negative number, a division by something that is 0, or a matrix with a row of \
                 zeros

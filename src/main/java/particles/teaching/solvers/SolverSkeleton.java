@@ -1,6 +1,10 @@
 package particles.teaching.solvers;
 
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
 
 /** The template of a student's solver: it compiles, and has the algorithm's outline as comments. */
 public final class SolverSkeleton {
@@ -75,7 +79,58 @@ public final class SolverSkeleton {
             }
             """;
 
+    /** What follows the derivative in the example of each method, its name first. */
+    private static final Map<String, String> EXAMPLES = new TreeMap<>(Map.of("euler", """
+                for (int i = 0; i < n; i++) {
+                    state[i] += deltaT * dSdt[i];
+                }
+                source.setState(state);                     // the new state, at time t + deltaT
+                source.incTime(deltaT);
+        """, "midpoint", """
+                double[] middle = new double[n];
+                for (int i = 0; i < n; i++) {
+                    middle[i] = state[i] + deltaT / 2 * dSdt[i];
+                }
+                source.setState(middle);                    // a trial state, half way
+                source.incTime(deltaT / 2);
+                source.getStateDerivative(dSdt);
+                for (int i = 0; i < n; i++) {
+                    state[i] += deltaT * dSdt[i];           // from the start, along the derivative in the middle
+                }
+                source.setState(state);
+                source.incTime(deltaT / 2);                 // t + deltaT
+        """, "heun", """
+                double[] trial = new double[n];
+                for (int i = 0; i < n; i++) {
+                    trial[i] = state[i] + deltaT * dSdt[i];
+                }
+                source.setState(trial);                     // a trial state: Euler's
+                source.incTime(deltaT);                     // and its time, t + deltaT
+                double[] end = new double[n];
+                source.getStateDerivative(end);
+                for (int i = 0; i < n; i++) {
+                    state[i] += deltaT / 2 * (dSdt[i] + end[i]);
+                }
+                source.setState(state);                     // the clock is at t + deltaT already
+        """));
+
     private SolverSkeleton() {
+    }
+
+    /** @return the names of the methods with an example */
+    public static Set<String> examples() {
+        return EXAMPLES.keySet();
+    }
+
+    /**
+     * @param name   the class's name
+     * @param method one of {@link #examples()}
+     * @return the text of a whole solver, to compare one's own with
+     */
+    public static String example(String name, String method) {
+        String outline = ON_DE_SOLVER.replaceFirst("(?s)OUTLINE.*add up to deltaT\n", Matcher.quoteReplacement(
+                EXAMPLES.get(method)));
+        return outline.replace("My own solver", "An example: " + method).replace("NAME", name);
     }
 
     /**

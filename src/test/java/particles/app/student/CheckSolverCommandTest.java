@@ -125,7 +125,7 @@ class CheckSolverCommandTest {
     void aWrongSolverGetsItsMistakeAndAnExitCode(@TempDir Path folder) throws IOException {
         String screen = here(ExitCode.BAD_INPUT, NoClock.class.getName(), folder);
         String mistake = "the clock never moves: incTime(deltaT) is missing";
-        assertTrue(screen.lines().anyMatch(("time: " + mistake)::equals), screen);
+        assertTrue(screen.lines().anyMatch(("WRONG, time: " + mistake)::equals), screen);
         assertTrue(screen.startsWith("NoClock: wrong. "), screen);
         assertTrue(Files.readString(folder.resolve("report/checkSolver.md")).contains("- **time**: " + mistake));
     }

@@ -134,10 +134,10 @@ class GradeCommandTest {
         assertTrue(report.contains("'kg' after the number is not understood: the answer is wanted in m/s"), report);
         assertTrue(report.contains("| solver GoodSolver | 1 | GoodSolver: right. This is the Euler method."), report);
         assertTrue(report.contains(
-                "| solver BrokenSolver | 0 | exercises.BrokenSolver: it cannot be checked. failure: "),
+                "| solver BrokenSolver | 0 | exercises.BrokenSolver: it cannot be checked. WRONG, failure: "),
                 report);
         assertTrue(report.contains(
-                "failure: BrokenSolver.java:11: it does not compile: cannot find symbol symbol: variable dSdx"),
+                "WRONG, failure: it does not compile: BrokenSolver.java:11: cannot find symbol: variable dSdx"),
                 report);
         assertTrue(report.contains("| solver WrongSolver | 0 | WrongSolver: "), report);
         assertEquals(Exercises.all().size() + 3,

@@ -15,9 +15,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Program;
@@ -26,8 +29,8 @@ import particles.law.Effect;
 import particles.law.Particles;
 import particles.teaching.Finding;
 import particles.teaching.effects.EffectCheck;
-import particles.teaching.effects.EffectLaw;
 import particles.teaching.solvers.SolverCheck;
+import particles.teaching.solvers.SolverVerdict;
 
 /** Skeletons compile without a warning, do nothing yet, say how to go on, and never replace what is there. */
 class NewClassCommandTest {
@@ -69,20 +72,17 @@ class NewClassCommandTest {
         Class<?> solver = compiled("MyRK4Solver");
         List<String> wrong = SolverCheck.check(() -> make(solver),
                 "MyRK4Solver").wrong().stream().map(Finding::toString).toList();
-        assertEquals(List.of("state: the step does nothing yet: write it, then check again"),
+        assertEquals(List.of("not yet: the step does nothing yet: write it, then check again"),
                 wrong);
     }
 
-    /** The formula is all that is missing: clock and state are the base class's part. */
     @Test
-    void aSolverOnFixedStepSolverCompilesAndMissesOnlyItsFormula() throws ReflectiveOperationException, IOException {
+    void aSolverOnFixedStepSolverCompilesAndIsToldTheSame() throws ReflectiveOperationException, IOException {
         run(ExitCode.DONE, "newSolver", "HeunSolver", "--from=FixedStepSolver");
         Class<?> solver = compiled("HeunSolver");
         List<String> wrong = SolverCheck.check(() -> make(solver),
                 "HeunSolver").wrong().stream().map(Finding::toString).toList();
-        assertFalse(wrong.isEmpty());
-        assertTrue(wrong.stream().noneMatch(line -> line.startsWith("time: ") || line.contains("setState")),
-                wrong.toString());
+        assertEquals(List.of("not yet: the step does nothing yet: write it, then check again"), wrong);
     }
 
     @Test
@@ -124,9 +124,51 @@ class NewClassCommandTest {
         assertTrue(run(ExitCode.DONE, "newEffect", "MyGravity").contains("- exercises.MyGravity: {strength: 2}"));
         Constructor<? extends Effect> maker = compiled("MyGravity").asSubclass(Effect.class)
                 .getConstructor(Particles.class, double.class);
-        List<Finding> wrong = EffectCheck.check(new EffectLaw(particles -> made(maker, particles, 2.0)));
+        List<Finding> wrong = EffectCheck.check(particles -> made(maker, particles, 2.0));
         assertEquals(1, wrong.size(), wrong.toString());
-        assertTrue(wrong.get(0).toString().startsWith("method: there is no force on any particle"), wrong.toString());
+        assertTrue(wrong.get(0).toString().startsWith("not yet: there is no force on any particle"), wrong.toString());
+    }
+
+    /** Filled in as the comments of the skeletons suggest. */
+    @Test
+    void aFilledInSkeletonPasses() throws ReflectiveOperationException, IOException {
+        assertEquals(List.of("STYLE"), filledIn("MyDrag", "velocity.times(-strength)", ""));
+        assertEquals(List.of(), filledIn("MyTether", "position.times(-strength)",
+                "0.5 * strength * position.dot(position)", "--conservative=true"));
+        assertEquals(List.of("METHOD"), filledIn("MyMistake", "position.times(strength)",
+                "0.5 * strength * position.dot(position)", "--conservative=true"));
+    }
+
+    private List<String> filledIn(String name, String force, String energy, String... options)
+            throws ReflectiveOperationException, IOException {
+        run(ExitCode.DONE, "newEffect", name, options);
+        Path file = folder.resolve("exercises").resolve(name + ".java");
+        Files.writeString(file, Files.readString(file).replace("return Vector3.ZERO;", "return " + force + ";").replace(
+                "return 0;", "return " + energy + ";"));
+        Constructor<? extends Effect> maker = compiled(name).asSubclass(Effect.class)
+                .getConstructor(Particles.class, double.class);
+        return EffectCheck.check(particles -> made(maker, particles, 2.0)).stream().map(found -> found.kind().name())
+                .toList();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"euler", "heun", "midpoint"})
+    void anExampleIsARightSolver(String method) throws ReflectiveOperationException, IOException {
+        String name = method.substring(0, 1).toUpperCase(Locale.ROOT) + method.substring(1) + "Example";
+        StringWriter out = new StringWriter();
+        assertEquals(ExitCode.DONE, new Program(List.of(new NewClassCommand.NewSolver(folder.resolve("exercises"),
+                OptionStyle.GRADLE)), OptionStyle.GRADLE, new PrintWriter(out), new PrintWriter(out)).execute(
+                "newSolver", "--example=" + method), out.toString());
+        Class<?> solver = compiled(name);
+        SolverVerdict verdict = SolverCheck.check(() -> make(solver), name);
+        assertEquals(List.of(), verdict.wrong());
+        assertTrue(verdict.identity().toLowerCase(Locale.ROOT).contains(method), verdict.identity());
+    }
+
+    @Test
+    void anExampleThatThereIsNotIsRefused() {
+        assertTrue(run(ExitCode.BAD_INPUT, "newSolver", "Mine", "--example=rk5").startsWith("option -Pexample: there is"
+                + " no example 'rk5'; allowed are: euler, heun, midpoint"));
     }
 
     @Test

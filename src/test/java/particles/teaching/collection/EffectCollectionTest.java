@@ -11,7 +11,6 @@ import particles.teaching.Finding;
 import particles.teaching.GuardedRun;
 import particles.teaching.GuardedRun.Outcome;
 import particles.teaching.effects.EffectCheck;
-import particles.teaching.effects.EffectLaw;
 
 /** Right and wrong force laws in many styles: no false alarm, none accepted, and the cause named. */
 @Tag("hard")
@@ -20,8 +19,7 @@ class EffectCollectionTest {
 
     /** @return what the check says is wrong; empty for a law that passes */
     private static List<String> wrong(EffectSpecimen specimen) {
-        Outcome<List<Finding>> outcome = new GuardedRun(SECONDS).run(() -> EffectCheck.check(new EffectLaw(
-                specimen.maker(), specimen.sentence(), false)));
+        Outcome<List<Finding>> outcome = new GuardedRun(SECONDS).run(() -> EffectCheck.check(specimen.maker()));
         return outcome.failure().map(List::of).orElseGet(() -> outcome.value().orElseThrow()).stream()
                 .filter(Finding::isWrong).map(Finding::toString).toList();
     }

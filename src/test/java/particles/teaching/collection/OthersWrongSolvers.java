@@ -113,7 +113,7 @@ final class OthersWrongSolvers {
                 wrong("AB4", "begun with copies of the first derivative", "Begin with a method",
                         () -> new Adams(4, 1, false)),
                 wrong("HeunsMethod", "is midpoint", "not Heun's method", rungeKutta("1/2", "0 1", "")),
-                wrong("TenSubSteps", "an eleventh by rounding", "sub-step too many", (source, h) -> {
+                wrong("TenSubSteps", "an eleventh by rounding", "made once too often", (source, h) -> {
                     double end = source.getTime() + h;
                     for (double t = 0; Math.abs(t) < Math.abs(h); t += h / 10) {
                         rungeKutta("1/2", "0 1", "").make(source, h / 10);

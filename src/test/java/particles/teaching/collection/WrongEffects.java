@@ -50,28 +50,11 @@ final class WrongEffects {
         return List.of(
                 wrong("Gravity.", "force upwards", "sign", p -> gravity(p, -1, 1)),
                 wrong("Gravity.", "energy falls with height", "sign", p -> gravity(p, 1, -1)),
-                wrong("Gravity.", "force and energy upwards", "gravity.*(up|down)", p -> gravity(p, -1, -1)),
                 wrong("Drag.", "pushes along", "sign", p -> drag(p, -1, 1, Trait.DISSIPATIVE)),
                 wrong("Drag.", "heat negative", "sign of the dissipated power", p -> drag(p, 1, -1,
                         Trait.DISSIPATIVE)),
                 wrong("Drag.", "pushes along and cools", "sign|against the velocity", p -> drag(p, -1, -1,
                         Trait.DISSIPATIVE)),
-                wrong("A spring to the origin.", "pushes away and says so", "spring.*pull|pull.*spring|sign",
-                        p -> tether(p, -1, -1, Trait.CONSERVATIVE)),
-                wrong("Attracts all particles to each other.", "repels", "attract", p -> law("MyForce",
-                        Trait.INTERNAL, Trait.CONSERVATIVE).force(pairs(p, -1, (r, mm) -> -mm / (r * r)))
-                        .energy(pairEnergy(p, (r, mm) -> mm / r))),
-                wrong("Charges repel each other.", "attracts", "repel|repulsion", p -> law("Charges", Trait.INTERNAL,
-                        Trait.CONSERVATIVE).force(pairs(p, -1, (r, mm) -> 2 / (r * r)))
-                        .energy(pairEnergy(p, (r, mm) -> -2 / r))),
-                wrong("Springs between neighbours.", "push when stretched, and say so",
-                        "spring.*pull|pull.*spring|sign", p -> law("Chain", Trait.INTERNAL, Trait.CONSERVATIVE)
-                        .force((s, t, f) -> RightEffects.chain(p, s, f, -20, 0.8, 0, false))
-                        .energy((s, t) -> RightEffects.chainEnergy(p, s, -20, 0.8, false))),
-                wrong("A floor that holds particles up.", "sucks them down", "floor.*push|push.*floor|sign",
-                        p -> law("Floor", Trait.CONSERVATIVE).force(each(p, (s, f, x, m)
-                        -> f[x + 4] -= Math.max(0, 50 * (0.5 - s[x + 1])))).energy(sum(p, (s, x, m)
-                        -> -25 * Math.pow(Math.max(0, 0.5 - s[x + 1]), 2)))),
                 wrong("Drag with the square of the speed", "v * v has no sign", "v v",
                         p -> law("QuadraticDrag", Trait.DISSIPATIVE).moving().force(each(p, (s, f, x, m) -> {
                             for (int k = x + 3; k < x + 6; k++) {

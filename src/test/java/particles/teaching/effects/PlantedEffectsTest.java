@@ -113,7 +113,7 @@ class PlantedEffectsTest {
     }
 
     private static void assertFound(Function<Particles, Effect> maker, String... expected) {
-        List<Finding> found = EffectCheck.check(new EffectLaw(maker));
+        List<Finding> found = EffectCheck.check(maker);
         assertEquals(expected.length == 0 ? 0 : 1, found.size(), found.toString());
         for (String part : expected) {
             assertTrue(found.get(0).toString().contains(part), found.get(0) + " does not say: " + part);
@@ -194,30 +194,15 @@ class PlantedEffectsTest {
         assertFound(drag(2), "twice as much; a half stands in the dissipated power");
     }
 
-    private static List<String> found(Function<Particles, Effect> maker, String sentence, boolean signed) {
-        return EffectCheck.check(new EffectLaw(maker, sentence, signed)).stream().map(Finding::text).toList();
-    }
-
-    /** Force and energy agree, and both are upside down: only the words tell. */
+    /** Force and energy agree, and both may be upside down: the measured direction is told, and the reader knows. */
     @Test
-    void aSignThatForceAndEnergyShareIsToldByTheSentence() {
-        String both = ": the sign is wrong, in the force and in the potential energy";
-        assertEquals(List.of("gravity pulls down, and this force points up" + both),
-                found(gravity(-1, 1, -1, 4, true), "Gravity.", false));
-        assertEquals(List.of("a spring pulls back when it is stretched, and this force pushes further apart" + both),
-                found(chain(-1, 1, -0.5), "A chain of springs.", false));
-        assertEquals(List.of("what attracts pulls closer, and this force pushes away" + both),
-                found(chain(-1, 1, -0.5), "Neighbours attract each other.", false));
-        assertEquals(List.of("what repels pushes apart, and this force pulls closer" + both),
-                found(chain(1, -1, 0.5), "Neighbours repel each other.", false));
-    }
-
-    @Test
-    void wordsThatTellNoDirectionAccuseNobody() {
-        assertEquals(List.of(), found(gravity(-1, 1, -1, 4, true), "A balloon.", false));
-        assertEquals(List.of(), found(gravity(-1, 1, -1, 4, true), "Antigravity.", false));
-        assertEquals(List.of(), found(gravity(-1, 1, -1, 4, true), "Gravity along a vector of the scene.", true));
-        assertEquals(List.of(), found(chain(-1, 1, -0.5), "Attracts far away and repels near by.", false));
+    void whereItPointsIsMeasured() {
+        assertEquals(" Measured: it points along -y.", ForceDirection.of(gravity(1, 1, 1, 4, true)));
+        assertEquals(" Measured: it points along +y.", ForceDirection.of(gravity(-1, 1, -1, 4, true)));
+        assertEquals(" Measured: it pulls particles together.", ForceDirection.of(chain(1, -1, 0.5)));
+        assertEquals(" Measured: it pushes particles apart.", ForceDirection.of(chain(-1, 1, -0.5)));
+        assertEquals(" Measured: it brakes what moves.", ForceDirection.of(drag(1)));
+        assertEquals(" Measured: it pushes along the velocity.", ForceDirection.of(drag(-1)));
     }
 
     @Test

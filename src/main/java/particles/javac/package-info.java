@@ -1,0 +1,2 @@
+/** The JDK's compiler, for students' classes. */
+package particles.javac;
