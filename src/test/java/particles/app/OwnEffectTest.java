@@ -206,8 +206,7 @@ class OwnEffectTest {
                 + " Keys extends"
                 + " EffectKind' (gradle newEffect writes one)", "exercises.Bare");
         write("Broken", "package exercises;\npublic class Broken {\n    int x = y;\n}\n");
-        assertRefused("5: Broken.java:3: it does not compile: cannot find symbol symbol: variable y location: class"
-                + " exercises.Broken", "exercises.Broken");
+        assertRefused("5: it does not compile: Broken.java:3: cannot find symbol: variable y", "exercises.Broken");
         write("Hidden", LAW.replace("Coriolis", "Hidden").replace("public Keys()", "Keys()"));
         assertRefused("5: the Keys of exercises.Hidden cannot be created; they have to be a 'public static final class"
                 + " Keys extends"

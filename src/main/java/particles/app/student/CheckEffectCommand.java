@@ -49,7 +49,8 @@ public final class CheckEffectCommand extends CheckCommand {
             subject = other.isPresent() ? effect : made.getClass().getSimpleName();
             identity = other.map(name -> "It acts through '" + name + "', which then")
                     .orElse("The effect '" + made.getName() + "'") + " claims " + claims(made.getTraits()) + "."
-                    + (findings.stream().anyMatch(Finding::isWrong) ? "" : ForceDirection.of(law)) + changed(EffectSample.actingThrough(effect));
+                    + (findings.stream().anyMatch(Finding::isWrong) ? "" : ForceDirection.of(law))
+                    + changed(EffectSample.actingThrough(effect));
         } catch (NoSuchElementException | IllegalArgumentException e) {
             identity = Checked.NOT_CHECKED;
             findings = List.of(new Finding(Kind.FAILURE, String.valueOf(e.getMessage())));

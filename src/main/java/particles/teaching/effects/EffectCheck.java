@@ -61,8 +61,9 @@ public final class EffectCheck {
     /** A law that stores all of its energy neither takes energy out nor puts any in. */
     private Optional<Finding> contradiction() {
         Trait other = trial.claims(Trait.DISSIPATIVE) ? Trait.DISSIPATIVE : Trait.DRIVING;
-        return trial.claims(Trait.CONSERVATIVE) && trial.claims(other) ? wrong(Kind.METHOD, "it claims CONSERVATIVE and "
-                + other + ", which contradict each other: a conservative force keeps the energy that it stores")
+        return trial.claims(Trait.CONSERVATIVE) && trial.claims(other) ? wrong(Kind.METHOD, "it claims CONSERVATIVE"
+                + " and " + other + ", which contradict each other: a conservative force keeps the energy that it"
+                + " stores")
                 : Optional.empty();
     }
 

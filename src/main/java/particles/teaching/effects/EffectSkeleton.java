@@ -23,8 +23,8 @@ public final class EffectSkeleton {
             """;
     private static final String NO_ENERGY = """
 
-                // With -Pconservative=true, newEffect writes a law with a potential energy. A law that claims nothing is
-                // right too; but then a run counts its work as numerical error.
+                // With -Pconservative=true, newEffect writes a law with a potential energy. A law that claims
+                // nothing is right too; but then a run counts its work as numerical error.
             """;
 
     private EffectSkeleton() {

@@ -31,9 +31,9 @@ record NamePromise(String says, int order, List<String> methods, Strength streng
 
     /** Words in a name that say nothing about the method; a letter and digits before it number an exercise. */
     private static final String NOISE =
-            "^[a-z]\\d+|my|solver|stepper|integrator|method|rule|step|the|mine|own|fixed|test|example|good|newton|new|scheme"
-            + "|task|exercise|question|homework|assignment|aufgabe|version|verfahren|explicit|forward|classical|classic"
-            + "|standard|slides?|particles?|\\d";
+            "^[a-z]\\d+|my|solver|stepper|integrator|method|rule|step|the|mine|own|fixed|test|example|good|newton"
+            + "|new|scheme|task|exercise|question|homework|assignment|aufgabe|version|verfahren|explicit|forward"
+            + "|classical|classic|standard|slides?|particles?|\\d";
     private static final Pattern CHANGES = Pattern.compile("richardson|extrapol|romberg|adapt|embedded|pair|doubling"
             + "|sub|small|tiny|twice|half|halves|multi|rosenbrock|exponential|linear|ensemble|corrected|compos|blend"
             + "|filter|lowstorage|stabili[sz]ed|chebyshev|predict");
@@ -56,8 +56,8 @@ record NamePromise(String says, int order, List<String> methods, Strength streng
             the trapezoidal rule | 2 | trapez trapezoid trapezoidal | Heun's method; the implicit trapezoidal rule
             the implicit trapezoidal rule | 2 | cranknicolson implicittrapez implicittrapezoid implicittrapezoidal \
             | the implicit trapezoidal rule
-            Ralston's method | 2 | ralston | Ralston's method; Ralston's method of order 3; Ralston's method of order 4 \
-            (its eight printed digits)
+            Ralston's method | 2 | ralston | Ralston's method; Ralston's method of order 3; \
+            Ralston's method of order 4 (its eight printed digits)
             a Runge-Kutta method of order 3 | 3 | rk3 rungekutta3 kutta3 heun3 ralston3 bogackishampine ssprk3 ssp3 |
             a strong-stability-preserving method | 2 | ssp ssprk shuosher |
             a Runge-Kutta method of order 4 | 4 | rk4 rungekutta4 rungekutta classicalrk gill ralston4 ralstonrk4 |

@@ -3,7 +3,7 @@ package particles.teaching.solvers;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 
 /** The template of a student's solver: it compiles, and has the algorithm's outline as comments. */
@@ -80,7 +80,7 @@ public final class SolverSkeleton {
             """;
 
     /** What follows the derivative in the example of each method, its name first. */
-    private static final Map<String, String> EXAMPLES = new TreeMap<>(Map.of("euler", """
+    private static final Map<String, String> EXAMPLES = Map.of("euler", """
                 for (int i = 0; i < n; i++) {
                     state[i] += deltaT * dSdt[i];
                 }
@@ -112,14 +112,14 @@ public final class SolverSkeleton {
                     state[i] += deltaT / 2 * (dSdt[i] + end[i]);
                 }
                 source.setState(state);                     // the clock is at t + deltaT already
-        """));
+        """);
 
     private SolverSkeleton() {
     }
 
     /** @return the names of the methods with an example */
     public static Set<String> examples() {
-        return EXAMPLES.keySet();
+        return new TreeSet<>(EXAMPLES.keySet());
     }
 
     /**

@@ -51,7 +51,8 @@ class StudentLoaderTest {
         Files.writeString(classes.resolve("Homeless.java"), "public class Homeless { }");
         Files.writeString(classes.resolve("Renamed.java"), "package exercises; class Other { }");
         Files.writeString(classes.resolve("Public.java"), "package exercises; public class Other { }");
-        for (String[] pair : new String[][] {{"Homeless", "Homeless.java: the first line has to be 'package exercises;'"},
+        for (String[] pair : new String[][] {
+            {"Homeless", "Homeless.java: the first line has to be 'package exercises;'"},
             {"Renamed", "Renamed.java: the class in it has to be called Renamed, as the file is"},
             {"Public", "it does not compile: Public.java:1: class Other is public, should be declared in a file named"
                     + " Other.java"}}) {

@@ -182,7 +182,7 @@ class PlantedHabitsTest {
             }
             source.setState(s);
             source.incTime(deltaT);
-        }), "state: these entries stay as they were in the new state: 6, 7, 8, 9, 10, 11...; the loop has to");
+        }), "state: these entries stay as they were in the new state: 6, 7, 8, 12, 13, 14...; the loop has to");
     }
 
     @Test
