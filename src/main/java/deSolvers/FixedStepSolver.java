@@ -1,5 +1,8 @@
 package deSolvers;
 
+import java.util.Arrays;
+import java.util.Map;
+
 /**
  * Base class of fixed-step solvers, which make one step of length deltaT. A subclass implements only {@link #step}, the
  * formula on the slide; this class follows the other rules of {@link DESolver}.
@@ -10,13 +13,26 @@ package deSolvers;
  *   eulerStep(s, deltaT)   deltaT f(s, t)
  *   plus(s, 0.5, k)        s + 0.5 k
  * </pre>
- * Each call returns a separate work array, valid until the end of the step.
+ * Each call returns a separate work array, valid until the end of the step; only the result of {@code plus} is valid
+ * until it has been evaluated, and {@link #copy} keeps it for longer.
  */
 public abstract class FixedStepSolver extends DESolver {
+    /**
+     * How many derivatives, from the first one on, are not part of the sum that is the new state. In any other
+     * derivative of these methods, a NaN or infinity shows in the new state. Of other methods each one is checked.
+     */
+    private static final Map<Class<?>, Integer> LEFT_OUT
+            = Map.of(EulerSolver.class, 0, MidpointSolver.class, 1, RK4Solver.class, 0);
+
     private final StepTransaction transaction = new StepTransaction(getClass());
-    private final WorkArrays arrays = new WorkArrays();
-    private final LastStep lastStep = new LastStep();
-    private boolean asksForLastStep;
+    private final int leftOut = LEFT_OUT.getOrDefault(getClass(), Integer.MAX_VALUE);
+    private int evaluations;                            // in this step
+    private double[][] arrays = {};                     // made once, lent one by one in each step
+    private int lent;
+    private int n = -1;
+    private double[] sum = {};                          // the last result of plus
+    private boolean sumNeeded;                          // whether it is still to be evaluated
+    private boolean spoils;                             // whether it is spoilt then, to find out who reads it later
 
     /**
      * Makes the step.
@@ -34,16 +50,58 @@ public abstract class FixedStepSolver extends DESolver {
     @Override
     public final void stepState(DEStateSource source, double deltaT) {
         try (StepTransaction guarded = transaction.begin(source, deltaT)) {     // guarded stands for the source
-            double[] s = arrays.first(source.getStateSize());
-            source.getState(s);
+            double[] s = startState(source);
             if (deltaT != 0) {
                 step(guarded, s, deltaT);
-                if (asksForLastStep) {
-                    lastStep.keep(guarded, s);
+                if (spoils) {
+                    requireNoneReadLater(source, s, deltaT);
                 }
             }
             guarded.finish(s);
         }
+    }
+
+    /** Frees all work arrays and reads the state into the first one. The first step with arrays of a size spoils. */
+    private double[] startState(DEStateSource source) {
+        if (n != source.getStateSize()) {
+            n = source.getStateSize();
+            arrays = new double[0][];
+            spoils = true;
+        }
+        evaluations = 0;
+        lent = 0;
+        sumNeeded = false;
+        double[] s = next();
+        source.getState(s);
+        return s;
+    }
+
+    /** A new state that is not finite in a step that spoils, but finite in one that does not, shows such a reader. */
+    private void requireNoneReadLater(DEStateSource source, double[] s, double deltaT) {
+        spoils = false;
+        sum = new double[n];
+        if (FiniteCheck.firstNonFinite(s) >= 0) {
+            transaction.close();
+            transaction.begin(source, deltaT);
+            step(transaction, startState(source), deltaT);      // into s again, the first of the arrays
+            if (FiniteCheck.firstNonFinite(s) < 0) {
+                throw misuse("reads a result of plus() after it was evaluated");
+            }
+        }
+    }
+
+    private IllegalStateException misuse(String what) {
+        return new IllegalStateException(getClass().getName() + " " + what + "; plus() returns the same array each"
+                + " time: take a copy() of its result");
+    }
+
+    /** An array that no other call returns until the next step begins; its entries are arbitrary. */
+    private double[] next() {
+        if (lent == arrays.length) {
+            arrays = Arrays.copyOf(arrays, lent + 1);
+            arrays[lent] = new double[n];
+        }
+        return arrays[lent++];
     }
 
     /**
@@ -51,12 +109,20 @@ public abstract class FixedStepSolver extends DESolver {
      *
      * @param s a state; length n
      * @return f(s, t); length n
-     * @throws DESolverException if an entry is not finite
+     * @throws DESolverException if an entry is not finite; if it shows in the new state, only when the step ends
      */
     protected final double[] derivative(double[] s) {
-        double[] dSdt = arrays.next();
+        double[] dSdt = next();
         transaction.getStateDerivative(s, dSdt);
-        transaction.requireFinite(dSdt);
+        if (evaluations++ < leftOut) {
+            transaction.requireFinite(dSdt);
+        }
+        if (s == sum) {
+            sumNeeded = false;
+            if (spoils) {
+                Arrays.fill(s, Double.NaN);
+            }
+        }
         return dSdt;
     }
 
@@ -66,7 +132,7 @@ public abstract class FixedStepSolver extends DESolver {
      * @param s      a state; length n
      * @param deltaT a time step (s)
      * @return deltaT f(s, t); length n
-     * @throws DESolverException if an entry of the derivative is not finite
+     * @throws DESolverException as {@link #derivative}
      */
     protected final double[] eulerStep(double[] s, double deltaT) {
         double[] k = derivative(s);
@@ -82,13 +148,21 @@ public abstract class FixedStepSolver extends DESolver {
      * @param s      a state; length n
      * @param factor the multiple
      * @param k      an increment of the state; length n
-     * @return s + factor k; length n
+     * @return s + factor k; length n, valid until it has been evaluated
+     * @throws IllegalStateException if the last result has neither been evaluated nor copied
      */
     protected final double[] plus(double[] s, double factor, double[] k) {
-        double[] sum = arrays.next();
+        if (sumNeeded) {
+            throw misuse("calls plus() again before its result was evaluated");
+        }
+        if (spoils) {
+            sum = new double[n];
+        }
+        double[] sum = this.sum;
         for (int i = 0; i < sum.length; i++) {
             sum[i] = s[i] + factor * k[i];
         }
+        sumNeeded = true;
         return sum;
     }
 
@@ -99,29 +173,14 @@ public abstract class FixedStepSolver extends DESolver {
      * @return a copy of it
      */
     protected final double[] copy(double[] a) {
-        double[] copy = arrays.next();
+        double[] copy = next();
         System.arraycopy(a, 0, copy, 0, copy.length);
+        sumNeeded &= a != sum;
         return copy;
-    }
-
-    /**
-     * Tells whether this step begins exactly where this solver's last one ended: with the same source, state, time and
-     * deltaT, bit for bit. Only then may a method use its memory of the last step. Call it once in every step.
-     *
-     * @return true if it does; false in the first step, after {@link #reset} and after a step that failed
-     */
-    protected final boolean continuesLastStep() {
-        asksForLastStep = true;
-        return lastStep.continuesFrom(transaction);
     }
 
     /** @return the step that is being made, for solvers that need a Jacobian or another interface of the source */
     protected final StepTransaction getTransaction() {
         return transaction;
-    }
-
-    @Override
-    public final void reset() {
-        lastStep.forget();
     }
 }

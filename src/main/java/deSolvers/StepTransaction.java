@@ -43,7 +43,7 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
     public StepTransaction begin(DEStateSource client, double deltaT) {
         double time = client.getTime();
         if (!Double.isFinite(time + deltaT)) {
-            throw new DESolverException(solver, time, deltaT, -1, NotFinite.end(time, deltaT));
+            throw new DESolverException(solver, time, deltaT, -1, invalidEnd(time, deltaT));
         }
         if (this.client != client) {
             this.client = client;
@@ -57,6 +57,12 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
         this.deltaT = deltaT;
         open = true;
         return this;
+    }
+
+    private static String invalidEnd(double time, double deltaT) {
+        return !Double.isFinite(deltaT) ? "the time step has to be a finite number"
+                : !Double.isFinite(time) ? "the clock of the source has to be a finite number"
+                : "the clock of the source cannot go that far";
     }
 
     private void copyState() {
@@ -103,9 +109,20 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
         if (entry >= 0) {
             throw notFinite(entry, newState[entry]);
         }
-        SourceClock.moveToEnd(client, startTime, deltaT);   // first: close() can move it back, but not a state set
+        moveTo(startTime + deltaT);                     // first: close() can move it back, but not a state set
         client.setState(newState);
         open = false;
+    }
+
+    /** Moves the clock to a time. The first move may be off by round-off, and a second one is then exact. */
+    private void moveTo(double time) {
+        double now = client.getTime();
+        if (now != time) {
+            client.incTime(time - now);
+            if (client.getTime() != time) {
+                client.incTime(time - client.getTime());
+            }
+        }
     }
 
     /** Puts back what {@link #begin} found, unless {@link #finish} ended the step. */
@@ -118,7 +135,7 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
                     client.setState(copy);
                 }
             } finally {
-                SourceClock.moveTo(client, startTime);
+                moveTo(startTime);
             }
         }
     }
@@ -138,12 +155,13 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
     }
 
     /**
-     * Puts the client's clock to a time within the step.
+     * Puts the client's clock to a time within the step, as near as one move gets.
      *
      * @param offset the time since the step began (s); negative where deltaT is
      */
     public void setOffset(double offset) {
-        SourceClock.moveWithin(client, startTime, offset);
+        double now = client.getTime();
+        client.incTime(now == startTime ? offset : startTime + offset - now);
     }
 
     /**
@@ -156,7 +174,8 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
         int entry = FiniteCheck.firstNonFinite(dSdt);
         if (entry >= 0) {
             requireFiniteStart();
-            throw failure(entry, NotFinite.derivative(entry, dSdt[entry], client.getTime()));
+            throw failure(entry, "entry " + entry + " of the derivative is " + dSdt[entry] + " at t = "
+                    + client.getTime() + "; the source divides by zero or overflows there");
         }
     }
 
@@ -169,7 +188,8 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
         double[] found = getStartState();
         int entry = FiniteCheck.firstNonFinite(found);
         if (entry >= 0) {
-            throw failure(entry, NotFinite.found(entry, found[entry]));
+            throw failure(entry, "entry " + entry + " of the state is " + found[entry]
+                    + " before the step; whatever set the state has to be mended");
         }
     }
 
@@ -191,7 +211,9 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
         double[] dSdt = new double[getStateSize()];
         client.getStateDerivative(dSdt);
         requireFinite(dSdt);
-        return failure(entry, NotFinite.made(entry, value));
+        return failure(entry, "entry " + entry + " of the state became " + value
+                + " within the step, from a finite state and derivative; deltaT is probably too large, or the"
+                + " derivative is not finite further on");
     }
 
     @Override

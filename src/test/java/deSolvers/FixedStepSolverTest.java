@@ -2,17 +2,21 @@ package deSolvers;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import deSolvers.multistep.AdamsBashforthMoultonSolver;
 import deSolvers.problems.ArraySpySource;
 import deSolvers.problems.DragInWind;
 import deSolvers.problems.Oscillator;
-import deSolvers.problems.ReferenceProblem;
+import deSolvers.problems.SecondOrderProblem;
 import deSolvers.problems.SpySource;
+import deSolvers.symplectic.SymplecticEulerSolver;
+import deSolvers.symplectic.VelocityVerletSolver;
+import deSolvers.symplectic.Yoshida4Solver;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -53,13 +57,9 @@ class FixedStepSolverTest {
         double[] copyOf(double[] a) {
             return copy(a);
         }
-
-        boolean continues() {
-            return continuesLastStep();
-        }
     }
 
-    /** Every helper is called three times in two steps, and no result is overwritten by a later one. */
+    /** Every helper is called three times in two steps; no result but that of plus is overwritten by a later one. */
     @Test
     void resultsOfHelpersNeverShareAnArray() {
         Method method = new Method((solver, source, s, deltaT) -> {
@@ -69,7 +69,7 @@ class FixedStepSolverTest {
             for (int round = 1; round <= 3; round++) {
                 results.add(solver.derivativeAt(s));
                 results.add(solver.eulerStepFrom(s, round));
-                results.add(solver.sum(s, round, s));
+                results.add(solver.copyOf(solver.sum(s, round, s)));
                 results.add(solver.copyOf(s));
                 while (copies.size() < results.size()) {
                     copies.add(results.get(copies.size()).clone());
@@ -100,27 +100,126 @@ class FixedStepSolverTest {
         }).stepState(new Oscillator(), H);
     }
 
+    /** plus has one array: a second result while the first is still to be evaluated would overwrite it. */
+    @Test
+    void aSecondSumBeforeTheFirstIsEvaluatedIsRefused() {
+        Method twice = new Method((solver, source, s, deltaT) -> {
+            double[] one = solver.sum(s, 1, s);
+            double[] two = solver.sum(s, 2, s);
+            solver.derivativeAt(one);
+            solver.derivativeAt(two);
+        });
+        assertRefused(twice, "calls plus() again before its result was evaluated");
+        assertRefused(twice, "calls plus() again before its result was evaluated");     // also where arrays are there
+    }
+
+    @Test
+    void aSumReadAfterItWasEvaluatedIsRefused() {
+        assertRefused(new Method((solver, source, s, deltaT) -> {
+            double[] trial = solver.sum(s, deltaT, s);
+            double[] k = solver.derivativeAt(trial);
+            System.arraycopy(solver.sum(trial, deltaT, k), 0, s, 0, s.length);
+        }), "reads a result of plus() after it was evaluated");
+    }
+
+    private static void assertRefused(Method method, String reason) {
+        Oscillator source = new Oscillator();
+        Exception e = assertThrows(IllegalStateException.class, () -> method.stepState(source, H));
+        assertTrue(e.getMessage().contains(reason) && e.getMessage().contains("copy()"), e.getMessage());
+        assertArrayEquals(new double[] {1, 0}, source.state());
+        assertEquals(0, source.getTime());
+    }
+
+    /** An array of plus is used again in later steps, with the results of a method that keeps its own. */
+    @Test
+    void sumsAreSharedWithoutChangingTheResult() {
+        List<double[]> arrays = new ArrayList<>();
+        Method sharing = new Method((solver, source, s, deltaT) -> {
+            double[] k = solver.derivativeAt(s);
+            for (int stage = 0; stage < 3; stage++) {
+                double[] trial = solver.sum(s, deltaT / 2, k);
+                arrays.add(trial);
+                k = solver.derivativeAt(trial);
+            }
+            System.arraycopy(solver.sum(s, deltaT, k), 0, s, 0, s.length);
+        });
+        Method own = new Method((solver, source, s, deltaT) -> {
+            double[] k = solver.derivativeAt(s);
+            for (int stage = 0; stage < 3; stage++) {
+                k = solver.derivativeAt(solver.copyOf(solver.sum(s, deltaT / 2, k)));
+            }
+            System.arraycopy(solver.sum(s, deltaT, k), 0, s, 0, s.length);
+        });
+        Oscillator one = new Oscillator();
+        Oscillator other = new Oscillator();
+        for (int step = 0; step < 5; step++) {
+            sharing.stepState(one, H);
+            own.stepState(other, H);
+        }
+        assertArrayEquals(other.state(), one.state());
+        assertEquals(1, arrays.subList(3, 15).stream().map(System::identityHashCode).distinct().count());
+    }
+
     /**
-     * The midpoint method's first derivative affects the new state only through the second, which may be finite again.
+     * A derivative that is not finite at one evaluation only, and affects no other one. The midpoint method's first
+     * derivative affects the new state only through the second, and symplectic methods read accelerations only.
      */
     @Test
-    void anInfiniteDerivativeIsReportedEvenIfTheNewStateIsFinite() {
-        for (DESolver solver : new DESolver[] {new EulerSolver(), new MidpointSolver(), new RK4Solver()}) {
-            ReferenceProblem hyperbola = new ReferenceProblem(1) {
-                @Override
-                public double[] exactState(double t) {
-                    return new double[] {Math.sqrt(2 * t)};
+    void noBadDerivativeGetsLost() {
+        for (DESolver solver : new DESolver[] {new EulerSolver(), new MidpointSolver(), new RK4Solver(),
+                new AdamsBashforthMoultonSolver(), new SymplecticEulerSolver(), new VelocityVerletSolver(),
+                new Yoshida4Solver()}) {
+            for (double bad : new double[] {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY}) {
+                for (int entry = 0; entry < 6; entry++) {
+                    SteadyRates source = new SteadyRates(entry, bad);
+                    int evaluations = 1;
+                    for (int step = 0; step < 5; step++) {
+                        int before = source.made;
+                        solver.stepState(source, H);
+                        evaluations = source.made - before;
+                    }
+                    for (int k = 0; k < evaluations; k++) {
+                        double[] start = source.state();
+                        source.badAt = source.made + k;
+                        DESolverException e = assertThrows(DESolverException.class,
+                                () -> solver.stepState(source, H), solver + " with " + bad + " at " + k);
+                        assertTrue(e.getMessage().contains("entry " + entry + " of the "), e.getMessage());
+                        assertArrayEquals(start, source.state());
+                    }
                 }
+            }
+        }
+    }
 
-                @Override
-                protected void rates(double t, double[] s, double[] dSdt) {
-                    dSdt[0] = 1 / s[0];
-                }
-            };
-            hyperbola.setState(new double[] {0});
-            DESolverException e = assertThrows(DESolverException.class, () -> solver.stepState(hyperbola, H));
-            assertTrue(e.getMessage().contains("entry 0 of the derivative is Infinity at t = 0.0"), e.getMessage());
-            assertArrayEquals(new double[] {0}, hyperbola.state());
+    /** ds/dt = 1 in every entry and at any state, but for one entry at one evaluation. */
+    private static final class SteadyRates extends SecondOrderProblem {
+        private final int entry;
+        private final double bad;
+        private int made;
+        private int badAt = -1;
+
+        SteadyRates(int entry, double bad) {
+            super(3, new double[6]);
+            this.entry = entry;
+            this.bad = bad;
+        }
+
+        @Override
+        public void getStateDerivative(double[] dSdt) {
+            Arrays.fill(dSdt, 1);
+            if (made++ == badAt) {
+                dSdt[entry] = bad;
+            }
+        }
+
+        @Override
+        public boolean accelerationDependsOnVelocity() {
+            return false;
+        }
+
+        @Override
+        protected void accelerate(double t, double[] s, double[] dSdt) {
+            throw new AssertionError("not asked for");
         }
     }
 
@@ -151,30 +250,5 @@ class FixedStepSolverTest {
         }).stepState(source, 0);
         assertEquals(0, source.evaluations());
         assertArrayEquals(new double[] {1, 0}, source.state());
-    }
-
-    @Test
-    void aMethodIsToldWhetherTheStepContinuesTheLastOne() {
-        boolean[] continued = new boolean[1];
-        Method method = new Method((solver, source, s, deltaT) -> {
-            continued[0] = solver.continues();
-            s[0] += deltaT;
-        });
-        for (boolean arrays : new boolean[] {false, true}) {
-            SpySource source = arrays ? new ArraySpySource(new Oscillator()) : new SpySource(new Oscillator());
-            method.stepState(source, H);
-            assertFalse(continued[0], "the first step");
-            method.stepState(source, H);
-            assertTrue(continued[0], "the next one");
-            method.stepState(source, 0);
-            method.stepState(source, H);
-            assertTrue(continued[0], "a step of no time changes nothing");
-            source.setState(new double[] {9, 9});
-            method.stepState(source, H);
-            assertFalse(continued[0], "somebody moved the source");
-            method.reset();
-            method.stepState(source, H);
-            assertFalse(continued[0], "after reset()");
-        }
     }
 }

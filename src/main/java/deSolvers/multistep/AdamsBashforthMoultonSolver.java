@@ -2,6 +2,7 @@ package deSolvers.multistep;
 
 import deSolvers.DEStateSource;
 import deSolvers.FixedStepSolver;
+import deSolvers.LastStep;
 
 /**
  * The Adams-Bashforth-Moulton predictor-corrector method of fourth order: the derivatives of the last four steps
@@ -26,6 +27,7 @@ import deSolvers.FixedStepSolver;
  * section 16.7); F. Bashforth, J. C. Adams (1883), F. R. Moulton (1926).
  */
 public final class AdamsBashforthMoultonSolver extends FixedStepSolver {
+    private final LastStep lastStep = new LastStep();
     private double[] f1 = {};                           // the derivative one step ago
     private double[] f2 = {};
     private double[] f3 = {};
@@ -33,7 +35,7 @@ public final class AdamsBashforthMoultonSolver extends FixedStepSolver {
 
     @Override
     protected void step(DEStateSource source, double[] s, double h) {
-        if (!continuesLastStep()) {
+        if (!lastStep.continuesFrom(getTransaction())) {
             begin(s.length);
         }
         double[] f0 = derivative(s);                    // at (s, t)
@@ -44,6 +46,12 @@ public final class AdamsBashforthMoultonSolver extends FixedStepSolver {
             predictAndCorrect(source, s, f0, h);
         }
         shiftHistory(f0);
+        lastStep.keep(getTransaction(), s);
+    }
+
+    @Override
+    public void reset() {
+        lastStep.forget();
     }
 
     private void predictAndCorrect(DEStateSource source, double[] s, double[] f0, double h) {

@@ -19,26 +19,24 @@ final class ImplicitKick {
     /**
      * Solves the equation.
      *
-     * @param source     the step, its clock at the kick's time
-     * @param s          holds (x, v0); receives (x, v)
-     * @param guess      an acceleration nearby
-     * @param velocities the indices of the velocity entries
-     * @param d          the distance in the array from a position to its velocity
-     * @param h          the kick's length (s)
-     * @param a          receives the acceleration at (x, v)
+     * @param source the step, its clock at the kick's time
+     * @param s      holds (x, v0); receives (x, v)
+     * @param guess  an acceleration nearby
+     * @param d      the positions, and the velocities, in a block
+     * @param h      the kick's length (s)
+     * @param a      receives the acceleration at (x, v)
      */
-    void solve(StepTransaction source, double[] s, double[] guess, int[] velocities, int d, double h,
-               double[] a) {
+    void solve(StepTransaction source, double[] s, double[] guess, int d, double h, double[] a) {
         if (before.length != s.length) {
             before = new double[s.length];
         }
         System.arraycopy(s, 0, before, 0, s.length);
-        kick(s, guess, velocities, h);
-        double scale = largest(before, velocities, 0);
+        kick(s, guess, d, h);
+        double scale = largest(before, d, d);
         for (int iteration = 0; iteration < MOST_ITERATIONS; iteration++) {
             double last = change;
             source.getStateDerivative(s, a);            // at (x, v, t) with the latest v
-            kick(s, a, velocities, h);
+            kick(s, a, d, h);
             if (iteration == 0) {
                 source.requireFinite(a);
                 scale += change;
@@ -50,7 +48,7 @@ final class ImplicitKick {
                 return;
             }
             if (iteration > 0 && change >= last
-                    && change * Math.abs(h) <= ROUND_OFF * largest(s, velocities, d)) {
+                    && change * Math.abs(h) <= ROUND_OFF * largest(s, 0, d)) {
                 return;                                 // near rest, where large forces cancel, only round-off is left
             }
         }
@@ -60,21 +58,25 @@ final class ImplicitKick {
     }
 
     /** v = v0 + h a; notes the largest change, NaN if one is. */
-    private void kick(double[] s, double[] a, int[] velocities, double h) {
+    private void kick(double[] s, double[] a, int d, double h) {
         double largest = 0;
-        for (int v : velocities) {
-            double kicked = before[v] + h * a[v];
-            largest = larger(Math.abs(kicked - s[v]), largest);
-            s[v] = kicked;
+        for (int block = d; block < s.length; block += 2 * d) {
+            for (int v = block; v < block + d; v++) {
+                double kicked = before[v] + h * a[v];
+                largest = larger(Math.abs(kicked - s[v]), largest);
+                s[v] = kicked;
+            }
         }
         change = largest;
     }
 
-    /** The largest velocity by its size, or the largest position with the shift d; NaN if one is. */
-    private static double largest(double[] s, int[] velocities, int shift) {
+    /** The largest size among the positions, from entry 0 on, or the velocities, from entry d on; NaN if one is. */
+    private static double largest(double[] s, int first, int d) {
         double largest = 0;
-        for (int v : velocities) {
-            largest = larger(Math.abs(s[v - shift]), largest);
+        for (int block = first; block < s.length; block += 2 * d) {
+            for (int i = block; i < block + d; i++) {
+                largest = larger(Math.abs(s[i]), largest);
+            }
         }
         return largest;
     }

@@ -2,6 +2,7 @@ package deSolvers.symplectic;
 
 import deSolvers.DEStateSource;
 import deSolvers.FixedStepSolver;
+import deSolvers.LastStep;
 import deSolvers.SecondOrderStateSource;
 
 /**
@@ -10,10 +11,13 @@ import deSolvers.SecondOrderStateSource;
  * ds/dt does.
  */
 abstract class SymplecticSolver extends FixedStepSolver {
+    private static final int STRETCH = 1024;
+
     private final ImplicitKick implicitKick = new ImplicitKick();
-    private double[] remembered = {};                   // the acceleration where the last step ended
-    private int[] velocities = {};                      // the indices of the state's velocity entries
+    private final LastStep lastStep = new LastStep();
+    private double[] remembered = {};                   // the acceleration where it ended
     private int d;
+    private int stretch;                                // entries of some blocks, which stay in the cache
 
     /**
      * Makes the step, as {@link FixedStepSolver#step}.
@@ -30,7 +34,8 @@ abstract class SymplecticSolver extends FixedStepSolver {
         if (d != dimension || remembered.length != s.length) {
             d = dimension;
             remembered = new double[s.length];
-            velocities = velocityEntries(s.length, d);
+            requireBlocks(s.length);
+            stretch = 2 * d * (1 + STRETCH / d);
         }
         kickAndDrift(source, s, deltaT);
     }
@@ -46,43 +51,53 @@ abstract class SymplecticSolver extends FixedStepSolver {
         return (SecondOrderStateSource) client;
     }
 
-    private int[] velocityEntries(int n, int d) {
+    private void requireBlocks(int n) {
         if (d < 1 || n % (2 * d) != 0) {
             throw new IllegalArgumentException(getTransaction().getClient().getClass().getName() + " has dimension " + d
                     + " and " + n
-                    + " state entries; the state has to be made of blocks of d positions and d velocities,"
-                    + " d >= 1");
+                    + " state entries; the state has to be made of blocks of d positions and d velocities, d >= 1");
         }
-        int[] entries = new int[n / 2];
-        for (int i = 0; i < entries.length; i++) {
-            entries[i] = 2 * d * (i / d) + d + i % d;
-        }
-        return entries;
     }
 
     /**
      * The acceleration at the start: the remembered one where this step continues the last, which saves an evaluation.
      */
     final double[] startAcceleration(double[] s) {
-        return continuesLastStep() ? remembered : derivative(s);
+        return lastStep.continuesFrom(getTransaction()) ? remembered : derivative(s);
     }
 
-    /** Keeps the acceleration at the end of the step for the next step. */
-    final void remember(double[] a) {
+    /** Keeps the acceleration a at the end of the step, where the state is s, for the next step. */
+    final void remember(double[] s, double[] a) {
         System.arraycopy(a, 0, remembered, 0, a.length);
+        lastStep.keep(getTransaction(), s);
+    }
+
+    @Override
+    public final void reset() {
+        lastStep.forget();
     }
 
     /** v += h a. */
     final void kick(double[] s, double[] a, double h) {
-        for (int v : velocities) {
-            s[v] += h * a[v];
+        for (int from = 0; from < s.length; from += stretch) {
+            int end = Math.min(s.length, from + stretch);
+            for (int first = from + d; first < from + 2 * d; first++) {     // x, then y, then z
+                for (int v = first; v < end; v += 2 * d) {
+                    s[v] += h * a[v];
+                }
+            }
         }
     }
 
     /** x += h v. */
     final void drift(double[] s, double h) {
-        for (int v : velocities) {
-            s[v - d] += h * s[v];
+        for (int from = 0; from < s.length; from += stretch) {
+            int end = Math.min(s.length, from + stretch);
+            for (int first = from; first < from + d; first++) {
+                for (int x = first; x < end; x += 2 * d) {
+                    s[x] += h * s[x + d];
+                }
+            }
         }
     }
 
@@ -98,7 +113,7 @@ abstract class SymplecticSolver extends FixedStepSolver {
     final double[] closingKick(double[] s, double[] guess, double h) {
         if (secondOrder().accelerationDependsOnVelocity()) {
             double[] a = copy(guess);
-            implicitKick.solve(getTransaction(), s, guess, velocities, d, h, a);
+            implicitKick.solve(getTransaction(), s, guess, d, h, a);
             return a;
         }
         double[] a = derivative(s);

@@ -30,6 +30,6 @@ public final class VelocityVerletSolver extends SymplecticSolver {
         drift(s, deltaT);                       // x(t + deltaT)   = x(t) + deltaT v(t + deltaT/2)
         source.incTime(deltaT);
         a = closingKick(s, a, deltaT / 2);      // v(t + deltaT)   = v(t + deltaT/2) + deltaT/2 a(t + deltaT)
-        remember(a);
+        remember(s, a);
     }
 }

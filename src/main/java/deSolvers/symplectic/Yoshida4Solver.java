@@ -37,6 +37,6 @@ public final class Yoshida4Solver extends SymplecticSolver {
             source.incTime(h);
             a = closingKick(s, a, h / 2);       // v(t + h)   = v(t + h/2) + h/2 a(t + h)
         }
-        remember(a);
+        remember(s, a);
     }
 }

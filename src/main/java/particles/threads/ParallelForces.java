@@ -149,7 +149,7 @@ public final class ParallelForces implements ParallelDerivative {
 
     private void finishRange(int part, int parts) {
         int n = particles.count();
-        forces.finish(state, dSdt, cut(n, part, parts), cut(n, part + 1, parts));
+        forces.finish(dSdt, cut(n, part, parts), cut(n, part + 1, parts));
     }
 
     /** The first item of a part. */
