@@ -10,19 +10,24 @@ public class DESolverException extends RuntimeException {
     private final double time;
     private final double deltaT;
     private final int entry;
+    private final String reason;
 
     /**
      * @param solver the class of the solver that gives up
      * @param time   the time at which the step began (s)
      * @param deltaT the requested step (s)
      * @param entry  the index of the state's entry that shows the trouble, or -1 where no single one does
-     * @param cause  the event and its likely cause, as text to follow a colon
+     * @param reason the event, as text to follow a colon
+     * @param guess  its likely cause and what to try, as text to follow a semicolon; may be empty
      */
-    public DESolverException(Class<? extends DESolver> solver, double time, double deltaT, int entry, String cause) {
-        super(solver.getSimpleName() + " at t = " + time + ", deltaT = " + deltaT + ": " + cause);
+    public DESolverException(Class<? extends DESolver> solver, double time, double deltaT, int entry, String reason,
+            String guess) {
+        super(solver.getSimpleName() + " at t = " + time + ", deltaT = " + deltaT + ": " + reason
+                + (guess.isEmpty() ? "" : "; " + guess));
         this.time = time;
         this.deltaT = deltaT;
         this.entry = entry;
+        this.reason = reason;
     }
 
     /** @return the time at which the step began (s) */
@@ -38,5 +43,10 @@ public class DESolverException extends RuntimeException {
     /** @return the index of the state's entry that shows the trouble, or -1 where no single one does */
     public int getEntry() {
         return entry;
+    }
+
+    /** @return the event, without solver, time and guess at its cause */
+    public String getReason() {
+        return reason;
     }
 }

@@ -43,7 +43,7 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
     public StepTransaction begin(DEStateSource client, double deltaT) {
         double time = client.getTime();
         if (!Double.isFinite(time + deltaT)) {
-            throw new DESolverException(solver, time, deltaT, -1, invalidEnd(time, deltaT));
+            throw new DESolverException(solver, time, deltaT, -1, invalidEnd(time, deltaT), "");
         }
         if (this.client != client) {
             this.client = client;
@@ -175,7 +175,7 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
         if (entry >= 0) {
             requireFiniteStart();
             throw failure(entry, "entry " + entry + " of the derivative is " + dSdt[entry] + " at t = "
-                    + client.getTime() + "; the source divides by zero or overflows there");
+                    + client.getTime(), "the source divides by zero or overflows there");
         }
     }
 
@@ -189,19 +189,20 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
         int entry = FiniteCheck.firstNonFinite(found);
         if (entry >= 0) {
             throw failure(entry, "entry " + entry + " of the state is " + found[entry]
-                    + " before the step; whatever set the state has to be mended");
+                    + " before the step", "the fault is in the code that set the state");
         }
     }
 
     /**
      * Makes the exception for a step that the method gives up, with the step's solver, time and deltaT.
      *
-     * @param entry the index of the state's entry that shows the trouble, or -1
-     * @param cause the event and its likely cause
+     * @param entry  the index of the state's entry that shows the trouble, or -1
+     * @param reason the event
+     * @param guess  its likely cause and what to try; may be empty
      * @return the exception, to be thrown
      */
-    public DESolverException failure(int entry, String cause) {
-        return new DESolverException(solver, startTime, deltaT, entry, cause);
+    public DESolverException failure(int entry, String reason, String guess) {
+        return new DESolverException(solver, startTime, deltaT, entry, reason, guess);
     }
 
     /** The first cause: a bad start state, a bad derivative there, or else a step that is too long. */
@@ -212,7 +213,7 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
         client.getStateDerivative(dSdt);
         requireFinite(dSdt);
         return failure(entry, "entry " + entry + " of the state became " + value
-                + " within the step, from a finite state and derivative; deltaT is probably too large, or the"
+                + " within the step, from a finite state and derivative", "deltaT is probably too large, or the"
                 + " derivative is not finite further on");
     }
 

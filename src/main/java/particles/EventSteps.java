@@ -124,8 +124,8 @@ final class EventSteps {
     }
 
     private static SimulationException noHeadway(double time, String why, double end) {
-        return new SimulationException(time, -1, SimulationException.NO_HEADWAY + ": " + why + ", and "
-                + Digits.few(end - time) + " s of the step are left", null);
+        return new SimulationException.NoHeadway(time, why + ", and " + Digits.few(end - time)
+                + " s of the step are left");
     }
 
     private boolean mayTurnWithin(double time) {

@@ -5,8 +5,6 @@ package particles;
  * other.
  */
 public class SimulationException extends RuntimeException {
-    /** The beginning of the message if contacts open and close so often that a step does not end. */
-    public static final String NO_HEADWAY = "contacts make no headway";
     private static final long serialVersionUID = 1L;
 
     private final double time;
@@ -32,5 +30,14 @@ public class SimulationException extends RuntimeException {
     /** @return the index of the particle concerned, or -1 */
     public int getParticle() {
         return particle;
+    }
+
+    /** Thrown when contacts open and close so often that a step does not end. */
+    public static final class NoHeadway extends SimulationException {
+        private static final long serialVersionUID = 1L;
+
+        NoHeadway(double time, String why) {
+            super(time, -1, "contacts make no headway: " + why, null);
+        }
     }
 }

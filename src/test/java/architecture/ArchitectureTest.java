@@ -94,16 +94,16 @@ class ArchitectureTest {
                                            particles.effects particles.effects.springs particles.experiments.runs
                                            particles.experiments.spectrum particles.law particles.scene particles.view
             particles.javac:               javax.tools
-            particles.lab:                 deSolvers.catalog particles particles.experiments.energy
-                                           particles.experiments.stability particles.law
+            particles.lab:                 deSolvers.catalog particles particles.effects.springs
+                                           particles.experiments.energy particles.law
                                            particles.messages particles.scene particles.scene.format particles.spec
                                            particles.view
             particles.lab.browser:         deSolvers particles.effects particles.lab particles.spec org.teavm
             particles.lab.compile:         particles.javac particles.lab org.teavm
             particles.law:
             particles.messages:            deSolvers deSolvers.catalog deSolvers.text particles particles.effects
-                                           particles.experiments.stability particles.law particles.reactions
-                                           particles.scene particles.spec
+                                           particles.effects.springs particles.law particles.reactions
+                                           particles.scene particles.scene.format particles.spec
             particles.output.animation:    particles.output.files particles.output.frames java.awt javax.imageio
                                            org.jcodec
             particles.output.charts:       particles.output.files particles.output.text particles.view java.awt

@@ -228,8 +228,8 @@ public abstract class AdaptiveSolver extends DESolver {
                 : "leaves entry " + entry + " of the state outside its tolerance";
         return source.failure(entry,
                 "the sub-step fell to " + h + " s after " + done + " s, where the resolution of the"
-                + " clock is " + resolution + " s, and still " + failure
-                + "; the solution or its derivative grows without bound or jumps there, or it changes too fast for so"
+                + " clock is " + resolution + " s, and still " + failure,
+                "the solution or its derivative grows without bound or jumps there, or it changes too fast for so"
                 + " late a clock, or the tolerance is below rounding");
     }
 
@@ -238,8 +238,8 @@ public abstract class AdaptiveSolver extends DESolver {
             int entry = tolerance.worstEntry();
             throw source.failure(entry,
                     "given up after " + tried + " sub-steps, " + done + " s from the beginning, where"
-                    + " entry " + entry + " of the state demands sub-steps of " + subStep + " s; the system is stiff"
-                    + " (take an implicit solver), or deltaT is too long or the tolerance too small");
+                    + " entry " + entry + " of the state demands sub-steps of " + subStep + " s",
+                    "the system is stiff (take an implicit solver), or deltaT is too long or the tolerance too small");
         }
     }
 

@@ -23,6 +23,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.NoSuchElementException;
+import java.util.Optional;
 import java.util.function.Supplier;
 
 /** The list of all solvers. {@code create("rk4")} creates one; a fully-qualified class name creates a student's own. */
@@ -136,6 +137,14 @@ public final class SolverCatalog {
     /** @return the names of all solvers, in teaching order */
     public static List<String> names() {
         return List.copyOf(ENTRIES.keySet());
+    }
+
+    /**
+     * @param name a solver's name
+     * @return its entry; empty for a class of one's own
+     */
+    public static Optional<SolverInfo> find(String name) {
+        return Optional.ofNullable(ENTRIES.get(name)).map(Entry::info);
     }
 
     /**

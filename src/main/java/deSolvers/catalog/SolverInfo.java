@@ -21,4 +21,22 @@ package deSolvers.catalog;
 public record SolverInfo(String name, String className, int order, String family, String evaluations, boolean adaptive,
                          boolean secondOrder, double realLimit, double imaginaryLimit, double dampedLimit,
                          String sentence) {
+
+    /** @return whether each step solves equations, so that evaluations are not all its work */
+    public boolean implicit() {
+        return family.equals("implicit");
+    }
+
+    /**
+     * @return whether it steps by deltaT and damps what vibrates too fast for that: Euler's implicit method and its
+     *         linearised step, whose amplification is 1 / (1 - h lambda)
+     */
+    public boolean damping() {
+        return implicit() && !adaptive && order == 1;
+    }
+
+    /** @return whether a step has no stability limit, for damped and for undamped springs */
+    public boolean unlimited() {
+        return realLimit == Double.POSITIVE_INFINITY && imaginaryLimit == Double.POSITIVE_INFINITY;
+    }
 }

@@ -249,6 +249,6 @@ final class Newton {
                 : "Newton's iteration did not converge: after " + made + " iterations the correction is "
                         + Digits.few(size) + " of the unknowns (limit " + Digits.few(TOLERANCE)
                         + ") and the largest residual " + Digits.few(NewtonUpdate.largest(residual));
-        return source.failure(-1, cause + "; deltaT is probably too large for what the forces do within it");
+        return source.failure(-1, cause, "deltaT is probably too large for what the forces do within it");
     }
 }

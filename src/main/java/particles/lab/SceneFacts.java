@@ -7,7 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import particles.experiments.stability.SpringRates;
+import particles.effects.springs.SpringRates;
 import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;

@@ -8,13 +8,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.law.Particles;
 import particles.law.Vector3;
 import particles.messages.BlowUpMessage;
-import particles.messages.FrictionMessage;
 import particles.scene.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
@@ -109,9 +109,7 @@ public final class Session {
         try {
             work.run();
         } catch (SimulationException e) {
-            Scene scene = run.getScene();
-            failure = FrictionMessage.of(scene, name -> name, e)
-                    .orElseGet(() -> new BlowUpMessage(scene, name -> name).of(e));
+            failure = new BlowUpMessage(run.getScene(), e).lines(UnaryOperator.identity());
         }
         nanoseconds += System.nanoTime() - start;
         shown = run.shown();

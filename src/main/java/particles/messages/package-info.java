@@ -1,2 +1,2 @@
-/** Messages about a run that cannot go on, and the format of numbers in messages. */
+/** Messages about a run that cannot go on: what happened, why, and the one rule of what to try. */
 package particles.messages;

@@ -93,7 +93,7 @@ class ImplicitKickTest {
         OneMoves source = toAndFro(2, 1, 0, 1);
         DESolverException e = assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source,
                 H));
-        assertTrue(e.getMessage().contains("100 iterations (last change 0.5 of 0.75)"), e.getMessage());
+        assertTrue(e.getMessage().contains("100 iterations; the last change is 0.5 of 0.75; "), e.getMessage());
         assertEquals(101, source.evaluations());
         assertEquals(0, source.getTime());
         assertEquals(0, source.state()[OneMoves.MOVING]);

@@ -17,7 +17,6 @@ import particles.app.cli.ResultsCommand;
 import particles.app.student.StudentClasses;
 import particles.experiments.energy.NumericalErrorLimit;
 import particles.messages.BlowUpMessage;
-import particles.messages.FrictionMessage;
 import particles.output.files.OutputFolder;
 import particles.output.files.RunSummaryWriter;
 import particles.scene.Overrides;
@@ -185,12 +184,12 @@ public final class RunCommand extends ResultsCommand {
             scene.simulation().run();
             return Optional.empty();
         } catch (SimulationException e) {
+            BlowUpMessage message = new BlowUpMessage(scene, e);
             if (!(e instanceof NumericalErrorException error) || error.isEarly()) {
-                observers.showEnd((BlowUpMessage.isBlowUp(e) ? "blew up" : "stopped") + " at t = "
+                observers.showEnd((message.isBlowUp() ? "blew up" : "stopped") + " at t = "
                         + Digits.few(e.getTime()) + " s");
             }
-            return FrictionMessage.of(scene, style()::option,
-                    e).or(() -> Optional.of(new BlowUpMessage(scene, style()::option).of(e)));
+            return Optional.of(message.lines(style()::option));
         } catch (StoppedException e) {
             return Optional.of(e.getMessage() + " at t = " + Digits.few(scene.system().getTime()) + " s of "
                     + Digits.few(description.duration()) + " s");

@@ -1,9 +1,10 @@
 package particles.app.run;
 
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 import particles.Simulation;
 import particles.app.cli.Version;
 import particles.experiments.energy.EnergyHistory;
@@ -18,8 +19,6 @@ final class Summary {
     private static final double LARGE_ERROR = 0.1;
     /** A larger violation of a rod, wire or contact, relative to its scale, gives a warning. */
     private static final double VIOLATION = 1e-3;
-    /** Solvers that damp motion which their steps do not resolve, and are chosen for that. */
-    private static final Set<String> DAMPING_SOLVERS = Set.of("backward-euler", "linearised-euler");
     /** Energies below this part of the energy scale are round-off. */
     private static final double ROUND_OFF = 1e-15;
 
@@ -67,7 +66,8 @@ final class Summary {
         lines.add("energy: " + joules(record.startEnergy()) + " at the start, " + joules(record.endEnergy())
                 + " at the end; largest change " + joules(record.largestEnergyDrift()));
         double error = record.largestRelativeNumericalError();
-        boolean damped = DAMPING_SOLVERS.contains(record.solver()) && record.numericalError() < 0;
+        boolean damped = SolverCatalog.find(record.solver()).filter(SolverInfo::damping).isPresent()
+                && record.numericalError() < 0;
         boolean blownUp = failed && error > LARGE_ERROR;        // then the scale is that of the error
         lines.add("numerical error: at most " + joules(record.largestNumericalError()) + (blownUp ? ""
                 : " (" + Digits.few(error) + " of the energy scale, " + joules(record.energyScale()) + ")")

@@ -55,7 +55,7 @@ public record SolverChoice(String name, Optional<SolverInfo> info) {
 
     /** @return whether it solves equations in each step, so that evaluations are not all its work */
     public boolean implicit() {
-        return info.isPresent() && info.get().family().equals("implicit");
+        return info.isPresent() && info.get().implicit();
     }
 
     /** @return its order; NaN where it is not known */

@@ -38,8 +38,7 @@ public final class StabilityLimits {
 
     /** @return a sentence: the solvers without a limit, and those that are never stable */
     public static String finding() {
-        List<String> free = SolverCatalog.all().stream().filter(info -> info.realLimit() == Double.POSITIVE_INFINITY
-                && info.imaginaryLimit() == Double.POSITIVE_INFINITY).map(SolverInfo::name).toList();
+        List<String> free = SolverCatalog.all().stream().filter(SolverInfo::unlimited).map(SolverInfo::name).toList();
         List<String> never = SolverCatalog.all().stream().filter(info -> info.imaginaryLimit() == 0)
                 .map(SolverInfo::name).toList();
         return "A step has no limit with " + together(free) + "; with " + together(never)

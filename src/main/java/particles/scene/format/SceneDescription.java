@@ -128,6 +128,12 @@ public record SceneDescription(Lesson lesson, Settings settings, Contents conten
                 settings.blowUpFactor));
     }
 
+    /** @return the same scene with contacts that change only between steps */
+    public SceneDescription withClampedImpacts() {
+        return with(new Settings(settings.solver, settings.deltaT, settings.duration, false, settings.threads,
+                settings.blowUpFactor));
+    }
+
     /** @return the same scene with its forces evaluated by this number of threads */
     public SceneDescription withThreads(int number) {
         return with(new Settings(settings.solver, settings.deltaT, settings.duration, settings.exactImpacts,

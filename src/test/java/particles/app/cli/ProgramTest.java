@@ -240,7 +240,7 @@ class ProgramTest {
     @Test
     void solverThatGivesUpIsOneLineAndCode3() {
         assertEnds(ExitCode.STOPPED, "EulerSolver at t = 1.0, deltaT = 0.5: not finite",
-                new DESolverException(EulerSolver.class, 1, 0.5, -1, "not finite"));
+                new DESolverException(EulerSolver.class, 1, 0.5, -1, "not finite", ""));
     }
 
     @Test

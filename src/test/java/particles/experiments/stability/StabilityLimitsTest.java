@@ -32,6 +32,18 @@ class StabilityLimitsTest {
         }
     }
 
+    /** At h omega = 10, Euler's implicit method leaves 1/sqrt(101) of an undamped vibration, and the midpoint all. */
+    @Test
+    void solversThatAreCalledDampingDampWhatIsTooFast() {
+        for (SolverInfo info : SolverCatalog.all()) {
+            if (info.unlimited() && !info.adaptive()) {
+                assertEquals(info.damping() ? 1 / Math.sqrt(101) : 1, Amplification.of(info).at(0, 10), 1e-12,
+                        info.name());
+            }
+            assertTrue(!info.damping() || info.unlimited(), info.name());
+        }
+    }
+
     /** Of verlet and yoshida4 it depends on the iteration's tolerance: what is stated is no more than was measured. */
     @Test
     void limitsUnderDampingAreMeasured() {

@@ -1,11 +1,10 @@
-package particles.experiments.stability;
+package particles.effects.springs;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
-import particles.effects.springs.SpringForce;
 import particles.law.Vector3;
 
 /** Against the closed form of the fixed-fixed chain, omega = 2 sqrt(k/m) sin(n pi / (2 (n + 1))). */

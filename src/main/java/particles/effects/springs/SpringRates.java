@@ -1,4 +1,4 @@
-package particles.experiments.stability;
+package particles.effects.springs;
 
 import particles.law.Particles;
 import particles.view.SpringView;
