@@ -114,9 +114,9 @@ class ArchitectureTest {
                                            particles.output.text particles.view java.awt
             particles.output.painters:     particles particles.law particles.output.raster particles.view
             particles.output.race:         particles particles.output.animation particles.output.charts
-                                           particles.output.files particles.output.frames particles.output.painters
+                                           particles.output.frames particles.output.painters
                                            particles.output.text particles.view java.awt
-            particles.output.raster:       particles particles.law particles.output.text particles.view java.awt
+            particles.output.raster:       particles.law particles.output.text particles.view java.awt
             particles.output.report:       particles.output.charts particles.output.files particles.output.text
                                            particles.view java.awt javax.imageio javax.xml
             particles.output.text:         particles.output.files particles.view java.awt org.jfree

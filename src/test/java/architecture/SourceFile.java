@@ -35,8 +35,7 @@ final class SourceFile {
             "((?:deSolvers|particles|exercises|java|javax|com|org|info|picocli|net|io)"
             + "(?:\\.[a-z]\\w*)*)\\.(?:[A-Z*].*)");
     private static final Pattern TEXT_OR_COMMENT = Pattern.compile(
-            "\"\"\".*?\"\"\"|\"(?:\\\\.|[^\"\\\\\n])*\"|'(?:\\\\.|[^'\\\\\n])+'"
-            + "|/[*].*?[*]/|//[^\n]*", Pattern.DOTALL);
+            "\"\"\".*?\"\"\"|\"(?:\\\\.|[^\"\\\\\n])*\"|'(?:\\\\.|[^'\\\\\n])+'|/[*].*?[*]/|//[^\n]*", Pattern.DOTALL);
     private static final int WIDTH = 120;
     private static final Pattern MUTABLE = Pattern.compile(
             "(java\\.util\\.)?(Array|Linked|Hash|Tree|Priority|Weak|Identity|Concurrent|Enum)\\w*"

@@ -251,8 +251,8 @@ class LabPageTest extends LabPageTestCase {
         page.driver().executeCdpCommand("Emulation.setDeviceMetricsOverride",
                 Map.of("width", width, "height", 900, "deviceScaleFactor", 1, "mobile", false));
         Browser.sleep(300);
-        assertEquals(0L, page.script("const all = document.documentElement;"
-                + " return all.scrollWidth - all.clientWidth;"));
+        assertEquals(0L, page.script(
+                "const all = document.documentElement; return all.scrollWidth - all.clientWidth;"));
         assertEquals(true, page.script("""
                 const {clientWidth, clientHeight} = document.getElementById('view');
                 return window.lab.view.structure.ids.map((id, i) => window.lab.view.onScreen(i))

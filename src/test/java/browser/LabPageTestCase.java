@@ -26,9 +26,10 @@ abstract class LabPageTestCase {
     }
 
     void edit(String from, String to) {
-        page.script("const code = document.querySelector('.CodeMirror').CodeMirror;"
-                + " const text = code.getValue().replace(arguments[0], arguments[1]);"
-                + " code.replaceRange(text, {line: 0, ch: 0}, {line: code.lineCount(), ch: 0}, '+input');", from, to);
+        page.script("""
+                const code = document.querySelector('.CodeMirror').CodeMirror; const text = \
+                code.getValue().replace(arguments[0], arguments[1]); code.replaceRange(text, {line: 0, ch: 0}, \
+                {line: code.lineCount(), ch: 0}, '+input');""", from, to);
     }
 
     void setStep(String seconds) {

@@ -78,8 +78,8 @@ class PictureTest extends LabPageTestCase {
     }
 
     private List<?> labels() {
-        return (List<?>) page.script("return [...document.querySelectorAll('#view .name')]"
-                + ".map(name => name.textContent);");
+        return (List<?>) page.script(
+                "return [...document.querySelectorAll('#view .name')].map(name => name.textContent);");
     }
 
     @Test
@@ -142,9 +142,10 @@ class PictureTest extends LabPageTestCase {
     @Test
     void theChosenParticleIsTheOneThatIsClicked() {
         page.openScene("05-hanging-chain");
-        List<?> place = (List<?>) page.script("const view = document.getElementById('view').getBoundingClientRect();"
-                + " const at = window.lab.view.onScreen(3); return [view.left + at[0], view.top + at[1],"
-                + " window.lab.view.structure.ids[3]];");
+        List<?> place = (List<?>) page.script("""
+                const view = document.getElementById('view').getBoundingClientRect(); const at = \
+                window.lab.view.onScreen(3); return [view.left + at[0], view.top + at[1], \
+                window.lab.view.structure.ids[3]];""");
         double x = ((Number) place.get(0)).doubleValue();
         double y = ((Number) place.get(1)).doubleValue();
         new org.openqa.selenium.interactions.Actions(page.driver()).moveToLocation((int) x, (int) y).click().perform();

@@ -77,14 +77,14 @@ public final class Main {
      */
     public static List<ProgramCommand> commands(OptionStyle style, StopRequest stop) {
         // in the order of the report
-        List<ExperimentCommand> experiments = List.of(new LectureFiguresCommand(style), new EnergyDriftCommand(style),
-                new PhasePlotsCommand(style), new RaceCommand(style), new WorkPrecisionCommand(style),
-                new StiffGalleryCommand(style), new StabilityCommand(style), new EffectCostCommand(style),
-                new StiffClothCommand(style));
-        List<ProgramCommand> commands = new ArrayList<>(List.of(new RunCommand(SCENES, style, stop),
+        List<ExperimentCommand> experiments = List.of(new LectureFiguresCommand(), new EnergyDriftCommand(),
+                new PhasePlotsCommand(), new RaceCommand(), new WorkPrecisionCommand(),
+                new StiffGalleryCommand(), new StabilityCommand(), new EffectCostCommand(),
+                new StiffClothCommand());
+        List<ProgramCommand> commands = new ArrayList<>(List.of(new RunCommand(SCENES, stop),
                 new ScenesCommand(SCENES), new GalleryCommand(SCENES), new SolversCommand()));
         commands.addAll(experiments);
-        commands.addAll(List.of(new ReportCommand(style, experiments), new LabCommand(SCENES, exercises(), style),
+        commands.addAll(List.of(new ReportCommand(experiments), new LabCommand(SCENES, exercises()),
                 new CheckSolverCommand(), new NewClassCommand.NewSolver(exercises(), style),
                 new NewClassCommand.NewEffect(exercises(), style), new CheckEffectCommand(),
                 new ExercisesCommand(style), new ExerciseCommand(style), new GradeCommand(exercises(), style)));

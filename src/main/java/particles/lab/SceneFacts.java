@@ -3,7 +3,6 @@ package particles.lab;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -12,10 +11,14 @@ import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.scene.Scene;
+import particles.scene.format.SceneDescription;
+import particles.spec.Ordered;
 import particles.view.Camera;
 import particles.view.CurveView;
 import particles.view.ParticleMark;
+import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
+import particles.view.Scenery;
 import particles.view.Surface;
 
 /** The facts of a scene that the page needs before its first frame. */
@@ -33,25 +36,20 @@ final class SceneFacts {
      * @return the facts by name
      */
     static Map<String, Object> of(Scene scene, EnergyParts energies) {
-        Map<String, Object> facts = new LinkedHashMap<>();
-        facts.put("title", scene.description().title());
-        facts.put("teaches", scene.description().lesson().teaches());
-        facts.put("solver", scene.description().solver());
-        facts.put("deltaT", scene.description().deltaT());
-        scene.description().settings().solver().tolerances()
-                .ifPresent(given -> facts.put("tolerance", given.relative()));
-        facts.put("duration", scene.description().duration());
-        facts.put("energyScale", scene.energyEstimate());
-        facts.put("energies", energies.names());
-        facts.put("uniform", energies.uniform());
-        facts.put("limits", limits(scene));
-        scene.description().drawing().camera().ifPresent(camera -> facts.put("camera", camera(camera)));
-        facts.put("look", look(scene.description().drawing().look()));
-        facts.put("planes", scene.scenery().planes().stream().map(SceneFacts::plane).toList());
-        facts.put("spheres", scene.scenery().spheres().stream().map(SceneFacts::sphere).toList());
-        facts.put("wires", scene.scenery().wires().stream().map(SceneFacts::wire).toList());
-        facts.put("surfaces", scene.scenery().surfaces().stream().map(SceneFacts::surface).toList());
-        scene.description().output().phase().ifPresent(phase -> facts.put("phase", List.of(phase.particle(),
+        SceneDescription description = scene.description();
+        Scenery scenery = scene.scenery();
+        Map<String, Object> facts = Ordered.map("title", description.title(),
+                "teaches", description.lesson().teaches(), "solver", description.solver(),
+                "deltaT", description.deltaT(), "duration", description.duration(),
+                "energyScale", scene.energyEstimate(), "energies", energies.names(), "uniform", energies.uniform(),
+                "limits", limits(scene), "look", look(description.drawing().look()),
+                "planes", scenery.planes().stream().map(SceneFacts::plane).toList(),
+                "spheres", scenery.spheres().stream().map(SceneFacts::sphere).toList(),
+                "wires", scenery.wires().stream().map(SceneFacts::wire).toList(),
+                "surfaces", scenery.surfaces().stream().map(SceneFacts::surface).toList());
+        description.settings().solver().tolerances().ifPresent(given -> facts.put("tolerance", given.relative()));
+        description.drawing().camera().ifPresent(camera -> facts.put("camera", camera(camera)));
+        description.output().phase().ifPresent(phase -> facts.put("phase", List.of(phase.particle(),
                 phase.about().isPresent() ? 0 : phase.axis())));       // the page plots positions only
         return facts;
     }
@@ -61,7 +59,7 @@ final class SceneFacts {
      */
     private static Map<String, Object> limits(Scene scene) {
         SpringRates rates = SpringRates.of(scene.springs(), scene.system().getParticles());
-        Map<String, Object> limits = new LinkedHashMap<>();
+        Map<String, Object> limits = Ordered.map();
         for (SolverInfo solver : SolverCatalog.all()) {
             boolean damped = rates.dampingRate() > 0 && !Double.isNaN(solver.realLimit());
             double limit = damped ? Math.min(solver.realLimit(), solver.imaginaryLimit()) : solver.imaginaryLimit();
@@ -77,28 +75,19 @@ final class SceneFacts {
     }
 
     private static Map<String, Object> look(RenderOptions look) {
-        Map<String, Object> facts = new LinkedHashMap<>();
-        facts.put("particles", name(look.particles()));
-        facts.put("springs", name(look.springs()));
-        facts.put("radius", look.particleRadius());
-        facts.put("strainRange", look.strainRange());
-        facts.put("colours", List.of(look.particleColour(), look.fixedColour(), look.frontColour(), look.backColour()));
-        facts.put("kind", name(look.style().kind()));
-        facts.put("ageColours", look.style().ageColours());
-        facts.put("trail", look.style().trail());
-        facts.put("night", look.style().night());
-        facts.put("arrows", look.style().arrows());
-        Map<String, Object> marks = new LinkedHashMap<>();
-        look.style().marks().forEach(mark -> marks.put(mark.particle(), mark(mark)));
-        facts.put("marks", marks);
-        return facts;
+        ParticleStyle style = look.style();
+        Map<String, Object> marks = Ordered.map();
+        style.marks().forEach(mark -> marks.put(mark.particle(), mark(mark)));
+        return Ordered.map("particles", name(look.particles()), "springs", name(look.springs()),
+                "radius", look.particleRadius(), "strainRange", look.strainRange(), "colours",
+                List.of(look.particleColour(), look.fixedColour(), look.frontColour(), look.backColour()),
+                "kind", name(style.kind()), "ageColours", style.ageColours(), "trail", style.trail(),
+                "night", style.night(), "arrows", style.arrows(), "marks", marks);
     }
 
     private static Map<String, Object> mark(ParticleMark mark) {
-        Map<String, Object> facts = new LinkedHashMap<>();
+        Map<String, Object> facts = Ordered.map("radius", mark.radius(), "label", mark.label());
         mark.colour().ifPresent(colour -> facts.put("colour", colour));
-        facts.put("radius", mark.radius());
-        facts.put("label", mark.label());
         return facts;
     }
 

@@ -4,7 +4,6 @@ import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -24,6 +23,7 @@ import particles.scene.format.SceneDescription;
 import particles.scene.format.SolverDescription;
 import particles.scene.format.Tolerances;
 import particles.spec.ClassNames;
+import particles.spec.Ordered;
 
 /** The session of a page: opens a scene, runs it for a while, looks back at earlier times. One scene at a time. */
 public final class Session {
@@ -67,10 +67,7 @@ public final class Session {
             Optional<Tolerances> tolerances = tolerance > 0
                     ? Optional.of(new Tolerances(tolerance, ABSOLUTE_PART * tolerance))
                     : same ? described.settings().solver().tolerances() : Optional.empty();
-            Overrides typed = new Overrides();
-            if (!deltaT.isEmpty()) {
-                typed.with("deltaT", deltaT, "deltaT");
-            }
+            Overrides typed = new Overrides(name -> name).with("deltaT", deltaT.isEmpty() ? null : deltaT);
             Scene scene = SceneBuilder.build(typed.applyTo(described
                     .withSolver(new SolverDescription(same ? described.solver() : solver, tolerances))));
             run = new LabRun(scene);
@@ -154,17 +151,11 @@ public final class Session {
 
     /** @return the time of the run, the time shown, and the cost so far, as JSON */
     public String status() {
-        Map<String, Object> status = new LinkedHashMap<>();
-        status.put("time", shown.time());
-        status.put("reached", run.getScene().system().getTime());
-        status.put("steps", run.getScene().simulation().getSteps());
-        status.put("evaluations", run.getScene().system().getEvaluations());
-        status.put("seconds", nanoseconds / (1e3 * NANOSECONDS));
-        status.put("work", run.work());
-        status.put("historyBytes", run.history().bytes());
-        status.put("over", run.isOver() && shown.time() >= run.getScene().system().getTime());
-        status.put("failure", failure);
-        return Json.of(status);
+        return Json.of(Ordered.map("time", shown.time(), "reached", run.getScene().system().getTime(),
+                "steps", run.getScene().simulation().getSteps(),
+                "evaluations", run.getScene().system().getEvaluations(), "seconds", nanoseconds / (1e3 * NANOSECONDS),
+                "work", run.work(), "historyBytes", run.history().bytes(),
+                "over", run.isOver() && shown.time() >= run.getScene().system().getTime(), "failure", failure));
     }
 
     /** @return positions and velocities at the moment that is shown, six numbers a particle */
@@ -202,15 +193,10 @@ public final class Session {
     /** @return the particles, springs and rods at the moment that is shown, as JSON */
     public String structure() {
         Structure structure = shown.structure();
-        Map<String, Object> parts = new LinkedHashMap<>();
-        parts.put("ids", List.of(structure.ids()));
-        parts.put("fixed", Json.list(structure.fixed()));
-        parts.put("births", Json.list(structure.births()));
-        parts.put("lives", Json.list(structure.lives()));
-        parts.put("springs", Json.list(structure.springs()));
-        parts.put("restLengths", Json.list(structure.restLengths()));
-        parts.put("rigid", Json.list(structure.rigid()));
-        return Json.of(parts);
+        return Json.of(Ordered.map("ids", List.of(structure.ids()), "fixed", Json.list(structure.fixed()),
+                "births", Json.list(structure.births()), "lives", Json.list(structure.lives()),
+                "springs", Json.list(structure.springs()), "restLengths", Json.list(structure.restLengths()),
+                "rigid", Json.list(structure.rigid())));
     }
 
     /**

@@ -16,17 +16,25 @@ import particles.spec.messages.Problems;
 public final class Overrides {
     private final List<UnaryOperator<SceneDescription>> changes = new ArrayList<>();
     private final Problems problems = new Problems();
+    private final UnaryOperator<String> option;
+
+    /** @param option returns a name as it was typed, such as {@code -PdeltaT}, for messages */
+    public Overrides(UnaryOperator<String> option) {
+        this.option = option;
+    }
 
     /**
      * Reads an option.
      *
-     * @param name   {@code solver}, {@code deltaT}, {@code duration} or {@code threads}
-     * @param text   the value as it was typed
-     * @param option the option as it was typed, such as {@code -PdeltaT}, for messages
+     * @param name {@code solver}, {@code deltaT}, {@code duration} or {@code threads}
+     * @param text the value as it was typed; null, as the command line's parser has it, if the option was not given
      * @return this
      */
-    public Overrides with(String name, String text, String option) {
-        Place place = Place.of(option);
+    public Overrides with(String name, String text) {
+        if (text == null) {
+            return this;
+        }
+        Place place = Place.of(option.apply(name));
         switch (name) {
             case "solver" -> read(SceneFormat.SOLVER, SolverFormat.NAME, SceneDescription::withSolver, text, place);
             case "deltaT" -> read(SceneFormat.DELTA_T, SceneFormat.DELTA_T, SceneDescription::withDeltaT, text, place);

@@ -61,8 +61,8 @@ public final class SceneFiles {
             }
         }
         if (found.size() > 1) {
-            throw new SceneException(List.of(Wording.quote(wanted) + " matches more than one"
-                    + " scene: " + String.join(", ",
+            throw new SceneException(List.of(Wording.quote(wanted)
+                    + " matches more than one scene: " + String.join(", ",
                     found.stream().map(Path::toString).toList()) + "; give the whole name"));
         }
         if (found.isEmpty() && typed.isPresent() && Files.exists(typed.get())) {

@@ -26,8 +26,7 @@ public interface ClassNames {
             @Override
             public <K extends Kind> K find(String name, Class<K> type) {
                 throw new IllegalArgumentException("class '" + name
-                        + "' cannot be used here; take an effect from the list in the"
-                        + " scene reference");
+                        + "' cannot be used here; take an effect from the list in the scene reference");
             }
         };
     }

@@ -1,7 +1,6 @@
 package particles.spec;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -87,7 +86,7 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
         if (entries.size() > 1) {
             in.problem(entries.get(1).getKeyNode(), "an entry names one " + what + ", here '" + kind.get().name()
                     + "'; the next line is either one of its keys, indented further, or another " + what
-                            + ", which needs its own dash");
+                    + ", which needs its own dash");
             return Optional.empty();
         }
         Node valueNode = entries.get(0).getValueNode();
@@ -157,30 +156,23 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
 
     @Override
     Map<String, Object> schema() {
-        Map<String, Object> properties = new LinkedHashMap<>();
+        Map<String, Object> properties = Ordered.map();
         for (K kind : kinds) {
-            Map<String, Object> property = new LinkedHashMap<>();
-            property.put("description", kind.sentence());
+            Map<String, Object> property = Ordered.map("description", kind.sentence());
             property.putAll(kind.keys().schema());
             properties.put(kind.name(), property);
         }
-        Map<String, Object> mapping = new LinkedHashMap<>();
-        mapping.put("type", "object");
-        mapping.put("properties", properties);
+        Map<String, Object> mapping = Ordered.map("type", "object", "properties", properties);
         byClass.ifPresent(other -> mapping.put("patternProperties",
                 Map.of(other.form().pattern(), Map.of("type", "object"))));
-        mapping.put("additionalProperties", false);
-        mapping.put("minProperties", 1);
-        mapping.put("maxProperties", 1);
+        mapping.putAll(Ordered.map("additionalProperties", false, "minProperties", 1, "maxProperties", 1));
         List<String> bare = kinds.stream().filter(kind -> kind.keys().mayBeEmpty()).map(Kind::name).toList();
         if (bare.isEmpty()) {
             return mapping;
         }
-        Map<String, Object> either = new LinkedHashMap<>();
         List<Object> choices = new ArrayList<>(List.of(Map.of("enum", bare), mapping));
         byClass.ifPresent(other -> choices.add(other.form().schema()));
-        either.put("anyOf", choices);
-        return either;
+        return Ordered.map("anyOf", choices);
     }
 
     /** @return all kinds */

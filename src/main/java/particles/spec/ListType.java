@@ -1,7 +1,6 @@
 package particles.spec;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -69,10 +68,8 @@ public final class ListType<T> extends Type<List<T>> {
 
     @Override
     Map<String, Object> schema() {
-        Map<String, Object> list = new LinkedHashMap<>();
-        list.put("type", "array");
-        list.put("items", element.schema());
-        return bareAllowed ? new LinkedHashMap<>(Map.of("anyOf", List.of(element.schema(), list))) : list;
+        Map<String, Object> list = Ordered.map("type", "array", "items", element.schema());
+        return bareAllowed ? Ordered.map("anyOf", List.of(element.schema(), list)) : list;
     }
 
     /** @return the type of the elements */

@@ -3,7 +3,6 @@ package particles.spec;
 import deSolvers.catalog.DidYouMean;
 import java.util.ArrayList;
 import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -112,8 +111,7 @@ public final class MappingType extends Type<Values> {
             DidYouMean.nearest(text, known).ifPresent(misspelt::add);
             in.problem(keyNode, NumberType.parse(keyNode).isPresent() && known.stream().allMatch(MappingType::isWord)
                     ? "a number where a key of " + name
-                    + " should be; numbers have a decimal point, not a comma, and several"
-                    + " of them stand in [ ]"
+                    + " should be; numbers have a decimal point, not a comma, and several of them stand in [ ]"
                     : Wording.unknown("key", text, known, in.owners(text))
                             .replaceFirst("known:", "known in " + name + ":"));
         } else if (!seen.add(text)) {
@@ -186,29 +184,24 @@ public final class MappingType extends Type<Values> {
 
     @Override
     public Map<String, Object> schema() {
-        Map<String, Object> schema = new LinkedHashMap<>();
-        Map<String, Object> properties = new LinkedHashMap<>();
+        Map<String, Object> properties = Ordered.map();
         for (Key<?> key : keys) {
-            Map<String, Object> property = new LinkedHashMap<>();
-            property.put("description", key.sentence());
+            Map<String, Object> property = Ordered.map("description", key.sentence());
             property.putAll(key.type().schema());
             key.defaultJson().ifPresent(value -> property.put("default", value));
             properties.put(key.name(), property);
         }
-        schema.put("type", "object");
-        schema.put("properties", properties);
-        schema.put("additionalProperties", false);
+        Map<String, Object> schema = Ordered.map("type", "object", "properties", properties,
+                "additionalProperties", false);
         List<String> required = keys.stream().filter(Key::required).map(Key::name).toList();
         if (!required.isEmpty()) {
             schema.put("required", required);
         }
         if (!exactlyOneOf.isEmpty()) {
-            List<Object> alternatives = new ArrayList<>();
-            exactlyOneOf.forEach(key -> alternatives.add(Map.of("required", List.of(key.name()))));
-            schema.put("oneOf", alternatives);
+            schema.put("oneOf", exactlyOneOf.stream().map(key -> Map.of("required", List.of(key.name()))).toList());
         }
         return shortFor.isEmpty() ? schema
-                : new LinkedHashMap<>(Map.of("anyOf", List.of(shortFor.get().type().schema(), schema)));
+                : Ordered.map("anyOf", List.of(shortFor.get().type().schema(), schema));
     }
 
     /** @return the name of the mapping in messages */

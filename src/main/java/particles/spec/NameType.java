@@ -1,6 +1,5 @@
 package particles.spec;
 
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -77,8 +76,7 @@ public final class NameType extends Type<String> {
 
     @Override
     Map<String, Object> schema() {
-        Map<String, Object> choice = new LinkedHashMap<>();
-        choice.put("enum", names);
-        return other.isEmpty() ? choice : new LinkedHashMap<>(Map.of("anyOf", List.of(choice, other.get().schema())));
+        Map<String, Object> choice = Ordered.map("enum", names);
+        return other.isEmpty() ? choice : Ordered.map("anyOf", List.of(choice, other.get().schema()));
     }
 }

@@ -19,8 +19,8 @@ final class NumberMistake {
     private static final Pattern PLAIN = Pattern.compile(NUMBER);
     private static final Pattern COMMA = Pattern.compile("([-+]?\\d*),(\\d+(?:[eE][-+]?\\d+)?)");
     private static final Pattern FRACTION = Pattern.compile("(" + NUMBER + ")\\s*/\\s*(" + NUMBER + ")");
-    private static final Pattern POWER = Pattern.compile("(?:([-+]?\\d+\\.?\\d*)\\s*[*x\u00d7\u00b7]\\s*)?"
-            + "10\\s*(?:\\^|\\*\\*)\\s*\\(?([-+]?\\d+)\\)?");
+    private static final Pattern POWER = Pattern.compile(
+            "(?:([-+]?\\d+\\.?\\d*)\\s*[*x\u00d7\u00b7]\\s*)?10\\s*(?:\\^|\\*\\*)\\s*\\(?([-+]?\\d+)\\)?");
     private static final Pattern WITH_UNIT = Pattern.compile("(" + NUMBER + ")\\s*([\\p{L}\u00b5%\u00b0][^,]{0,20})");
     private static final Pattern HEXADECIMAL = Pattern.compile("[-+]?0[xX][0-9a-fA-F.]+([pP][-+]?\\d+)?");
     /** Characters that look like those of a number: dashes such as the mathematical minus, full-width ones, spaces. */

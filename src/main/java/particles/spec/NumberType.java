@@ -1,6 +1,5 @@
 package particles.spec;
 
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Pattern;
@@ -119,10 +118,6 @@ public final class NumberType extends Type<Double> {
 
     @Override
     Map<String, Object> schema() {
-        Map<String, Object> schema = new LinkedHashMap<>();
-        schema.put("type", "number");
-        schema.put("minimum", smallest());
-        schema.put("maximum", most);
-        return schema;
+        return Ordered.map("type", "number", "minimum", smallest(), "maximum", most);
     }
 }

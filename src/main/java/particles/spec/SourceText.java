@@ -87,8 +87,7 @@ public final class SourceText {
             word = c == ' ' || c == '\t' || c == '\n' ? 0 : word + 1;
             if (word > LONGEST_WORD) {
                 in.problems().add(end(text.substring(0, i), in), "more than " + LONGEST_WORD
-                        + " characters without a space between"
-                        + " them; break the line");
+                        + " characters without a space between them; break the line");
                 return Optional.empty();
             }
             if (!StreamReader.isPrintable(c)) {

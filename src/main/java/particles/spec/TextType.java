@@ -1,6 +1,5 @@
 package particles.spec;
 
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Pattern;
@@ -68,10 +67,6 @@ public final class TextType extends Type<String> {
 
     @Override
     Map<String, Object> schema() {
-        Map<String, Object> schema = new LinkedHashMap<>();
-        schema.put("type", "string");
-        schema.put("pattern", pattern);
-        schema.put("maxLength", LONGEST);
-        return schema;
+        return Ordered.map("type", "string", "pattern", pattern, "maxLength", LONGEST);
     }
 }

@@ -1,6 +1,5 @@
 package particles.spec;
 
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -76,11 +75,8 @@ public final class VectorType extends Type<Vector3> {
 
     @Override
     Map<String, Object> schema() {
-        Map<String, Object> schema = new LinkedHashMap<>();
-        schema.put("type", "array");
-        schema.put("items", component.schema());
-        schema.put("minItems", 3);
-        schema.put("maxItems", 3);
+        Map<String, Object> schema = Ordered.map("type", "array", "items", component.schema(), "minItems", 3,
+                "maxItems", 3);
         if (!zeroAllowed) {
             schema.put("contains", Map.of("not", Map.of("const", 0)));
         }

@@ -1,6 +1,5 @@
 package particles.spec;
 
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import org.snakeyaml.engine.v2.nodes.Node;
@@ -41,10 +40,6 @@ public final class WholeNumberType extends Type<Integer> {
 
     @Override
     Map<String, Object> schema() {
-        Map<String, Object> schema = new LinkedHashMap<>();
-        schema.put("type", "integer");
-        schema.put("minimum", least);
-        schema.put("maximum", most);
-        return schema;
+        return Ordered.map("type", "integer", "minimum", least, "maximum", most);
     }
 }

@@ -38,8 +38,8 @@ public final class YamlText {
     private static final Pattern NO_SPACE = Pattern.compile("^\\s*(?:-\\s+)?([A-Za-z]\\w*):(?=([^\\s/:].*))");
     private static final Pattern NO_BREAK_SPACE = Pattern.compile("(?=[\u00a0\u2007\u202f])");
     /** Before a quotation mark of printed text at the beginning of a value. */
-    private static final Pattern CURLY_QUOTE = Pattern.compile("(?:^|[:-]\\s|[\\[{,])\\s*(?=[" + Wording.CURLY_QUOTES
-            + "])");
+    private static final Pattern CURLY_QUOTE = Pattern.compile(
+            "(?:^|[:-]\\s|[\\[{,])\\s*(?=[" + Wording.CURLY_QUOTES + "])");
 
     private YamlText() {
     }

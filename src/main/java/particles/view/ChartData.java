@@ -1,6 +1,7 @@
 package particles.view;
 
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 
 /**
  * The data and labels of a chart, independent of how it is drawn.
@@ -49,7 +50,7 @@ public record ChartData(String title, String xLabel, String yLabel, boolean xLog
         /** Crosses, for failed runs. */
         FAILURES,
         /** Rings, for runs that were given up. */
-        GIVEN_UP
+        GIVEN_UP,
     }
 
     /**
@@ -62,5 +63,16 @@ public record ChartData(String title, String xLabel, String yLabel, boolean xLog
      * @param y    the ordinates, as many as x has entries
      */
     public record Series(String name, Mark mark, double[] x, double[] y) {
+        /** @return the series with a point for each item */
+        public static <T> Series of(String name, Mark mark, List<T> items, ToDoubleFunction<? super T> x,
+                ToDoubleFunction<? super T> y) {
+            return new Series(name, mark, items.stream().mapToDouble(x).toArray(),
+                    items.stream().mapToDouble(y).toArray());
+        }
+
+        /** @return a series of one point */
+        public static Series point(String name, Mark mark, double x, double y) {
+            return new Series(name, mark, new double[] {x}, new double[] {y});
+        }
     }
 }

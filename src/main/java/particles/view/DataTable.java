@@ -1,6 +1,7 @@
 package particles.view;
 
 import java.util.List;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 
 /**
@@ -22,6 +23,15 @@ public record DataTable(String name, String title, List<Column> columns, List<Li
     public record Column(String name, int digits) {
     }
 
+    /**
+     * A column with the cell that each row has in it.
+     *
+     * @param column the column
+     * @param cell   makes the cell of a row's item
+     */
+    public record Cells<T>(Column column, Function<? super T, ?> cell) {
+    }
+
     /** @throws IllegalArgumentException if a row does not have one cell for each column */
     public DataTable {
         columns = List.copyOf(columns);
@@ -40,6 +50,36 @@ public record DataTable(String name, String title, List<Column> columns, List<Li
                 !row.get(c).equals("") && !row.get(c).equals(Double.NaN))).boxed().toList();
         return new DataTable(name, title, filled.stream().map(columns::get).toList(),
                 rows.stream().map(row -> filled.stream().<Object>map(row::get).toList()).toList());
+    }
+
+    /**
+     * @param name  the name of its file
+     * @param title the heading
+     * @param items what has a row each
+     * @param cells the columns
+     * @return the table
+     */
+    @SafeVarargs
+    @SuppressWarnings("varargs")            // the cells are only read
+    public static <T> DataTable of(String name, String title, List<T> items, Cells<T>... cells) {
+        List<Cells<T>> all = List.of(cells);
+        return new DataTable(name, title, all.stream().map(Cells::column).toList(),
+                items.stream().map(item -> all.stream().<Object>map(c -> c.cell.apply(item)).toList()).toList());
+    }
+
+    /**
+     * @param name   the column's name
+     * @param digits the number of significant digits that people are shown
+     * @param cell   makes the cell of a row's item
+     * @return the column
+     */
+    public static <T> Cells<T> column(String name, int digits, Function<? super T, ?> cell) {
+        return new Cells<>(new Column(name, digits), cell);
+    }
+
+    /** As {@link #column(String, int, Function)}, with four digits. */
+    public static <T> Cells<T> column(String name, Function<? super T, ?> cell) {
+        return new Cells<>(column(name), cell);
     }
 
     /**

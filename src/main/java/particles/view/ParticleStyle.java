@@ -25,7 +25,7 @@ public record ParticleStyle(Kind kind, List<Integer> ageColours, double trail, b
         /** Part of a smooth surface around all particles: drops that flow together where they meet. */
         BLOBS,
         /** A spot of light, added to the background, that fades as the particle grows old. */
-        GLOW
+        GLOW,
     }
 
     /** Balls by daylight, without trails. */

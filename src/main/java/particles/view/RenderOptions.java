@@ -33,7 +33,7 @@ public record RenderOptions(Visibility particles, Visibility springs, double par
          */
         BESIDE_SURFACES,
         /** None. */
-        NEVER
+        NEVER,
     }
 
     /** @throws IllegalArgumentException if a number is out of its range */
@@ -51,6 +51,12 @@ public record RenderOptions(Visibility particles, Visibility springs, double par
                         + Integer.toHexString(colour));
             }
         }
+    }
+
+    /** @return the same options with another style of particles */
+    public RenderOptions withStyle(ParticleStyle other) {
+        return new RenderOptions(particles, springs, particleRadius, strainRange, particleColour, fixedColour,
+                frontColour, backColour, other);
     }
 
     /**

@@ -14,8 +14,7 @@ public record VectorField(double[] x, double[] v, double[] dx, double[] dv) {
     public VectorField {
         if (v.length != x.length || dx.length != x.length || dv.length != x.length) {
             throw new IllegalArgumentException("a vector field of " + x.length + ", " + v.length + ", " + dx.length
-                    + " and "
-                    + dv.length + " entries; all four have to be of one length");
+                    + " and " + dv.length + " entries; all four have to be of one length");
         }
     }
 }

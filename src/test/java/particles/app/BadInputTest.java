@@ -64,8 +64,8 @@ class BadInputTest {
                 "a whole number from 2 to 1000000");
         put("a billion births", EMITTER.replace("duration: 1\n", "duration: 1000\n"),
                 "MiB of memory for 1000000001 particles");
-        put("a billion births at once", (EMITTER + "  - kill: {point: [0, -1,"
-                + " 0]}\n").replace("deltaT: 0.01", "deltaT: 2000")
+        put("a billion births at once", (EMITTER
+                + "  - kill: {point: [0, -1, 0]}\n").replace("deltaT: 0.01", "deltaT: 2000")
                 .replace("duration: 1\n", "duration: 2000\n"), "MiB of memory for 2000000001 particles");
         put("too much for the heap", HEAD.replace("rk4", "radau") + CLOTH.formatted("600", "600"),
                 "of memory for 360000 particles");

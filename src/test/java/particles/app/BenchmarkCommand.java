@@ -25,8 +25,8 @@ final class BenchmarkCommand extends ExperimentCommand {
     static final String NAME = "benchmark";
 
     @Option(names = "--include", paramLabel = "REGEX", defaultValue = "",
-            description = "Only what this regular expression is found in, such as 'chain rk4' or '^effect' (default:"
-                    + " all).")
+            description =
+                    "Only what this regular expression is found in, such as 'chain rk4' or '^effect' (default: all).")
     private String include;
 
     @Option(names = "--forks", paramLabel = "NUMBER", defaultValue = "1",
@@ -34,17 +34,13 @@ final class BenchmarkCommand extends ExperimentCommand {
     private int forks;
 
     @Option(names = "--iterations", paramLabel = "NUMBER", defaultValue = "5",
-            description = "How often in each of them, after as many times that do not count (default:"
-                    + " ${DEFAULT-VALUE}).")
+            description =
+                    "How often in each of them, after as many times that do not count (default: ${DEFAULT-VALUE}).")
     private int iterations;
 
     @Option(names = "--seconds", paramLabel = "SECONDS", defaultValue = "0.06",
             description = "How long each time (default: ${DEFAULT-VALUE}).")
     private double seconds;
-
-    BenchmarkCommand(OptionStyle style) {
-        super(style);
-    }
 
     @Override
     protected void read(Mistakes mistakes) {
@@ -76,9 +72,10 @@ final class BenchmarkCommand extends ExperimentCommand {
         return new ResultPage(NAME, BenchmarkTables.finding(tables),
                 List.of("Medians of " + forks + " x " + iterations + " iterations of " + seconds + " s by JMH, Java "
                         + Runtime.version().feature()
-                        + ", one thread. At equal evaluations both make the same steps of the same method; at equal"
-                        + " error each has the coarsest setting that ends within 1e-6 of a reference solution, over"
-                        + " the largest entry of the state."), List.of(), tables);
+                        + """
+                        , one thread. At equal evaluations both make the same steps of the same method; at equal \
+                        error each has the coarsest setting that ends within 1e-6 of a reference solution, over the \
+                        largest entry of the state."""), List.of(), tables);
     }
 
     /** @param args options, as for any command of the program */
@@ -86,7 +83,7 @@ final class BenchmarkCommand extends ExperimentCommand {
         String[] all = new String[args.length + 1];
         all[0] = NAME;
         System.arraycopy(args, 0, all, 1, args.length);
-        System.exit(new Program(List.of(new BenchmarkCommand(OptionStyle.current())), OptionStyle.current(),
+        System.exit(new Program(List.of(new BenchmarkCommand()), OptionStyle.current(),
                 new PrintWriter(System.out, true), new PrintWriter(System.err, true)).execute(all).code());
     }
 }

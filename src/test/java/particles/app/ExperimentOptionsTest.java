@@ -41,35 +41,37 @@ class ExperimentOptionsTest {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', value = {
-        "phasePlots     | -Pparticles=blok    | option -Pparticles: the scene has no particle 'blok'; did you mean"
-                + " 'block'?",
-        "phasePlots     | -Pparticles=        | option -Pparticles: the scene has no particle ''",
-        "phasePlots     | -Paxes=xw           | option -Paxes: 'xw' has to be made of the letters x, y and z",
-        "phasePlots     | -Pabout=blok        | option -Pabout: the scene has no particle 'blok'; did you mean 'block'",
-        "phasePlots     | -Pabout=block       | option -Pabout: 'block' has no angle about itself; choose another",
-        "phasePlots     | -Psolvers=rk5       | option -Psolvers: unknown solver 'rk5'; did you mean 'rk4'?",
-        "phasePlots     | -Pscene=27          | option -Pscene: at its start this scene has no free particle",
-        "phasePlots     | -Paxis=x            | unknown option -Paxis; did you mean -Paxes?",
-        "workPrecision  | -Pproblem=keplar    | option -Pproblem: no problem is called 'keplar'; did you mean"
-        + " 'kepler'?",
-        "workPrecision  | '-Pproblem= ,'      | option -Pproblem: choose at least one problem",
-        "workPrecision  | -Psolvers=no.Such   | option -Psolvers: ",
-        "stability      | -Psolvers=rk4       | option -Psolvers: goes with -Pscene only",
-        "stability      | -Pscene=1           | option -Pscene: this scene has no vibration or damping",
-        "stiffGallery   | -Pdecades=9         | option -Pdecades: 9 has to be from 5 to 8",
-        "stiffGallery   | -Psolvers=euler,rk  | option -Psolvers: unknown solver 'rk'",
-        "lectureFigures | -PdeltaT=0          | option -PdeltaT: 0.0 has to be finite and more than 0",
-        "lectureFigures | -Psteps=0           | option -Psteps: 0 has to be from 1 to 200000",
-        "lectureFigures | -PdeltaT=0.1        | option -PdeltaT: needs -Psolver",
-        "lectureFigures | -Psteps=7           | option -Psteps: needs -Psolver",
-        "lectureFigures | -Psolver=rk5        | option -Psolver: unknown solver 'rk5'",
-        "energyDrift    | -Pscene=sprng       | there is no scene 'sprng'",
-        "energyDrift    | -PdeltaT=-1         | -PdeltaT: the value is -1; it has to be a number over 0 (s)",
-        "energyDrift    | -Pduration=soon     | -Pduration: ",
-        "race           | -Pduration=0        | option -Pduration: a race has to last longer than 0 s",
-        "race           | -Pframes=0          | option -Pframes: 0 has to be from 1 to 2000",
-        "race           | -Psolvers=rk5       | option -Psolvers: unknown solver 'rk5'"})
+    @CsvSource(delimiter = '|', textBlock = """
+            phasePlots     | -Pparticles=blok    | option -Pparticles: the scene has no particle 'blok'; did you mean \
+            'block'?
+            phasePlots     | -Pparticles=        | option -Pparticles: the scene has no particle ''
+            phasePlots     | -Paxes=xw           | option -Paxes: 'xw' has to be made of the letters x, y and z
+            phasePlots     | -Pabout=blok        | option -Pabout: the scene has no particle 'blok'; did you mean \
+            'block'
+            phasePlots     | -Pabout=block       | option -Pabout: 'block' has no angle about itself; choose another
+            phasePlots     | -Psolvers=rk5       | option -Psolvers: unknown solver 'rk5'; did you mean 'rk4'?
+            phasePlots     | -Pscene=27          | option -Pscene: at its start this scene has no free particle
+            phasePlots     | -Paxis=x            | unknown option -Paxis; did you mean -Paxes?
+            workPrecision  | -Pproblem=keplar    | option -Pproblem: no problem is called 'keplar'; did you mean \
+            'kepler'?
+            workPrecision  | '-Pproblem= ,'      | option -Pproblem: choose at least one problem
+            workPrecision  | -Psolvers=no.Such   | option -Psolvers:
+            stability      | -Psolvers=rk4       | option -Psolvers: goes with -Pscene only
+            stability      | -Pscene=1           | option -Pscene: this scene has no vibration or damping
+            stiffGallery   | -Pdecades=9         | option -Pdecades: 9 has to be from 5 to 8
+            stiffGallery   | -Psolvers=euler,rk  | option -Psolvers: unknown solver 'rk'
+            lectureFigures | -PdeltaT=0          | option -PdeltaT: 0.0 has to be finite and more than 0
+            lectureFigures | -Psteps=0           | option -Psteps: 0 has to be from 1 to 200000
+            lectureFigures | -PdeltaT=0.1        | option -PdeltaT: needs -Psolver
+            lectureFigures | -Psteps=7           | option -Psteps: needs -Psolver
+            lectureFigures | -Psolver=rk5        | option -Psolver: unknown solver 'rk5'
+            energyDrift    | -Pscene=sprng       | there is no scene 'sprng'
+            energyDrift    | -PdeltaT=-1         | -PdeltaT: the value is -1; it has to be a number over 0 (s)
+            energyDrift    | -Pduration=soon     | -Pduration:
+            race           | -Pduration=0        | option -Pduration: a race has to last longer than 0 s
+            race           | -Pframes=0          | option -Pframes: 0 has to be from 1 to 2000
+            race           | -Psolvers=rk5       | option -Psolvers: unknown solver 'rk5'
+            """)
     void invalidOptionsAreRefusedInOneLine(String command, String option, String line) {
         StringWriter out = new StringWriter();
         StringWriter err = new StringWriter();

@@ -62,8 +62,7 @@ class KilledRunsTest {
         assertEquals(0, end.code(), end.lines());
         assertEquals(expected, WholeFiles.sums(out), "seed " + seed);
         assertTrue(begun >= KILLS / 5, "only " + begun + " of " + KILLS + " had begun to write");
-        System.out.println("KilledRunsTest: killed while writing " + begun + " times, ran to the end " + finished
-                + " times");
+        System.out.println("KilledRunsTest: killed while writing: " + begun + ", ran to the end: " + finished);
     }
 
     private void kill(Process process, boolean gently, String moment, ChildProgram child) throws Exception {

@@ -64,8 +64,8 @@ class LargeSceneTest {
         Path out = folder.resolve("out");
         ChildProgram.End refused = run("256m", scene, out);
         assertEquals(ExitCode.BAD_INPUT.code(), refused.code(), refused.lines());
-        Matcher needed = Pattern.compile("needs about (\\d+) MiB of memory for 250000"
-                + " particles").matcher(refused.lines());
+        Matcher needed = Pattern.compile(
+                "needs about (\\d+) MiB of memory for 250000 particles").matcher(refused.lines());
         assertTrue(needed.find(), refused.lines());
         int megabytes = Integer.parseInt(needed.group(1));
         assertTrue(megabytes < 1024, "half of 2 GB, and it is " + megabytes);

@@ -192,9 +192,9 @@ class OwnEffectTest {
                 + " angularVelocity", "exercises.Coriolis: {angularVelocty: [0, 0, 1], angularVelocity: [0, 0, 1]}");
         assertRefused("43: 'angularVelocity' is 3; it has to be three numbers [x, y, z] (rad/s)",
                 "exercises.Coriolis: {angularVelocity: 3}");
-        assertRefused("5: 'exercises.Coriolis' needs a value for at least one key: write"
-                + " '- exercises.Coriolis: {angularVelocity: ...}'",
-                "exercises.Coriolis");
+        assertRefused("""
+                5: 'exercises.Coriolis' needs a value for at least one key: write \
+                '- exercises.Coriolis: {angularVelocity: ...}'""", "exercises.Coriolis");
     }
 
     @Test
@@ -202,20 +202,20 @@ class OwnEffectTest {
         assertRefused("5: there is no class exercises.Missing; put your own class into src/main/java/exercises"
                 + " (gradle newEffect writes one to start from)", "exercises.Missing: {strength: 2}");
         write("Bare", "package exercises; public class Bare { }");
-        assertRefused("5: exercises.Bare declares no keys for scenes; it needs a 'public static final class"
-                + " Keys extends"
-                + " EffectKind' (gradle newEffect writes one)", "exercises.Bare");
+        assertRefused("""
+                5: exercises.Bare declares no keys for scenes; it needs a 'public static final class Keys extends \
+                EffectKind' (gradle newEffect writes one)""", "exercises.Bare");
         write("Broken", "package exercises;\npublic class Broken {\n    int x = y;\n}\n");
         assertRefused("5: it does not compile: Broken.java:3: cannot find symbol: variable y", "exercises.Broken");
         write("Hidden", LAW.replace("Coriolis", "Hidden").replace("public Keys()", "Keys()"));
-        assertRefused("5: the Keys of exercises.Hidden cannot be created; they have to be a 'public static final class"
-                + " Keys extends"
-                + " EffectKind' with a 'public Keys()'", "exercises.Hidden");
+        assertRefused("""
+                5: the Keys of exercises.Hidden cannot be created; they have to be a 'public static final class Keys \
+                extends EffectKind' with a 'public Keys()'""", "exercises.Hidden");
         write("Copied", LAW.replace("class Coriolis", "class Copied").replace("new Coriolis", "new Copied")
                 .replace("public Coriolis", "public Copied"));
-        assertRefused("5: the Keys of exercises.Copied call it 'exercises.Coriolis'; write"
-                + " super(\"exercises.Copied\", ...) in"
-                + " their constructor", "exercises.Copied");
+        assertRefused("""
+                5: the Keys of exercises.Copied call it 'exercises.Coriolis'; write super("exercises.Copied", ...) \
+                in their constructor""", "exercises.Copied");
     }
 
     @Test

@@ -63,7 +63,7 @@ class ReadmeTest {
 
     @Test
     void theOptionsOfRunAreThoseOfTheProgram() {
-        RunCommand run = new RunCommand(Path.of("scenes"), OptionStyle.GRADLE, new StopRequest());
+        RunCommand run = new RunCommand(Path.of("scenes"), new StopRequest());
         Set<String> options = new TreeSet<>();
         new CommandLine(run).getCommandSpec().options().stream().filter(option -> !option.usageHelp())
                 .forEach(option -> options.add(OptionStyle.GRADLE.option(option.longestName())));

@@ -59,8 +59,7 @@ final class SceneSums {
         args.addAll(more);
         args.add("--duration=" + duration(scene));
         StringWriter lines = new StringWriter();
-        ExitCode code = new Program(List.of(new RunCommand(scenes, OptionStyle.SHELL, new StopRequest())),
-                OptionStyle.SHELL,
+        ExitCode code = new Program(List.of(new RunCommand(scenes, new StopRequest())), OptionStyle.SHELL,
                 new PrintWriter(lines), new PrintWriter(lines)).execute(args.toArray(String[]::new));
         return code == ExitCode.DONE ? WholeFiles.sums(out).get("trajectory.csv") : code + ": " + lines;
     }

@@ -40,7 +40,7 @@ class ScenesRunTest {
         double duration = Math.min(scene.duration(), STEPS * scene.deltaT());
         StringWriter lines = new StringWriter();
         StringWriter errors = new StringWriter();
-        List<ProgramCommand> commands = List.of(new RunCommand(SCENES, OptionStyle.SHELL, new StopRequest()));
+        List<ProgramCommand> commands = List.of(new RunCommand(SCENES, new StopRequest()));
         ExitCode code = new Program(commands, OptionStyle.SHELL, new PrintWriter(lines), new PrintWriter(errors))
                 .execute("run", "--scene=" + SceneName.of(file).number(), "--duration=" + duration, "--out=" + out);
         assertEquals("", errors.toString());

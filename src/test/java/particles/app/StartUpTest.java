@@ -35,8 +35,8 @@ class StartUpTest {
     private List<String> loaded(boolean energy) throws IOException, InterruptedException {
         Path scene = Files.writeString(top.resolve("scene.yaml"), SCENE.replace("ENERGY", Boolean.toString(energy)));
         Path classes = top.resolve("classes.txt");
-        ChildProgram.End end = new ChildProgram(top.resolve("lines.txt")).jvm("-Xlog:class+load:file=" + classes
-                + "::filesize=0")
+        ChildProgram.End end = new ChildProgram(top.resolve("lines.txt"))
+                .jvm("-Xlog:class+load:file=" + classes + "::filesize=0")
                 .run("run", "--scene=" + scene, "--frames=false", "--out=" + top.resolve("out"));
         assertEquals(0, end.code(), end.lines());
         return Files.readAllLines(classes).stream().map(line -> line.replaceFirst("^(\\[[^\\]]*\\])* ?",

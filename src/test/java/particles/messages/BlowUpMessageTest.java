@@ -79,9 +79,21 @@ class BlowUpMessageTest {
 
     /** Whatever the solver and the damping, the run with the advice does not blow up. */
     @ParameterizedTest
-    @CsvSource({"rk4, 0", "rk4, 30", "euler, 0", "euler, 30", "midpoint, 0", "midpoint, 30", "symplectic-euler,"
-            + " 0", "verlet, 0",
-        "verlet, 30", "yoshida4, 0", "yoshida4, 30", "adams, 0", "adams, 30"})
+    @CsvSource(textBlock = """
+            rk4, 0
+            rk4, 30
+            euler, 0
+            euler, 30
+            midpoint, 0
+            midpoint, 30
+            symplectic-euler, 0
+            verlet, 0
+            verlet, 30
+            yoshida4, 0
+            yoshida4, 30
+            adams, 0
+            adams, 30
+            """)
     void theAdviceHelps(String solver, double damping) {
         SceneDescription chain = chain(solver, damping);
         BlowUpMessage message = message(SceneBuilder.build(chain));

@@ -11,26 +11,32 @@ import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
 
 /** Small pictures seen from the front, 20 pixels a metre, for tests that count pixels. */
-final class SmallPictures {
-    static final int W = 320;
-    static final int H = 200;
+public final class SmallPictures {
+    public static final int W = 320;
+    public static final int H = 200;
     /** 20 pixels a metre, the origin in the middle. */
-    static final Camera FRONT = new Camera(new Vector3(0, 0, 50), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
+    public static final Camera FRONT = new Camera(new Vector3(0, 0, 50), Vector3.ZERO, new Vector3(0, 1, 0), false,
+            0, 10);
 
     private SmallPictures() {
     }
 
-    static RenderOptions look(ParticleStyle.Kind kind, double radius, double trail) {
+    public static RenderOptions look(ParticleStyle.Kind kind, double radius, double trail) {
         return new RenderOptions(Visibility.ALWAYS, Visibility.ALWAYS, radius, 0.1, 0x3366cc,
                 0x202020, 0xff0000, 0x0000ff,
                 new ParticleStyle(kind, ParticleStyle.STANDARD.ageColours(), trail, kind == ParticleStyle.Kind.GLOW));
     }
 
-    static FrameRenderer renderer(Camera camera, RenderOptions look, Scenery scenery) {
+    /** @return balls and springs, the free particles in this colour and the rest black */
+    public static RenderOptions plain(int rgb, double radius, ParticleStyle style) {
+        return new RenderOptions(Visibility.ALWAYS, Visibility.ALWAYS, radius, 0.1, rgb, 0, 0, 0, style);
+    }
+
+    public static FrameRenderer renderer(Camera camera, RenderOptions look, Scenery scenery) {
         return new FrameRenderer(new FrameSetup(camera, look, scenery, "", ""), W, H, 2);
     }
 
-    static FrameState state(double... positions) {
+    public static FrameState state(double... positions) {
         FrameState state = new FrameState();
         state.positions = positions;
         state.particles = positions.length / 3;
@@ -41,7 +47,7 @@ final class SmallPictures {
     }
 
     /** The number of pixels that differ from the empty picture; edge pixels count partly. */
-    static double area(int[] picture, int[] empty) {
+    public static double area(int[] picture, int[] empty) {
         int count = 0;
         for (int p = 0; p < picture.length; p++) {
             count += picture[p] != empty[p] ? 1 : 0;

@@ -54,14 +54,14 @@ class BrokenScenesTest {
                 added("output:\n  phase: {particle: bob, axis: X}\n",
                         "x.yaml:9:32: unknown axis 'X'; did you mean 'x'? known: x, y, z, angle"),
                 added("effects:\n  gravity: {}\n",
-                        "x.yaml:9:3: 'effects' is a mapping (key: value);"
-                                + " it has to be a list, each entry after a dash: "
-                                + "one of " + EFFECTS + ", or the full name of a class, such as exercises.MyForce,"
-                                + " with its keys below it"),
+                        """
+                                x.yaml:9:3: 'effects' is a mapping (key: value); it has to be a list, each entry \
+                                after a dash: one of\s""" + EFFECTS
+                                + ", or the full name of a class, such as exercises.MyForce, with its keys below it"),
                 added("effects:\n  - gravity:\n",
-                        "x.yaml:9:5: 'gravity' has no value; it has to be keys with values, such as"
-                                + " {acceleration: ...}; or write "
-                                + "'- gravity', without the colon"),
+                        """
+                                x.yaml:9:5: 'gravity' has no value; it has to be keys with values, such as \
+                                {acceleration: ...}; or write '- gravity', without the colon"""),
                 added("effects:\n  - gravity:\n    acceleration: [0, -1, 0]\n",
                         "x.yaml:10:5: an entry names one effect, here 'gravity'; the next line is either one of"
                                 + " its keys, indented further, or another effect, which needs its own dash"),
@@ -94,12 +94,12 @@ class BrokenScenesTest {
                         "x.yaml:8:32: z of 'position' is .inf; numbers in a scene are at most 1e30",
                         "x.yaml:8:45: 'mass' is 0; it has to be a number over 0 (kg)"),
                 added("  - {id: 7, postion: [1, 2, 3]}\n",
-                        "x.yaml:8:10: 'id' is 7; it has to be a name of at most 60 characters without"
-                                + " spaces, brackets, commas, quotes and invisible characters: put "
-                                + "quotes around it, '7'",
-                        "x.yaml:8:13: unknown key 'postion'; did you mean"
-                                + " 'position'? known in a particle: id, position, "
-                                + "velocity, mass, fixed"),
+                        """
+                                x.yaml:8:10: 'id' is 7; it has to be a name of at most 60 characters without spaces, \
+                                brackets, commas, quotes and invisible characters: put quotes around it, '7'""",
+                        """
+                                x.yaml:8:13: unknown key 'postion'; did you mean 'position'? known in a particle: \
+                                id, position, velocity, mass, fixed"""),
                 added("  - {id: a b, position: [1, 2, 3], fixed: yes}\n",
                         "x.yaml:8:10: 'id' is the text 'a b'; it has to be a name of at most 60 characters"
                                 + " without spaces, brackets, commas, quotes and invisible characters",
@@ -205,21 +205,21 @@ class BrokenScenesTest {
                 added("title: again\n",
                         "x.yaml:8:1: 'title' appears twice in the scene"),
                 added("more: &a [1]\nless: *a\n",
-                        "x.yaml:8:7: anchors and aliases (&name, *name) are not used in scenes; write the"
-                                + " values out, or "
-                                + "put quotes around a text that begins with & or *",
-                        "x.yaml:9:7: anchors and aliases (&name, *name) are not used in scenes; write the"
-                                + " values out, or "
-                                + "put quotes around a text that begins with & or *"),
+                        """
+                                x.yaml:8:7: anchors and aliases (&name, *name) are not used in scenes; write the \
+                                values out, or put quotes around a text that begins with & or *""",
+                        """
+                                x.yaml:9:7: anchors and aliases (&name, *name) are not used in scenes; write the \
+                                values out, or put quotes around a text that begins with & or *"""),
                 added("camera: {position: 1, 0, 0}\n",
                         "x.yaml:8:9: the camera needs 'target': three numbers [x, y, z] (m)",
                         "x.yaml:8:20: 'position' is 1; it has to be three numbers [x, y, z] (m)",
-                        "x.yaml:8:23: a number where a key of the camera should be; numbers have a decimal"
-                                + " point, not a comma, "
-                                + "and several of them stand in [ ]",
-                        "x.yaml:8:26: a number where a key of the camera should be; numbers have a decimal"
-                                + " point, not a comma, "
-                                + "and several of them stand in [ ]"),
+                        """
+                                x.yaml:8:23: a number where a key of the camera should be; numbers have a decimal \
+                                point, not a comma, and several of them stand in [ ]""",
+                        """
+                                x.yaml:8:26: a number where a key of the camera should be; numbers have a decimal \
+                                point, not a comma, and several of them stand in [ ]"""),
                 added("? [a]\n: 1\n",
                         "x.yaml:8:3: a key of the scene is [a]; it has to be one of"
                                 + " '" + KEYS.replace(", ", "', '") + "'"),

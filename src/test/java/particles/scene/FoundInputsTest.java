@@ -34,12 +34,17 @@ class FoundInputsTest {
      * 1e-400 as 0.
      */
     @ParameterizedTest
-    @CsvSource({"4.9e-324", "1e-310", "1e-41", "1e-400"})
+    @CsvSource(textBlock = """
+            4.9e-324
+            1e-310
+            1e-41
+            1e-400
+            """)
     void massesThatHaveNoInverseOrAreRoundedTo0AreRefused(String mass) {
         assertEquals(List.of("x.yaml:7:42: 'mass' is " + mass + "; positive numbers in a scene are at least 1e-40"),
                 linesFor("particles:\n  - {id: bob, position: [0, 0, 0], mass: " + mass + "}\n"));
-        assertEquals(List.of("x.yaml:7:71: 'totalMass' is " + mass + "; positive numbers in a scene are at"
-                + " least 1e-40"),
+        assertEquals(List.of("x.yaml:7:71: 'totalMass' is " + mass
+                + "; positive numbers in a scene are at least 1e-40"),
                 linesFor("shapes:\n  - rope: {start: [0, 0, 0], end: [1, 0, 0], particles: 3,"
                         + " totalMass: " + mass + "}\n"));
     }
@@ -58,9 +63,9 @@ class FoundInputsTest {
     @ParameterizedTest
     @ValueSource(strings = {"\\u", "\\U", "\\x", "\\UFFFFFFFF", "\\U80000000\"\n# \\Ufffffffe\n"})
     void invalidEscapesAreRefused(String escape) {
-        assertEquals(List.of("x.yaml:6:13: not valid YAML: an escape has to give a character's number in"
-                + " hexadecimal digits,"
-                + " such as \\xe9, \\u00e9 or \\U000000e9"), linesFor("camera: \"abc" + escape));
+        assertEquals(List.of("""
+                x.yaml:6:13: not valid YAML: an escape has to give a character's number in hexadecimal digits, such \
+                as \\xe9, \\u00e9 or \\U000000e9"""), linesFor("camera: \"abc" + escape));
     }
 
     /** The fuzzer keeps texts with new error messages; one of them ended the fuzzer when it was changed as a tree. */

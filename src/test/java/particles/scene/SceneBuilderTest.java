@@ -58,22 +58,22 @@ class SceneBuilderTest {
 
     @Test
     void optionsOverrideTheFileAndAreCheckedInTheSameWay() {
-        Scene scene = SceneBuilder.build(new Overrides().with("solver", "euler", "-Psolver")
-                .with("deltaT", "0.5", "-PdeltaT").with("duration", "1e1", "-Pduration")
+        Scene scene = SceneBuilder.build(new Overrides("-P"::concat).with("solver", "euler")
+                .with("deltaT", "0.5").with("duration", "1e1")
                 .applyTo(TestScenes.read(HEAD + BOB)));
         assertEquals(0.5, scene.simulation().getDeltaT());
         assertEquals(10, scene.simulation().getDuration());
         assertEquals("euler", scene.description().solver());
         assertEquals(List.of("-PdeltaT: the value is 0; it has to be a number over 0 (s)",
                 "-Pduration: the value is the text 'long'; it has to be a number from 0 up (s)"),
-                refusal(new Overrides().with("deltaT", "0", "-PdeltaT").with("duration", "long", "-Pduration")));
+                refusal(new Overrides("-P"::concat).with("deltaT", "0").with("duration", "long")));
         assertEquals("-Psolver: unknown solver 'rk44'; did you mean 'rk4'?",
-                refusal(new Overrides().with("solver", "rk44", "-Psolver")).get(0).replaceFirst(" known:.*", ""));
+                refusal(new Overrides("-P"::concat).with("solver", "rk44")).get(0).replaceFirst(" known:.*", ""));
         assertEquals("-Psolver: no class or solver is called 'my.Solver';",
-                refusal(new Overrides().with("solver", "my.Solver", "-Psolver")).get(0).replaceFirst(" known .*", ""));
+                refusal(new Overrides("-P"::concat).with("solver", "my.Solver")).get(0).replaceFirst(" known .*", ""));
         assertEquals(List.of("x.yaml:5:11: a duration of 2 s is 2e11 steps of deltaT = 1e-11 s; a run"
                                 + " can have at most 1e10"),
-                refusal(new Overrides().with("deltaT", "1e-11", "--deltaT")));
+                refusal(new Overrides("--"::concat).with("deltaT", "1e-11")));
     }
 
     private static List<String> refusal(Overrides overrides) {
@@ -89,8 +89,8 @@ class SceneBuilderTest {
                 + "gust: [0, 2, 0]}]\n").energyEstimate(), 1e-12);
         assertEquals(7 * 4 / 2.0, build(TWO + "springs: [{from: bob, to: tom, stiffness: 7, restLength: 1}]\n")
                 .energyEstimate(), 1e-12);
-        assertEquals(2 * 16 / 2.0, build(BOB.replace("mass: 2", "mass: 2, velocity: [0, 0,"
-                + " 4]")).energyEstimate(), 1e-12);
+        assertEquals(2 * 16 / 2.0, build(BOB.replace("mass: 2",
+                "mass: 2, velocity: [0, 0, 4]")).energyEstimate(), 1e-12);
     }
 
     @Test
@@ -99,8 +99,8 @@ class SceneBuilderTest {
         assertEquals(2 * 0.5 * 0.5 / 2, build(BOB).energyEstimate(), 1e-12, "no extent: 1 m in 2 s");
         assertEquals(1, build(BOB.replace("mass: 2", "fixed: true")).energyEstimate());
         assertTrue(SceneBuilder.build(TestScenes.read(HEAD + BOB).withDuration(0)).energyEstimate() > 0);
-        assertEquals(1e3 * build(BOB).energyEstimate(), build(BOB + "blowUpFactor:"
-                + " 1e3\n").simulation().getEnergyLimit(), 1e-9);
+        assertEquals(1e3 * build(BOB).energyEstimate(), build(BOB
+                + "blowUpFactor: 1e3\n").simulation().getEnergyLimit(), 1e-9);
     }
 
     @Test
@@ -138,8 +138,8 @@ class SceneBuilderTest {
 
     @Test
     void aParticleCanBeDrawnInItsOwnWay() {
-        ParticleStyle style = style(BOB + "look: {velocityArrows: 0.2,"
-                + " marks: [{particle: bob, colour: '#ff0000', label: here}]}\n");
+        ParticleStyle style = style(BOB
+                + "look: {velocityArrows: 0.2, marks: [{particle: bob, colour: '#ff0000', label: here}]}\n");
         assertEquals(0.2, style.arrows());
         assertEquals(List.of(new ParticleMark("bob", OptionalInt.of(0xff0000), 0, "here")), style.marks());
         String problem = assertThrows(SceneException.class, () -> build(BOB + "look: {marks: [{particle: bib}]}\n"))

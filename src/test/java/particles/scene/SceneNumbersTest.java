@@ -32,8 +32,12 @@ class SceneNumbersTest {
     /** The same for cloths, whose spectra take some seconds each. */
     @ParameterizedTest
     @Tag("hard")
-    @CsvSource(delimiter = ';', value = {"08; omega = 575 rad/s; 575", "09; omega = 670 rad/s; 670",
-            "17; 19,000 rad/s; 19000", "20; |lambda| is 795 /s; 795"})
+    @CsvSource(delimiter = ';', textBlock = """
+            08; omega = 575 rad/s; 575
+            09; omega = 670 rad/s; 670
+            17; 19,000 rad/s; 19000
+            20; |lambda| is 795 /s; 795
+            """)
     void frequenciesOfClothsAreThoseOfTheSpectrum(String number, String text, double omega) throws Exception {
         frequenciesAreThoseOfTheSpectrum(number, text, omega);
     }

@@ -66,7 +66,12 @@ class TypingMistakesTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"soon", "1.2.3", "1/0", "1/2/3"})
+    @CsvSource(textBlock = """
+            soon
+            1.2.3
+            1/0
+            1/2/3
+            """)
     void theErrorForAnyOtherValueSaysWhatIsAllowed(String typed) {
         assertEquals(List.of("x.yaml:4:9: 'deltaT' is the text '" + typed + "'; it has to be a number over 0 (s)"),
                 problems(SCENE.replace("deltaT: 0.01", "deltaT: " + typed)));
@@ -76,7 +81,7 @@ class TypingMistakesTest {
     void mistakesInOptionsAreNamedAsInFiles() {
         assertEquals(List.of("-PdeltaT: the value is the text '0,01'; a number has a decimal point, not a comma;"
                 + " write 0.01"), assertThrows(SceneException.class,
-                        new Overrides().with("deltaT", "0,01", "-PdeltaT")::check).getLines());
+                        new Overrides("-P"::concat).with("deltaT", "0,01")::check).getLines());
     }
 
     /** The parser reports both a line later. */
@@ -134,7 +139,14 @@ class TypingMistakesTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"dt,deltaT", "h,deltaT", "timestep,deltaT", "DT,deltaT", "method,solver", "integrator,solver"})
+    @CsvSource(textBlock = """
+            dt,deltaT
+            h,deltaT
+            timestep,deltaT
+            DT,deltaT
+            method,solver
+            integrator,solver
+            """)
     void theCommonNameOfAKeyIsUnderstood(String typed, String key) {
         List<String> lines = problems(SCENE.replace(key + ":", typed + ":"));
         assertEquals(1, lines.size(), lines::toString);

@@ -14,15 +14,12 @@ import particles.SimulationException;
 import particles.output.files.OutputException;
 import particles.scene.SceneException;
 
-/** Prints exceptions: expected failures as clear lines, anything else with a stack trace. */
-public final class Failures {
-    private final PrintWriter err;
-
-    /** @param err the error stream */
-    public Failures(PrintWriter err) {
-        this.err = err;
-    }
-
+/**
+ * Prints exceptions: expected failures as clear lines, anything else with a stack trace.
+ *
+ * @param err the error stream
+ */
+public record Failures(PrintWriter err) {
     /**
      * Prints an exception.
      *

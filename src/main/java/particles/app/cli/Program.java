@@ -7,26 +7,15 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParseResult;
 
-/** Runs a command from its arguments and returns the exit code. */
-public final class Program {
-    private final List<ProgramCommand> commands;
-    private final OptionStyle style;
-    private final PrintWriter out;
-    private final PrintWriter err;
-
-    /**
-     * @param commands the commands; each can be executed only once, since it holds its options
-     * @param style    the way in which options are written in messages
-     * @param out      the output for results
-     * @param err      the error stream
-     */
-    public Program(List<ProgramCommand> commands, OptionStyle style, PrintWriter out, PrintWriter err) {
-        this.commands = commands;
-        this.style = style;
-        this.out = out;
-        this.err = err;
-    }
-
+/**
+ * Runs a command from its arguments and returns the exit code.
+ *
+ * @param commands the commands; each can be executed only once, since it holds its options
+ * @param style    the way in which options are written in messages
+ * @param out      the output for results
+ * @param err      the error stream
+ */
+public record Program(List<ProgramCommand> commands, OptionStyle style, PrintWriter out, PrintWriter err) {
     /**
      * @param args a command's name and its options, {@code --name=value}
      * @return the exit code
@@ -62,6 +51,7 @@ public final class Program {
         List<String> mistakes = new UsageFailures(style).of(errors);
         ProgramCommand command = chosen.commandSpec().userObject() instanceof ProgramCommand one ? one : null;
         if (command != null) {
+            command.typedIn(style);
             mistakes.addAll(command.mistakes());
         } else if (mistakes.isEmpty()) {
             mistakes.add(new UsageFailures(style).noCommand(program));

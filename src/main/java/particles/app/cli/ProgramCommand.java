@@ -10,6 +10,23 @@ public abstract class ProgramCommand {
     @Option(names = "--help", usageHelp = true, description = "Shows these options.")
     private boolean help;
 
+    private OptionStyle style = OptionStyle.current();
+
+    /** @param style the way in which options are typed, for messages */
+    public final void typedIn(OptionStyle style) {
+        this.style = style;
+    }
+
+    /** @return the way in which options are typed, for messages */
+    public final OptionStyle style() {
+        return style;
+    }
+
+    /** @return the failure for a wrong option */
+    protected final Failure wrong(String option, String why) {
+        return new Failure(ExitCode.BAD_INPUT, "option " + style.option(option) + ": " + why);
+    }
+
     /** @return the command's name, which is its task's */
     public final String name() {
         return getClass().getAnnotation(Command.class).name();

@@ -1,5 +1,6 @@
 package particles.app.cli;
 
+import deSolvers.catalog.DidYouMean;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
@@ -15,22 +16,11 @@ public abstract class ResultsCommand extends ProgramCommand {
             description = "Where the results go (default: a folder of its own in build/out).")
     private String out;
 
-    private final OptionStyle style;
     private Path folder;
-
-    /** @param style the way in which options are typed, for messages */
-    protected ResultsCommand(OptionStyle style) {
-        this.style = style;
-    }
 
     /** @return the name of its folder in build/out */
     protected String folderName() {
         return name();
-    }
-
-    /** @return the way in which options are typed, for messages */
-    public final OptionStyle style() {
-        return style;
     }
 
     @Override
@@ -54,11 +44,6 @@ public abstract class ResultsCommand extends ProgramCommand {
         return folder;
     }
 
-    /** @return the failure for a wrong option */
-    protected final Failure wrong(String option, String why) {
-        return new Failure(ExitCode.BAD_INPUT, "option " + style.option(option) + ": " + why);
-    }
-
     /** @return the solvers that the option names */
     public final List<SolverChoice> solverChoices(String names) {
         try {
@@ -66,6 +51,29 @@ public abstract class ResultsCommand extends ProgramCommand {
         } catch (NoSuchElementException | IllegalArgumentException e) {
             throw wrong("solvers", e.getMessage());
         }
+    }
+
+    /**
+     * Reads a list of names, separated by commas, or all.
+     *
+     * @param option the option
+     * @param what   what the names are of
+     * @param typed  the list
+     * @param known  the names that there are
+     * @return one or more of them
+     */
+    protected final List<String> names(String option, String what, String typed, List<String> known) {
+        List<String> names = typed.strip().equals("all") ? known : SolverChoice.separated(typed);
+        for (String name : names) {
+            if (!known.contains(name)) {
+                throw wrong(option, "no " + what + " is called '" + name + "'"
+                        + DidYouMean.hint(name, known, "'%s'"::formatted) + " known: " + String.join(", ", known));
+            }
+        }
+        if (names.isEmpty()) {
+            throw wrong(option, "choose at least one " + what + "; known: " + String.join(", ", known));
+        }
+        return names;
     }
 
     /** Refuses a whole number that is out of its range; {@link Integer#MAX_VALUE} is no upper limit. */

@@ -14,13 +14,7 @@ import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Messages for invalid commands and options: the text found, the allowed ones, and the most similar of these. */
-final class UsageFailures {
-    private final OptionStyle style;
-
-    UsageFailures(OptionStyle style) {
-        this.style = style;
-    }
-
+record UsageFailures(OptionStyle style) {
     /**
      * @param errors all errors of the command line parser
      * @return a line for each

@@ -2,7 +2,6 @@ package particles.app.experiments;
 
 import java.util.List;
 import particles.app.cli.Mistakes;
-import particles.app.cli.OptionStyle;
 import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.work.EffectCost;
@@ -15,10 +14,9 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /** {@code gradle effectCost}: measures the time that each effect and rule adds to a step. */
-@Command(name = EffectCostCommand.NAME,
+@Command(name = "effectCost",
         description = "Measures what each effect adds to the time of a step.")
 public final class EffectCostCommand extends ExperimentCommand {
-    static final String NAME = "effectCost";
     private static final int MOST_COLUMNS = 500;
     private static final int STEPS = 20;
 
@@ -29,11 +27,6 @@ public final class EffectCostCommand extends ExperimentCommand {
     @Option(names = "--rounds", paramLabel = "NUMBER", defaultValue = "40",
             description = "The number of rounds, each with 20 steps of every variant (default: ${DEFAULT-VALUE}).")
     private int rounds;
-
-    /** @param style the way in which options are typed */
-    public EffectCostCommand(OptionStyle style) {
-        super(style);
-    }
 
     @Override
     protected void read(Mistakes mistakes) {
@@ -47,11 +40,12 @@ public final class EffectCostCommand extends ExperimentCommand {
         List<Cost> costs = EffectCost.measure(columns, STEPS, rounds,
                 () -> Math.round(1e9 * CpuClock.seconds()), progress);
         ChartData chart = EffectCost.chart(costs);
-        return new ResultPage(NAME, chart.title(),
+        return new ResultPage(name(), chart.title(),
                 List.of("A cloth of " + columns + " x " + columns
-                        + " particles, rk4, with one thing more at a time. 'springs' is the particle system with"
-                        + " springs alone; 'springs, hand-written' is the fastest code for springs known to us, without"
-                        + " a particle system: a lower bound.",
+                        + """
+                         particles, rk4, with one thing more at a time. 'springs' is the particle system with \
+                        springs alone; 'springs, hand-written' is the fastest code for springs known to us, without \
+                        a particle system: a lower bound.""",
                         "A scene pays for what it names and for nothing else: no class of any other law is loaded, and"
                         + " none of its code is called. Springs alone take " + EffectCost.overBound(costs)
                         + " times the lower bound.",

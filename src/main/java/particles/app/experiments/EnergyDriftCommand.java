@@ -2,7 +2,6 @@ package particles.app.experiments;
 
 import java.util.List;
 import particles.app.cli.Mistakes;
-import particles.app.cli.OptionStyle;
 import particles.experiments.energy.DriftCharts;
 import particles.experiments.energy.EnergyDrift;
 import particles.experiments.energy.EnergyDrift.Comparison;
@@ -15,23 +14,16 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** {@code gradle energyDrift}: compares the energy drift of solvers on a scene. */
-@Command(name = EnergyDriftCommand.NAME, description = "Compares how well solvers keep the energy of a scene.")
+@Command(name = "energyDrift", description = "Compares how well solvers keep the energy of a scene.")
 public final class EnergyDriftCommand extends ExperimentCommand {
-    static final String NAME = "energyDrift";
-
     @Mixin
     private final SceneOptions options = new SceneOptions();
 
     @Option(names = "--equalWork", arity = "0..1", fallbackValue = "true", defaultValue = "false",
             paramLabel = "true|false",
-            description = "Equal evaluations, as many as rk4 needs, instead of equal deltaT (default:"
-            + " ${DEFAULT-VALUE}).")
+            description =
+            "Equal evaluations, as many as rk4 needs, instead of equal deltaT (default: ${DEFAULT-VALUE}).")
     private boolean equalWork;
-
-    /** @param style the way in which options are typed */
-    public EnergyDriftCommand(OptionStyle style) {
-        super(style);
-    }
 
     @Override
     protected void read(Mistakes mistakes) {
@@ -42,14 +34,16 @@ public final class EnergyDriftCommand extends ExperimentCommand {
     @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         Comparison comparison = EnergyDrift.compare(options.scene(), options.solvers(), equalWork, progress);
-        return new ResultPage(NAME, DriftCharts.finding(comparison), List.of(
-                "The energy error is the change of the total energy minus the work of drag, damping,"
-                        + " wind, contacts and collisions: it is the solver's error. It is divided by the largest"
-                        + " kinetic plus stored energy of the run, so the zero of the potential does not matter.",
-                "Where nothing damps or drives the motion, an error drifts if the straight line through it rises by"
-                        + " more than twice the scatter about it and it still grows in the second half, or ends at its"
-                        + " largest; otherwise it is bounded. Symplectic solvers trade energy back and forth; the"
-                        + " others add or remove a little in each step, always to the same side.",
+        return new ResultPage(name(), DriftCharts.finding(comparison), List.of(
+                """
+                        The energy error is the change of the total energy minus the work of drag, damping, wind, \
+                        contacts and collisions: it is the solver's error. It is divided by the largest kinetic plus \
+                        stored energy of the run, so the zero of the potential does not matter.""",
+                """
+                        Where nothing damps or drives the motion, an error drifts if the straight line through it \
+                        rises by more than twice the scatter about it and it still grows in the second half, or ends \
+                        at its largest; otherwise it is bounded. Symplectic solvers trade energy back and forth; the \
+                        others add or remove a little in each step, always to the same side.""",
                 "Where damping, driving or impacts change the energy, errors fade with the motion or follow it: only"
                         + " their size compares solvers."),
                 List.of(Picture.stacked("energy-drift",

@@ -4,7 +4,6 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Optional;
 import particles.app.cli.ChartOptions;
-import particles.app.cli.OptionStyle;
 import particles.app.cli.PrintedProgress;
 import particles.app.cli.ResultsCommand;
 import particles.experiments.runs.ProgressListener;
@@ -19,11 +18,6 @@ import picocli.CommandLine.Mixin;
 public abstract class ExperimentCommand extends ResultsCommand {
     @Mixin
     private final ChartOptions charts = new ChartOptions();
-
-    /** @param style the way in which options are typed, for messages */
-    public ExperimentCommand(OptionStyle style) {
-        super(style);
-    }
 
     /**
      * Measures.

@@ -8,7 +8,6 @@ import java.util.Locale;
 import java.util.NoSuchElementException;
 import java.util.Optional;
 import particles.app.cli.Mistakes;
-import particles.app.cli.OptionStyle;
 import particles.experiments.lecture.LectureFigures;
 import particles.experiments.lecture.LectureFigures.Figure;
 import particles.experiments.lecture.LectureFigures.Result;
@@ -21,11 +20,9 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /** {@code gradle lectureFigures}: the slides' figures, from their captions. */
-@Command(name = LectureFiguresCommand.NAME,
+@Command(name = "lectureFigures",
         description = "Draws the figures of the lecture: Euler, midpoint and RK4 over the vector field.")
 public final class LectureFiguresCommand extends ExperimentCommand {
-    static final String NAME = "lectureFigures";
-
     private static final int MOST_STEPS = 200_000;
     private static final double DELTA_T = 0.4;
     private static final int STEPS = 100;
@@ -39,11 +36,6 @@ public final class LectureFiguresCommand extends ExperimentCommand {
 
     @Option(names = "--steps", paramLabel = "NUMBER", description = "Its steps (default: " + STEPS + ").")
     private Integer steps;
-
-    /** @param style the way in which options are typed */
-    public LectureFiguresCommand(OptionStyle style) {
-        super(style);
-    }
 
     @Override
     protected void read(Mistakes mistakes) {
@@ -107,15 +99,17 @@ public final class LectureFiguresCommand extends ExperimentCommand {
         }
         pictures.add(0, Picture.panels("all-figures", "All figures beside each other; each has its own scale.",
                 "Euler and midpoint spiral outwards, RK4 inwards: how fast depends on the step", panels));
-        return new ResultPage(NAME,
+        return new ResultPage(name(),
                 LectureFigures.finding(results.subList(0, LectureFigures.onSlides().size())),
-                List.of("The oscillator x'' = -x from (1, 0), in state space. The exact solution is the dashed"
-                        + " circle; it takes 2 pi seconds to go round,"
-                        + " clockwise. The arrows are the vector field that a solver sees.",
-                        "One step multiplies x - iv by the method's stability function R(ih), with h the time step: N"
-                                + " steps multiply the amplitude by |R|^N and run ahead of the exact phase by N (arg R"
-                                + " - h). The table has both, measured and computed; where they agree, the picture is"
-                                + " the method and not a bug."),
+                List.of("""
+                        The oscillator x'' = -x from (1, 0), in state space. The exact solution is the dashed \
+                        circle; it takes 2 pi seconds to go round, clockwise. The arrows are the vector field that a \
+                        solver sees.""",
+                        """
+                                One step multiplies x - iv by the method's stability function R(ih), with h the time \
+                                step: N steps multiply the amplitude by |R|^N and run ahead of the exact phase by N \
+                                (arg R - h). The table has both, measured and computed; where they agree, the \
+                                picture is the method and not a bug."""),
                 pictures, List.of(LectureFigures.table(results)));
     }
 

@@ -8,7 +8,6 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import particles.app.cli.Mistakes;
-import particles.app.cli.OptionStyle;
 import particles.experiments.phase.Axis;
 import particles.experiments.phase.PhasePortraits;
 import particles.experiments.phase.PhasePortraits.Portrait;
@@ -27,11 +26,9 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** {@code gradle phasePlots}: phase portraits of a scene by several solvers. */
-@Command(name = PhasePlotsCommand.NAME,
+@Command(name = "phasePlots",
         description = "Draws phase portraits of a scene: several solvers over a reference solution.")
 public final class PhasePlotsCommand extends ExperimentCommand {
-    static final String NAME = "phasePlots";
-
     @Mixin
     private final SceneOptions options = new SceneOptions();
 
@@ -51,11 +48,6 @@ public final class PhasePlotsCommand extends ExperimentCommand {
     private Supplier<List<String>> chosenParticles;
     private Supplier<List<Axis>> chosenAxes;
     private Supplier<Optional<String>> pivot;
-
-    /** @param style the way in which options are typed */
-    public PhasePlotsCommand(OptionStyle style) {
-        super(style);
-    }
 
     @Override
     protected void read(Mistakes mistakes) {
@@ -144,11 +136,12 @@ public final class PhasePlotsCommand extends ExperimentCommand {
                 ? Picture.phase("phase-plots", caption, all.get(0).chart(), Optional.empty())
                 : Picture.panels("phase-plots", caption, finding,
                         all.stream().map(portrait -> Panel.phase(portrait.chart(), Optional.empty())).toList());
-        return new ResultPage(NAME, finding, List.of(
-                "A path in state space shows what a plot over time hides: a closed curve keeps its energy, a spiral"
-                        + " outwards gains and a spiral inwards loses it. How far a path is off the curve is measured"
-                        + " in halves of the curve's width and height. A path that stays on the curve and yet ends"
-                        + " elsewhere, away from the hollow mark, has a wrong phase only."),
+        return new ResultPage(name(), finding, List.of(
+                """
+                        A path in state space shows what a plot over time hides: a closed curve keeps its energy, a \
+                        spiral outwards gains and a spiral inwards loses it. How far a path is off the curve is \
+                        measured in halves of the curve's width and height. A path that stays on the curve and yet \
+                        ends elsewhere, away from the hollow mark, has a wrong phase only."""),
                 List.of(picture), List.of(portraits.table()));
     }
 }

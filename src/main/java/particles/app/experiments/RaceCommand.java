@@ -7,7 +7,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
 import particles.app.cli.Mistakes;
-import particles.app.cli.OptionStyle;
 import particles.experiments.race.Race;
 import particles.experiments.race.Race.Result;
 import particles.experiments.race.RaceCharts;
@@ -25,10 +24,9 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** {@code gradle race}: compares solvers side by side, with equal work. */
-@Command(name = RaceCommand.NAME,
+@Command(name = "race",
         description = "Runs solvers with equal work on a scene, side by side in one animation.")
 public final class RaceCommand extends ExperimentCommand {
-    static final String NAME = "race";
     private static final String SOLVERS = "euler,midpoint,rk4,symplectic-euler,verlet";
     private static final String SHEET = "race.png";
     /** Frames shown in a second. */
@@ -49,16 +47,11 @@ public final class RaceCommand extends ExperimentCommand {
     @Mixin
     private final SceneOptions options = new SceneOptions();
 
-    @Option(names = "--frames", paramLabel = "NUMBER", description = "Frames of the animation, which shows 20 a second"
-            + " (default: 20 for a second of the scene, from 40 to 300).")
+    @Option(names = "--frames", paramLabel = "NUMBER", description =
+            "Frames of the animation, which shows 20 a second (default: 20 for a second of the scene, from 40 to 300).")
     private Integer frames;
 
     private Supplier<SceneDescription> scene;
-
-    /** @param style the way in which options are typed */
-    public RaceCommand(OptionStyle style) {
-        super(style);
-    }
 
     @Override
     protected void read(Mistakes mistakes) {
@@ -128,34 +121,35 @@ public final class RaceCommand extends ExperimentCommand {
         try (RacePictures pictures = new RacePictures(solvers.size(), count / scene.get().duration(), PLAYBACK)) {
             Result race = new Race(scene.get(), solvers, count).run(pictures,
                     (part, what) -> progress.reached(RUNS * part, what));
-            pictures.write(new ChartWriter(folder, format()), folder, SHEET, race,
+            pictures.write(new ChartWriter(folder, format()), SHEET, race,
                     part -> progress.reached(RUNS + (1 - RUNS) * part, "drawing the animation"));
             return page(race, count);
         }
     }
 
-    private static ResultPage page(Result race, int count) {
+    private ResultPage page(Result race, int count) {
         double speed = race.duration() * PLAYBACK / count;
         String pace = race.shares().slowest().map(slowest -> slowest.label() + ", which cannot do with less,")
                 .orElse("rk4 at the scene's step");
         String rule = race.equalTime()
-                ? "All run for the same measured time, as long as " + pace + " needs: an implicit solver does more than"
-                        + " evaluate the derivative, so that equal evaluations would not be fair. Times are CPU"
-                        + " times: medians of interleaved runs after a warm-up."
+                ? "All run for the same measured time, as long as " + pace + """
+                         needs: an implicit solver does more than evaluate the derivative, so that equal evaluations \
+                        would not be fair. Times are CPU times: medians of interleaved runs after a warm-up."""
                 : "All get as many evaluations of the derivative as " + pace
                         + " needs, to within one step: a cheap method makes more and shorter steps, an adaptive one"
                         + " gets the tolerance that costs as much.";
-        return new ResultPage(NAME, RaceCharts.title(race), List.of(rule,
-                "The grey ghost is the reference, " + Race.REFERENCE + ". The strip below shows the energy error of"
-                        + " each solver, physics taken out, over the energy scale. A solver that fails, or goes"
-                        + " far from where the reference ever is, leaves the race; its panel stays as it was.",
+        return new ResultPage(name(), RaceCharts.title(race), List.of(rule,
+                "The grey ghost is the reference, " + Race.REFERENCE + """
+                        . The strip below shows the energy error of each solver, physics taken out, over the energy \
+                        scale. A solver that fails, or goes far from where the reference ever is, leaves the race; \
+                        its panel stays as it was.""",
                 String.format(Locale.ROOT, "The animation runs %s.", Math.abs(speed - 1) < 0.01 ? "in real time"
                         : String.format(Locale.ROOT, "at %.3g times the speed of the scene", speed))),
                 List.of(Picture.made(GifAnimation.FILE, "The race."),
                         Picture.made(SHEET, "The end of the race, and the energy error over time."),
-                        Picture.stacked("race-charts", "Above: distance of each solver from the reference, root"
-                                + " mean square over the particles. Below: energy error. A cross marks where a"
-                                + " solver left the race.",
+                        Picture.stacked("race-charts", """
+                                Above: distance of each solver from the reference, root mean square over the \
+                                particles. Below: energy error. A cross marks where a solver left the race.""",
                                 List.of(RaceCharts.distance(race), RaceCharts.energy(race)))),
                 List.of(RaceCharts.table(race)));
     }

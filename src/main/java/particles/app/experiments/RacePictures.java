@@ -3,7 +3,6 @@ package particles.app.experiments;
 import deSolvers.text.Digits;
 import java.math.BigDecimal;
 import java.math.MathContext;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleConsumer;
@@ -16,7 +15,6 @@ import particles.experiments.runs.Extent;
 import particles.experiments.runs.SolverChoice;
 import particles.law.Vector3;
 import particles.output.charts.ChartWriter;
-import particles.output.files.OutputFolder;
 import particles.output.frames.FrameSetup;
 import particles.output.race.RaceFilm;
 import particles.output.raster.CameraFraming;
@@ -77,22 +75,18 @@ final class RacePictures implements Race.ObserverFactory, AutoCloseable {
     /**
      * Writes the film and the sheet.
      *
-     * @param writer   writes the sheet
-     * @param folder   the output folder
+     * @param writer   writes the sheet, and has the output folder
      * @param sheet    the name of the sheet
      * @param race     the result of the race
      * @param progress receives the progress
      */
-    void write(ChartWriter writer, OutputFolder folder, String sheet, Result race, DoubleConsumer progress) {
-        List<RaceFilm.Words> words = new ArrayList<>();
-        for (Lane lane : race.lanes()) {
-            words.add(new RaceFilm.Words(lane.match().setting().solver().label(), step(lane),
-                    cost(lane, race.equalTime()),
-                    lane.left()));
-        }
-        film.orElseThrow().write(writer, folder, sheet, new RaceFilm.Head(race.scene() + ": " + RaceCharts.work(race),
-                RaceCharts.finding(race),
-                "Grey ghost: the reference, " + Race.REFERENCE + "."), words, RaceCharts.energy(race), progress);
+    void write(ChartWriter writer, String sheet, Result race, DoubleConsumer progress) {
+        List<RaceFilm.Words> words = race.lanes().stream().map(lane -> new RaceFilm.Words(
+                lane.match().setting().solver().label(), step(lane), cost(lane, race.equalTime()), lane.left()))
+                .toList();
+        film.orElseThrow().write(writer, sheet, new RaceFilm.Head(race.scene() + ": " + RaceCharts.work(race),
+                RaceCharts.finding(race), "Grey ghost: the reference, " + Race.REFERENCE + ".", words),
+                RaceCharts.energy(race), progress);
     }
 
     /** Two digits, as there is little room; the table has the others. */

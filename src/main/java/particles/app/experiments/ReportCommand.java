@@ -1,11 +1,9 @@
 package particles.app.experiments;
 
-import deSolvers.catalog.DidYouMean;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -17,7 +15,6 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.Failures;
 import particles.app.cli.Mistakes;
-import particles.app.cli.OptionStyle;
 import particles.app.cli.PrintedProgress;
 import particles.app.cli.ResultsCommand;
 import particles.app.cli.Version;
@@ -40,10 +37,9 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 
 /** {@code gradle report}: the experiments on one page, for the course or for a scene. */
-@Command(name = ReportCommand.NAME, description = "Runs all experiments, of the course or"
-        + " of a scene, and writes one HTML page.")
+@Command(name = "report", description =
+        "Runs all experiments, of the course or of a scene, and writes one HTML page.")
 public final class ReportCommand extends ResultsCommand {
-    static final String NAME = "report";
     static final String FILE = "report.html";
     private static final Path SCENES = Path.of("scenes");
     /** The solvers of a report on a scene; all would take long on large scenes. */
@@ -65,8 +61,8 @@ public final class ReportCommand extends ResultsCommand {
             + " look at: a file, or the name or number of one in scenes (default: each its own).")
     private String scene;
 
-    @Option(names = "--solvers", paramLabel = "NAMES", description = "Their solvers, separated by commas, or all"
-            + " (default: with a scene " + SOLVERS + ").")
+    @Option(names = "--solvers", paramLabel = "NAMES", description =
+            "Their solvers, separated by commas, or all (default: with a scene " + SOLVERS + ").")
     private String solvers;
 
     @Option(names = "--experiments", paramLabel = "NAMES", defaultValue = "all",
@@ -77,12 +73,8 @@ public final class ReportCommand extends ResultsCommand {
     private Supplier<List<SolverChoice>> choices;
     private Supplier<List<ExperimentCommand>> chosen;
 
-    /**
-     * @param style       the way in which options are typed, for messages
-     * @param experiments the experiments of the report, in this order
-     */
-    public ReportCommand(OptionStyle style, List<ExperimentCommand> experiments) {
-        super(style);
+    /** @param experiments all experiments, in the order of the report */
+    public ReportCommand(List<ExperimentCommand> experiments) {
         this.experiments = experiments;
     }
 
@@ -138,22 +130,8 @@ public final class ReportCommand extends ResultsCommand {
     }
 
     private List<ExperimentCommand> readNames() {
-        if (names.strip().equals("all")) {
-            return experiments;
-        }
-        List<String> known = experiments.stream().map(ExperimentCommand::name).toList();
-        List<String> wanted = Arrays.stream(names.split(",")).map(String::strip).filter(name -> !name.isEmpty())
-                .toList();
-        for (String name : wanted) {
-            if (!known.contains(name)) {
-                throw wrong("experiments", "no experiment is called '" + name + "'" + DidYouMean.hint(name, known,
-                        "'%s'"::formatted)
-                        + " known: " + String.join(", ", known));
-            }
-        }
-        if (wanted.isEmpty()) {
-            throw wrong("experiments", "choose at least one experiment; known: " + String.join(", ", known));
-        }
+        List<String> wanted = names("experiments", "experiment", names,
+                experiments.stream().map(ExperimentCommand::name).toList());
         return experiments.stream().filter(experiment -> wanted.contains(experiment.name())).toList();
     }
 
@@ -166,6 +144,7 @@ public final class ReportCommand extends ResultsCommand {
         Optional<ResultPage> page = Optional.empty();
         Optional<String> failure = Optional.empty();
         try {
+            experiment.typedIn(style());
             line.setExpandAtFiles(false).parseArgs(options(line.getCommandSpec()));
             progress.reached(0, "begins");
             List<String> mistakes = experiment.mistakes();

@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Supplier;
 import particles.app.cli.Mistakes;
-import particles.app.cli.OptionStyle;
 import particles.app.cli.ResultsCommand;
 import particles.app.student.StudentClasses;
 import particles.experiments.runs.SolverChoice;
@@ -36,22 +35,11 @@ final class SceneOptions {
 
     /** Reads the options; these scene and solvers are the default. */
     void read(Mistakes mistakes, ResultsCommand command, String standardScene, String standardSolvers) {
-        Overrides overrides = overrides(command.style());
+        Overrides overrides = new Overrides(command.style()::option).with("deltaT", deltaT).with("duration", duration);
         mistakes.check(overrides::check);
         description = mistakes.value(() -> overrides.applyTo(SceneReader.read(
                 SceneFiles.find(SCENES, scene == null ? standardScene : scene), new StudentClasses())));
         choices = mistakes.value(() -> command.solverChoices(solvers == null ? standardSolvers : solvers));
-    }
-
-    private Overrides overrides(OptionStyle style) {
-        Overrides overrides = new Overrides();
-        if (deltaT != null) {                           // picocli leaves an option null that was not given
-            overrides.with("deltaT", deltaT, style.option("deltaT"));
-        }
-        if (duration != null) {
-            overrides.with("duration", duration, style.option("duration"));
-        }
-        return overrides;
     }
 
     /** @return whether the options have another duration than the scene's */

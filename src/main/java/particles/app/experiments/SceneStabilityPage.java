@@ -1,5 +1,7 @@
 package particles.app.experiments;
 
+import static particles.view.DataTable.column;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -19,6 +21,7 @@ import particles.view.DataTable;
 
 /** The page of {@code gradle stability -Pscene}: the longest stable step of each solver in this scene. */
 final class SceneStabilityPage {
+    private static final String NAME = "stability";
     private static final int MOST_MODES = 12;
     /** The solvers whose regions are drawn by default. */
     private static final List<String> OUTLINES = List.of("euler", "midpoint", "rk4", "symplectic-euler", "verlet");
@@ -37,18 +40,19 @@ final class SceneStabilityPage {
                 .toList() : OUTLINES;
         List<Picture> pictures = new ArrayList<>();
         pictures.add(Picture.of("eigenvalues",
-                "Each point is deltaT times an eigenvalue of the scene's linearised start: the fastest, and"
-                + " what else the iteration found. A step is safe where all points to the left of the imaginary axis,"
-                + " or on it, lie inside the solver's outline.",
+                """
+                Each point is deltaT times an eigenvalue of the scene's linearised start: the fastest, and what else \
+                the iteration found. A step is safe where all points to the left of the imaginary axis, or on it, \
+                lie inside the solver's outline.""",
                 Panel.map(SceneStabilityCharts.plane(planeTitle(scene, fastest), spectrum, scene.deltaT(), outlined))));
-        ChartData growth = SceneStabilityCharts.growth("Steps are safe until the factor of some mode exceeds"
-                + " 1", spectrum, limits);
+        ChartData growth = SceneStabilityCharts.growth(
+                "Steps are safe until the factor of some mode exceeds 1", spectrum, limits);
         if (!growth.series().isEmpty()) {
             pictures.add(Picture.chart("growth",
                     "Lines: the largest factor of any mode in one step, as predicted. Points: the step at"
                     + " which pairs of runs began to move apart, by bisection.", growth));
         }
-        return new ResultPage(StabilityCommand.NAME, title(scene, limits, fastest), text(spectrum, fastest), pictures,
+        return new ResultPage(NAME, title(scene, limits, fastest), text(spectrum, fastest), pictures,
                 List.of(SceneStability.table(limits, scene.deltaT()), modes(spectrum)));
     }
 
@@ -73,33 +77,32 @@ final class SceneStabilityPage {
                 : String.format(Locale.ROOT, " Some motion grows by itself, by %.3g /s: that is physics, not an"
                         + " error of the solver.", spectrum.growth());
         return List.of(String.format(Locale.ROOT,
-                "Predicted: the scene's equations, linearised at its start, have modes with eigenvalues up to"
-                        + " |lambda| = %.8g /s (%s, %d products with the Jacobian, relative error below %.0e). The"
-                        + " longest safe step is the one at which the solver's own factor of some mode exceeds"
-                        + " 1. A mode counts even if the scene does not excite it, such as the sideways swing of a"
-                        + " stretched spring.%s", fastest.size(),
+                """
+                        Predicted: the scene's equations, linearised at its start, have modes with eigenvalues up to \
+                        |lambda| = %.8g /s (%s, %d products with the Jacobian, relative error below %.0e). The \
+                        longest safe step is the one at which the solver's own factor of some mode exceeds 1. A mode \
+                        counts even if the scene does not excite it, such as the sideways swing of a stretched \
+                        spring.%s""", fastest.size(),
                         spectrum.method(),
                 spectrum.products(), Math.max(1e-15, spectrum.error()), grows),
-                "Measured: two runs of the whole scene, rules included, begin a ten-millionth of its size apart. A"
-                        + " step is unsafe if 512 of them bring the runs 20 times farther apart than the motion itself"
-                        + " does, as very short steps show it, or if a run fails; the limit is bisected to 2e-3 of it."
-                        + " Growth, too, is counted over that of the motion itself."
-                        + " What grows by less than 0.6 % a step is not seen in 512 steps, so that euler's limit comes"
-                        + " out a little large. Both agree as long as the scene stays near its start. If"
-                        + " springs turn, stretch or hit something, the spectrum changes; then trust the runs.",
-                "An adaptive solver divides a deltaT that is too long; its longest stable sub-step is given. Implicit"
-                        + " solvers were run with steps of up to 1800/|lambda|, some 640 times rk4's limit, where they"
-                        + " are stable, not accurate.");
+                """
+                        Measured: two runs of the whole scene, rules included, begin a ten-millionth of its size \
+                        apart. A step is unsafe if 512 of them bring the runs 20 times farther apart than the motion \
+                        itself does, as very short steps show it, or if a run fails; the limit is bisected to 2e-3 \
+                        of it. Growth, too, is counted over that of the motion itself. What grows by less than 0.6 % \
+                        a step is not seen in 512 steps, so that euler's limit comes out a little large. Both agree \
+                        as long as the scene stays near its start. If springs turn, stretch or hit something, the \
+                        spectrum changes; then trust the runs.""",
+                """
+                        An adaptive solver divides a deltaT that is too long; its longest stable sub-step is given. \
+                        Implicit solvers were run with steps of up to 1800/|lambda|, some 640 times rk4's limit, \
+                        where they are stable, not accurate.""");
     }
 
     private static DataTable modes(Spectrum spectrum) {
-        List<List<Object>> rows = new ArrayList<>();
-        for (Mode mode : spectrum.modes().subList(0, Math.min(MOST_MODES, spectrum.modes().size()))) {
-            rows.add(List.of(mode.re(), mode.im(), mode.im() == 0 ? Double.POSITIVE_INFINITY
-                    : 2 * Math.PI / mode.im()));
-        }
-        return new DataTable("modes", "The fastest modes of the scene's start",
-                List.of(new DataTable.Column("Re lambda (1/s)", 6),
-                new DataTable.Column("Im lambda (1/s)", 6), DataTable.column("period (s)")), rows);
+        return DataTable.of("modes", "The fastest modes of the scene's start",
+                spectrum.modes().subList(0, Math.min(MOST_MODES, spectrum.modes().size())),
+                column("Re lambda (1/s)", 6, Mode::re), column("Im lambda (1/s)", 6, Mode::im),
+                column("period (s)", mode -> mode.im() == 0 ? Double.POSITIVE_INFINITY : 2 * Math.PI / mode.im()));
     }
 }

@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Supplier;
 import particles.app.cli.Mistakes;
-import particles.app.cli.OptionStyle;
 import particles.app.student.StudentClasses;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
@@ -26,9 +25,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /** {@code gradle stability}: measures the longest stable step, on every solver's real code or in one scene. */
-@Command(name = StabilityCommand.NAME, description = "Measures the longest stable step of each solver.")
+@Command(name = "stability", description = "Measures the longest stable step of each solver.")
 public final class StabilityCommand extends ExperimentCommand {
-    static final String NAME = "stability";
     private static final Path SCENES = Path.of("scenes");
 
     @Option(names = "--scene", paramLabel = "NAME",
@@ -38,31 +36,23 @@ public final class StabilityCommand extends ExperimentCommand {
 
     @Option(names = "--solvers", paramLabel = "NAMES",
             description = "Solvers to try in the scene, separated by commas (default: all).")
-    private String solvers = "";
+    private String solvers;
 
     @Option(names = "--deltaT", paramLabel = "SECONDS",
             description = "The step at which growth is reported, instead of the scene's.")
-    private String deltaT = "";
+    private String deltaT;
 
     private Supplier<List<SolverChoice>> choices;
     private Supplier<SceneDescription> description;
     private Supplier<Spectrum> spectrum;
 
-    /** @param style the way in which options are typed */
-    public StabilityCommand(OptionStyle style) {
-        super(style);
-    }
-
     @Override
     protected void read(Mistakes mistakes) {
         mistakes.check(() -> requireScene("solvers", solvers));
         mistakes.check(() -> requireScene("deltaT", deltaT));
-        choices = mistakes.value(() -> solverChoices(solvers.isEmpty() ? "all" : solvers));
+        choices = mistakes.value(() -> solverChoices(solvers == null ? "all" : solvers));
         if (!scene.isEmpty()) {
-            Overrides overrides = new Overrides();
-            if (!deltaT.isEmpty()) {
-                overrides.with("deltaT", deltaT, style().option("deltaT"));
-            }
+            Overrides overrides = new Overrides(style()::option).with("deltaT", deltaT);
             description = mistakes.value(() -> overrides.applyTo(
                     SceneReader.read(SceneFiles.find(SCENES, scene), new StudentClasses())));
             spectrum = mistakes.value(this::readSpectrum);
@@ -71,7 +61,7 @@ public final class StabilityCommand extends ExperimentCommand {
     }
 
     private void requireScene(String option, String value) {
-        if (scene.isEmpty() && !value.isEmpty()) {
+        if (scene.isEmpty() && value != null) {              // picocli leaves an option null that was not given
             throw wrong(option, "goes with " + style().option("scene") + " only");
         }
     }
@@ -91,27 +81,31 @@ public final class StabilityCommand extends ExperimentCommand {
                 : SceneStabilityPage.measure(description.get(), spectrum.get(), choices.get(), progress);
     }
 
-    private static ResultPage limits(ProgressListener progress) {
+    private ResultPage limits(ProgressListener progress) {
         DataTable limits = StabilityLimits.measure((part, what) -> progress.reached(part / 2, what));
-        return new ResultPage(NAME, StabilityLimits.finding(), List.of(
-                "Every number was measured on the solver's code, by bisection on the test equation y' = lambda"
-                        + " y. Beside it is the theory, as in the catalogue. A spring without damping lies on"
-                        + " the imaginary axis, lambda = i omega; pure decay lies on the negative real axis.",
-                "An adaptive solver makes its sub-steps shorter before anything grows. With an unlimited tolerance"
-                        + " it takes one sub-step of deltaT; that sub-step is measured. Beyond its limit it has to"
-                        + " take more sub-steps, and that is what a stiff system costs it."
-                        + " bulirsch-stoer states no limits, as every number of lines of its table has its own;"
-                        + " measured are those with which it begins.",
-                "Symplectic solvers need positions and velocities: what is measured is a damped spring with the"
-                        + " eigenvalues lambda and its conjugate, on the real axis the critically damped one. verlet"
-                        + " and yoshida4 refuse a step whose last kick they cannot solve; that counts as unstable, and"
-                        + " with strong damping it is their limit."),
+        return new ResultPage(name(), StabilityLimits.finding(), List.of(
+                """
+                        Every number was measured on the solver's code, by bisection on the test equation y' = \
+                        lambda y. Beside it is the theory, as in the catalogue. A spring without damping lies on the \
+                        imaginary axis, lambda = i omega; pure decay lies on the negative real axis.""",
+                """
+                        An adaptive solver makes its sub-steps shorter before anything grows. With an unlimited \
+                        tolerance it takes one sub-step of deltaT; that sub-step is measured. Beyond its limit it \
+                        has to take more sub-steps, and that is what a stiff system costs it. bulirsch-stoer states \
+                        no limits, as every number of lines of its table has its own; measured are those with which \
+                        it begins.""",
+                """
+                        Symplectic solvers need positions and velocities: what is measured is a damped spring with \
+                        the eigenvalues lambda and its conjugate, on the real axis the critically damped one. verlet \
+                        and yoshida4 refuse a step whose last kick they cannot solve; that counts as unstable, and \
+                        with strong damping it is their limit."""),
                 List.of(new Region("slides",
                                 "Explicit methods are stable in the shaded region: deltaT times each eigenvalue"
                                 + " has to lie there",
-                                "The slides' solvers and adams. Of the imaginary axis, only 0 belongs to the regions"
-                                + " of euler, midpoint and adams; the outline of adams runs so close beside the axis,"
-                                + " up to 0.9, that the picture cannot show it: at 0.8 a step still grows by 0.7 %.",
+                                """
+                                The slides' solvers and adams. Of the imaginary axis, only 0 belongs to the regions \
+                                of euler, midpoint and adams; the outline of adams runs so close beside the axis, up \
+                                to 0.9, that the picture cannot show it: at 0.8 a step still grows by 0.7 %.""",
                                 List.of("euler", "midpoint", "rk4", "adams"), new Window(-3.5, 1, 3.5, 0.05))
                                         .draw(progress, 0.5),
                         new Region("adaptive",
@@ -127,9 +121,10 @@ public final class StabilityCommand extends ExperimentCommand {
                                         .draw(progress, 0.7),
                         new Region("implicit",
                                 "Implicit methods are stable for all that decays, and for fast growth too",
-                                "All that decays is stable. The boundary of implicit-midpoint is the imaginary axis:"
-                                        + " it reproduces growth as growth and decay as decay. The others also damp"
-                                        + " growth, if it is fast.",
+                                """
+                                        All that decays is stable. The boundary of implicit-midpoint is the \
+                                        imaginary axis: it reproduces growth as growth and decay as decay. The \
+                                        others also damp growth, if it is fast.""",
                                 List.of("backward-euler", "implicit-midpoint", "radau"), new Window(-3, 13, 8, 0.15))
                                         .draw(progress, 0.85)),
                 List.of(limits));

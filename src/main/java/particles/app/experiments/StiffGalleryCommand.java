@@ -3,7 +3,6 @@ package particles.app.experiments;
 import java.util.ArrayList;
 import java.util.List;
 import particles.app.cli.Mistakes;
-import particles.app.cli.OptionStyle;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.work.StiffCharts;
@@ -16,11 +15,9 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /** {@code gradle stiffGallery}: measures the cost of stiffness. */
-@Command(name = StiffGalleryCommand.NAME,
+@Command(name = "stiffGallery",
         description = "Measures what each solver costs as a spring gets stiffer.")
 public final class StiffGalleryCommand extends ExperimentCommand {
-    static final String NAME = "stiffGallery";
-
     @Option(names = "--solvers", paramLabel = "NAMES", defaultValue = "all",
             description = "Solvers, separated by commas (default: ${DEFAULT-VALUE}).")
     private String solvers = "all";
@@ -30,11 +27,6 @@ public final class StiffGalleryCommand extends ExperimentCommand {
     private int decades = 8;
 
     private List<SolverChoice> choices;
-
-    /** @param style the way in which options are typed */
-    public StiffGalleryCommand(OptionStyle style) {
-        super(style);
-    }
 
     @Override
     protected void read(Mistakes mistakes) {
@@ -50,27 +42,30 @@ public final class StiffGalleryCommand extends ExperimentCommand {
             progress.reached((double) sweeps.size() / choices.size(), choice.label());
             sweeps.add(StiffGallery.sweep(choice, decades));
         }
-        return new ResultPage(NAME, StiffCharts.finding(sweeps), List.of(
-                "Two masses swing together on soft springs, with omega = 1. The spring between them is at rest but"
-                        + " for a millionth, and its stiffness k is swept over the decades: what one wants to see"
-                        + " stays the same, and only stability asks for shorter steps. An explicit method is stable as"
-                        + " long as deltaT times omega of the stiff spring stays below its limit, so its cost grows as"
-                        + " the root of the stiffness: the exponent is 0.5.",
-                "Euler, midpoint and adams multiply an undamped vibration in each step, however short it is: they are"
-                        + " never stable, and a result to 1 % is a race between their growth and the end of the run."
-                        + " What grows by (h omega)^4 / 8 a step, as with midpoint, needs steps as k^(2/3); Euler, by"
-                        + " (h omega)^2 / 2, needs them as k.",
-                "The third chart shows what is left of the energy of the stiff vibration: that is the price of backward"
-                        + " Euler and radau, which wipe it out, and of rk4 close to its limit; implicit midpoint and"
-                        + " verlet keep it. With a step close to their limit, symplectic Euler and yoshida4 borrow"
-                        + " 50 to 300 times as much and give it back, and the chart has the most that they borrow; it"
-                        + " does not grow, as it does beyond the limit. What adaptive explicit solvers leave, in the"
-                        + " table, is what their tolerance does not see."),
+        return new ResultPage(name(), StiffCharts.finding(sweeps), List.of(
+                """
+                        Two masses swing together on soft springs, with omega = 1. The spring between them is at \
+                        rest but for a millionth, and its stiffness k is swept over the decades: what one wants to \
+                        see stays the same, and only stability asks for shorter steps. An explicit method is stable \
+                        as long as deltaT times omega of the stiff spring stays below its limit, so its cost grows \
+                        as the root of the stiffness: the exponent is 0.5.""",
+                """
+                        Euler, midpoint and adams multiply an undamped vibration in each step, however short it is: \
+                        they are never stable, and a result to 1 % is a race between their growth and the end of the \
+                        run. What grows by (h omega)^4 / 8 a step, as with midpoint, needs steps as k^(2/3); Euler, \
+                        by (h omega)^2 / 2, needs them as k.""",
+                """
+                        The third chart shows what is left of the energy of the stiff vibration: that is the price \
+                        of backward Euler and radau, which wipe it out, and of rk4 close to its limit; implicit \
+                        midpoint and verlet keep it. With a step close to their limit, symplectic Euler and yoshida4 \
+                        borrow 50 to 300 times as much and give it back, and the chart has the most that they \
+                        borrow; it does not grow, as it does beyond the limit. What adaptive explicit solvers leave, \
+                        in the table, is what their tolerance does not see."""),
                 List.of(Picture.stacked("stiff-gallery",
-                        "Evaluations for an error of 1 % of the swing after 10 s, evaluations of the"
-                        + " cheapest stable run, and the energy that is left of the stiff vibration, where it does not"
-                        + " grow for ever. Below: solvers that are never stable, and where a million steps are"
-                        + " not enough for 1 %.",
+                        """
+                        Evaluations for an error of 1 % of the swing after 10 s, evaluations of the cheapest stable \
+                        run, and the energy that is left of the stiff vibration, where it does not grow for ever. \
+                        Below: solvers that are never stable, and where a million steps are not enough for 1 %.""",
                         StiffCharts.charts(sweeps))), List.of(StiffCharts.table(sweeps)));
     }
 }

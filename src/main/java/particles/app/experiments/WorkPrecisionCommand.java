@@ -2,14 +2,11 @@ package particles.app.experiments;
 
 import deSolvers.text.Digits;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.NoSuchElementException;
 import java.util.Optional;
 import particles.app.cli.Mistakes;
-import particles.app.cli.OptionStyle;
 import particles.experiments.lecture.CostExercise;
 import particles.experiments.lecture.CostExercise.Cost;
 import particles.experiments.runs.ProgressListener;
@@ -27,11 +24,9 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /** {@code gradle workPrecision}: measures the cost of precision. */
-@Command(name = WorkPrecisionCommand.NAME,
+@Command(name = "workPrecision",
         description = "Plots the error of solvers against their cost, on several problems.")
 public final class WorkPrecisionCommand extends ExperimentCommand {
-    static final String NAME = "workPrecision";
-
     private static final double SECONDS_A_CURVE = 1.4;
     /** A problem that takes longer than this (s) is announced. */
     private static final double LONG = 45;
@@ -49,29 +44,11 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
     private List<SolverChoice> choices;
     private List<String> names;
 
-    /** @param style the way in which options are typed */
-    public WorkPrecisionCommand(OptionStyle style) {
-        super(style);
-    }
-
     @Override
     protected void read(Mistakes mistakes) {
         mistakes.check(() -> choices = solverChoices(solvers));
-        mistakes.check(this::readProblems);
+        mistakes.check(() -> names = names("problem", "problem", problem, WorkProblems.NAMES));
         super.read(mistakes);
-    }
-
-    private void readProblems() {
-        names = names();
-        for (String name : names) {
-            if (!WorkProblems.NAMES.contains(name)) {
-                try {
-                    WorkProblems.of(name);
-                } catch (NoSuchElementException e) {
-                    throw wrong("problem", e.getMessage());
-                }
-            }
-        }
     }
 
     /** Measured: six problems with all solvers take 70 s on two idle cores, and twice that on busy ones. */
@@ -81,16 +58,6 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
         return seconds < LONG ? Optional.empty() : Optional.of("this takes about " + Math.round(seconds / 60)
                 + (seconds < 90 ? " minute" : " minutes") + "; " + style().option("problem") + " or "
                 + style().option("solvers") + " with fewer names takes less");
-    }
-
-    private List<String> names() {
-        List<String> names = problem.strip().equals("all") ? WorkProblems.NAMES
-                : Arrays.stream(problem.split(",")).map(String::strip).filter(name -> !name.isEmpty()).distinct()
-                .toList();
-        if (names.isEmpty()) {
-            throw wrong("problem", "choose at least one problem; known: " + String.join(", ", WorkProblems.NAMES));
-        }
-        return names;
     }
 
     @Override
@@ -121,20 +88,22 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
                     + " quartile. One solver is called first only if its bar overlaps no other." + FAILURES,
                     WorkCharts.byTime(solved, curves)));
         });
-        return new ResultPage(NAME, CostExercise.finding(costs), List.of(
-                "Each line is a solver, each point a run with half the step, or a tenth of the tolerance, of the one"
-                        + " before. Its slope is the order: with half the step, the error of rk4 falls to a sixteenth."
-                        + " Slopes are fitted only where they are those of the method: over the last three or more"
-                        + " errors in a row that are less than 0.1, above the last digits, and on a straight line,"
-                        + " which says that the slopes between them differ by 0.1 at most; of adaptive solvers, by"
-                        + " 1.5. A slope that is off theory by more than 1.25 is none of the method: such errors fall"
-                        + " for another reason, as where sub-steps become short enough to be stable. Points that are"
-                        + " fitted are filled.",
-                "The stiff chain only follows its shaken wall. Explicit solvers have no result until their step"
-                        + " is short enough for the stiffest spring, and are then more accurate than needed."
-                        + " Implicit ones take long steps, but see only the stages of a step: there radau has"
-                        + " the order of its stages, 3, and not 5, until the step is as short as the time of the"
-                        + " springs. It uses equal steps here, like the others."),
+        return new ResultPage(name(), CostExercise.finding(costs), List.of(
+                """
+                        Each line is a solver, each point a run with half the step, or a tenth of the tolerance, of \
+                        the one before. Its slope is the order: with half the step, the error of rk4 falls to a \
+                        sixteenth. Slopes are fitted only where they are those of the method: over the last three or \
+                        more errors in a row that are less than 0.1, above the last digits, and on a straight line, \
+                        which says that the slopes between them differ by 0.1 at most; of adaptive solvers, by 1.5. \
+                        A slope that is off theory by more than 1.25 is none of the method: such errors fall for \
+                        another reason, as where sub-steps become short enough to be stable. Points that are fitted \
+                        are filled.""",
+                """
+                        The stiff chain only follows its shaken wall. Explicit solvers have no result until their \
+                        step is short enough for the stiffest spring, and are then more accurate than needed. \
+                        Implicit ones take long steps, but see only the stages of a step: there radau has the order \
+                        of its stages, 3, and not 5, until the step is as short as the time of the springs. It uses \
+                        equal steps here, like the others."""),
                 pictures, List.of(CostExercise.table(costs), WorkTables.slopes(all), WorkTables.runs(all)));
     }
 }

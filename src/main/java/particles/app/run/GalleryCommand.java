@@ -91,9 +91,6 @@ public final class GalleryCommand extends ProgramCommand {
         if (free > MOST_TRAILS || style.kind() != ParticleStyle.Kind.BALLS || style.trail() > 0) {
             return look;
         }
-        return new RenderOptions(look.particles(), look.springs(), look.particleRadius(), look.strainRange(),
-                look.particleColour(),
-                look.fixedColour(), look.frontColour(), look.backColour(),
-                style.withTrail(duration));
+        return look.withStyle(style.withTrail(duration));
     }
 }

@@ -13,7 +13,6 @@ import java.util.Set;
 import java.util.TreeSet;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
-import particles.app.cli.OptionStyle;
 import particles.app.cli.ProgramCommand;
 import particles.app.student.StudentClasses;
 import particles.lab.LabBuilder;
@@ -38,17 +37,14 @@ public final class LabCommand extends ProgramCommand {
 
     private final Path folder;
     private final Path exercises;
-    private final OptionStyle style;
 
     /**
      * @param folder    the folder of the scenes
      * @param exercises the folder of students' classes
-     * @param style     the way in which options are typed
      */
-    public LabCommand(Path folder, Path exercises, OptionStyle style) {
+    public LabCommand(Path folder, Path exercises) {
         this.folder = folder;
         this.exercises = exercises;
-        this.style = style;
     }
 
     @Override
@@ -83,7 +79,7 @@ public final class LabCommand extends ProgramCommand {
             SolverCatalog.create(name);
             return !SolverCatalog.names().contains(name);
         } catch (NoSuchElementException | IllegalArgumentException e) {
-            throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("solver") + ": " + e.getMessage());
+            throw wrong("solver", e.getMessage());
         }
     }
 

@@ -12,7 +12,6 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.FolderSize;
 import particles.app.cli.Mistakes;
-import particles.app.cli.OptionStyle;
 import particles.app.cli.ResultsCommand;
 import particles.app.student.StudentClasses;
 import particles.experiments.energy.NumericalErrorLimit;
@@ -76,11 +75,9 @@ public final class RunCommand extends ResultsCommand {
 
     /**
      * @param scenes the folder of scenes
-     * @param style  the way in which options are typed, for messages
      * @param stop   tells the run when it has to end early
      */
-    public RunCommand(Path scenes, OptionStyle style, StopRequest stop) {
-        super(style);
+    public RunCommand(Path scenes, StopRequest stop) {
         this.scenes = scenes;
         this.stop = stop;
     }
@@ -100,18 +97,8 @@ public final class RunCommand extends ResultsCommand {
     }
 
     private Overrides overrides() {
-        Overrides overrides = new Overrides();
-        override(overrides, "solver", solver);
-        override(overrides, "deltaT", deltaT);
-        override(overrides, "duration", duration);
-        override(overrides, "threads", threads);
-        return overrides;
-    }
-
-    private void override(Overrides overrides, String option, String value) {
-        if (value != null) {                            // picocli leaves an option null that was not given
-            overrides.with(option, value, style().option(option));
-        }
+        return new Overrides(style()::option).with("solver", solver).with("deltaT", deltaT)
+                .with("duration", duration).with("threads", threads);
     }
 
     private void readScene(Overrides overrides) {

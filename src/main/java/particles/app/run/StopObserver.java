@@ -6,13 +6,7 @@ import particles.Observer;
 /**
  * Ends a run after the step in which a stop was requested. It is the last observer, so the others have seen the step.
  */
-final class StopObserver implements Observer {
-    private final StopRequest request;
-
-    StopObserver(StopRequest request) {
-        this.request = request;
-    }
-
+record StopObserver(StopRequest request) implements Observer {
     @Override
     public void moved(Motion motion) {
         if (request.isWanted()) {

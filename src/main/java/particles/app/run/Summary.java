@@ -73,12 +73,12 @@ final class Summary {
                 : " (" + Digits.few(error) + " of the energy scale, " + joules(record.energyScale()) + ")")
                 + (damped ? ", by numerical damping" : ""));
         if (error > LARGE_ERROR && !endedEarly && !failed && !damped) {
-            lines.add("warning: the numerical error is " + share(error) + " the energy; do not trust"
-                    + " this motion. Try a smaller deltaT or another solver.");
+            lines.add("warning: the numerical error is " + share(error)
+                    + " the energy; do not trust this motion. Try a smaller deltaT or another solver.");
         }
         if (error > LARGE_ERROR && damped) {
-            lines.add("warning: numerical damping took " + share(error) + " the energy scale; a smaller deltaT loses"
-                    + " less.");
+            lines.add("warning: numerical damping took " + share(error)
+                    + " the energy scale; a smaller deltaT loses less.");
         }
         Violation violation = scene.simulation().getViolation();
         if (violation.part() > VIOLATION && !failed) {

@@ -1,9 +1,10 @@
 package particles.experiments.lecture;
 
+import static particles.view.DataTable.column;
+
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.Oscillator;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import particles.view.DataTable;
@@ -81,12 +82,9 @@ public final class CostExercise {
      * @return the answer to the exercise
      */
     public static DataTable table(List<Cost> costs) {
-        List<List<Object>> rows = new ArrayList<>();
-        costs.forEach(cost -> rows.add(List.of(cost.error(), cost.midpoint(), cost.rk4(),
-                (double) cost.midpoint() / cost.rk4())));
-        return new DataTable("exercise",
-                "Evaluations that midpoint and RK4 need for the same error, whichever solvers were chosen",
-                List.of(DataTable.column("error"), DataTable.column("midpoint"), DataTable.column("rk4"),
-                        new DataTable.Column("midpoint / rk4", 3)), rows);
+        return DataTable.of("exercise",
+                "Evaluations that midpoint and RK4 need for the same error, whichever solvers were chosen", costs,
+                column("error", Cost::error), column("midpoint", Cost::midpoint), column("rk4", Cost::rk4),
+                column("midpoint / rk4", 3, cost -> (double) cost.midpoint() / cost.rk4()));
     }
 }

@@ -1,11 +1,12 @@
 package particles.experiments.lecture;
 
+import static particles.view.DataTable.column;
+
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.Oscillator;
 import java.math.BigDecimal;
 import java.math.MathContext;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
@@ -118,13 +119,9 @@ public final class LectureFigures {
         double[] end = new Oscillator().exactState(n * result.figure().deltaT());
         return new ChartData(title, "position x (m)", "velocity v (m/s)", false, false, List.of(
                 new Series(SolverChoice.of(result.figure().solver()).label(), mark, result.x(), result.v()), exact(),
-                point("start", Mark.POINTS, 1, 0),
-                point("end", Mark.POINTS, result.x()[n], result.v()[n]),
-                point("exact end", Mark.OPEN_POINTS, end[0], end[1])));
-    }
-
-    private static Series point(String name, Mark mark, double x, double v) {
-        return new Series(name, mark, new double[] {x}, new double[] {v});
+                Series.point("start", Mark.POINTS, 1, 0),
+                Series.point("end", Mark.POINTS, result.x()[n], result.v()[n]),
+                Series.point("exact end", Mark.OPEN_POINTS, end[0], end[1])));
     }
 
     /**
@@ -135,7 +132,7 @@ public final class LectureFigures {
                 "position x (m)",
                 "velocity v (m/s)", false, false, List.of(new Series("no path", Mark.LINE, new double[0],
                         new double[0]),
-                        exact(), point("start", Mark.POINTS, 1, 0)));
+                        exact(), Series.point("start", Mark.POINTS, 1, 0)));
     }
 
     private static Series exact() {
@@ -217,21 +214,20 @@ public final class LectureFigures {
      * @return the table of measured and theoretical values
      */
     public static DataTable table(List<Result> results) {
-        List<List<Object>> rows = new ArrayList<>();
-        for (Result result : results) {
-            double amplitude = result.theory().map(Theory::amplitude).orElse(Double.NaN);
-            double phase = result.theory().map(Theory::phaseError).orElse(Double.NaN);
-            rows.add(List.of(result.figure().solver(), result.figure().deltaT(), result.figure().steps(),
-                    result.evaluations(),
-                    result.amplitude(), amplitude, result.amplitude() * result.amplitude(), amplitude * amplitude,
-                    result.phaseError(), phase));
-        }
-        List<DataTable.Column> columns = List.of(DataTable.column("solver"), new DataTable.Column("deltaT (s)", 6),
-                DataTable.column("steps"), DataTable.column("evaluations"), new DataTable.Column("amplitude", 7),
-                new DataTable.Column("|R|^N", 7), new DataTable.Column("energy", 8),
-                new DataTable.Column("|R|^(2N)", 8),
-                new DataTable.Column("phase error (rad)", 6), new DataTable.Column("N (arg R - h)", 6));
-        return new DataTable("figures", "Amplitude, energy and phase after N steps of h = deltaT, each measured and"
-                + " beside it by theory, where R(i h) is the complex factor of a step (omega = 1)", columns, rows);
+        return DataTable.of("figures", """
+                Amplitude, energy and phase after N steps of h = deltaT, each measured and beside it by theory, where \
+                R(i h) is the complex factor of a step (omega = 1)""", results,
+                column("solver", result -> result.figure().solver()),
+                column("deltaT (s)", 6, result -> result.figure().deltaT()),
+                column("steps", result -> result.figure().steps()), column("evaluations", Result::evaluations),
+                column("amplitude", 7, Result::amplitude), column("|R|^N", 7, result -> theory(result).amplitude),
+                column("energy", 8, result -> result.amplitude() * result.amplitude()),
+                column("|R|^(2N)", 8, result -> theory(result).amplitude * theory(result).amplitude),
+                column("phase error (rad)", 6, Result::phaseError),
+                column("N (arg R - h)", 6, result -> theory(result).phaseError));
+    }
+
+    private static Theory theory(Result result) {
+        return result.theory().orElse(new Theory(Double.NaN, Double.NaN));
     }
 }

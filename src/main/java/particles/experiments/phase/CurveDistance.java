@@ -1,5 +1,7 @@
 package particles.experiments.phase;
 
+import java.util.Arrays;
+
 /** The distance of a path in state space from a curve, by shape alone: times are not compared. */
 final class CurveDistance {
     /** The largest number of points used of a path, and of lines of the curve: enough for a few turns, and fast. */
@@ -83,18 +85,10 @@ final class CurveDistance {
     }
 
     private static double lowest(double[] values) {
-        double lowest = Double.POSITIVE_INFINITY;
-        for (double value : values) {
-            lowest = Math.min(lowest, value);
-        }
-        return lowest;
+        return Arrays.stream(values).min().orElse(Double.POSITIVE_INFINITY);
     }
 
     private static double highest(double[] values) {
-        double highest = Double.NEGATIVE_INFINITY;
-        for (double value : values) {
-            highest = Math.max(highest, value);
-        }
-        return highest;
+        return Arrays.stream(values).max().orElse(Double.NEGATIVE_INFINITY);
     }
 }

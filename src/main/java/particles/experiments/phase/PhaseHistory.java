@@ -161,7 +161,7 @@ public final class PhaseHistory implements Observer {
         Mark mark = every > 1 ? Mark.POINTS : count <= FEW ? Mark.LINE_AND_POINTS : Mark.LINE;
         return new ChartData(title, axis.positionLabel(whose), axis.velocityLabel(whose), false, false,
                 List.of(new Series("path", mark, x, v),
-                        new Series("start", Mark.POINTS, new double[] {x[0]}, new double[] {v[0]}),
-                        new Series("end", Mark.POINTS, new double[] {x[count - 1]}, new double[] {v[count - 1]})));
+                        Series.point("start", Mark.POINTS, x[0], v[0]),
+                        Series.point("end", Mark.POINTS, x[count - 1], v[count - 1])));
     }
 }

@@ -148,9 +148,7 @@ public final class PhasePortraits {
     }
 
     private static String joined(List<String> names) {
-        int last = names.size() - 1;
-        return names.size() > 3 ? names.size() + " solvers"
-                : last == 0 ? names.get(0) : String.join(", ", names.subList(0, last)) + " and " + names.get(last);
+        return names.size() > 3 ? names.size() + " solvers" : SolverChoice.together(names);
     }
 
     private static Run run(SceneDescription scene, Setting setting, String name, List<String> particles,

@@ -56,15 +56,13 @@ final class PortraitChart {
                 exact.y()));
         series.add(new Series(solver, path.mark(), Arrays.copyOf(path.x(), shown), Arrays.copyOf(path.y(), shown)));
         int last = exact.x().length - 1;
-        series.add(new Series("start", Mark.POINTS, new double[] {exact.x()[0]}, new double[] {exact.y()[0]}));
-        series.add(new Series("end of the reference", Mark.OPEN_POINTS,
-                new double[] {exact.x()[last]}, new double[] {exact.y()[last]}));
+        series.add(Series.point("start", Mark.POINTS, exact.x()[0], exact.y()[0]));
+        series.add(Series.point("end of the reference", Mark.OPEN_POINTS, exact.x()[last], exact.y()[last]));
         int end = shown - 1;
         if (end >= 0 && whole && shown == path.x().length) {
-            series.add(new Series("end", Mark.POINTS, new double[] {path.x()[end]}, new double[] {path.y()[end]}));
+            series.add(Series.point("end", Mark.POINTS, path.x()[end], path.y()[end]));
         } else if (end >= 0) {
-            series.add(new Series("stopped, or out of the picture", Mark.FAILURES, new double[] {path.x()[end]},
-                    new double[] {path.y()[end]}));
+            series.add(Series.point("stopped, or out of the picture", Mark.FAILURES, path.x()[end], path.y()[end]));
         }
         return new ChartData(whose + title(axis), axis.positionLabel(""), axis.velocityLabel(""), false, false, series);
     }

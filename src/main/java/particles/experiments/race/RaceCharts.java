@@ -1,5 +1,7 @@
 package particles.experiments.race;
 
+import static particles.view.DataTable.column;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -10,6 +12,7 @@ import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.race.Race.Lane;
 import particles.experiments.race.Race.Result;
 import particles.experiments.runs.EqualTime;
+import particles.experiments.runs.SolverChoice;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
@@ -62,9 +65,7 @@ public final class RaceCharts {
             }
         }
         if (!left.isEmpty()) {
-            series.add(new Series(DriftCharts.STOPPED, Mark.FAILURES,
-                    left.stream().mapToDouble(end -> end[0]).toArray(),
-                    left.stream().mapToDouble(end -> end[1]).toArray()));
+            series.add(Series.of(DriftCharts.STOPPED, Mark.FAILURES, left, end -> end[0], end -> end[1]));
         }
         return new ChartData(title(race), "time (s)", "distance from the reference (m)", false, true, series);
     }
@@ -105,7 +106,8 @@ public final class RaceCharts {
         List<String> parts = new ArrayList<>();
         List<String> nearest = nearest(race);
         if (!nearest.isEmpty()) {
-            parts.add(together(nearest) + (nearest.size() == 1 ? " stays" : " stay") + " nearest to the reference");
+            parts.add(SolverChoice.together(nearest) + (nearest.size() == 1 ? " stays" : " stay")
+                    + " nearest to the reference");
         }
         List<Lane> left = race.lanes().stream().filter(lane -> lane.left().isPresent()).toList();
         if (left.size() > 3) {
@@ -134,11 +136,6 @@ public final class RaceCharts {
                 .map(RaceCharts::label).toList();
     }
 
-    private static String together(List<String> names) {
-        int last = names.size() - 1;
-        return last == 0 ? names.get(0) : String.join(", ", names.subList(0, last)) + " and " + names.get(last);
-    }
-
     /** The work of a lane, divided by the work that each was to have. */
     private static double share(Result race, Lane lane) {
         return (race.equalTime() ? lane.match().seconds().orElse(Double.NaN) : lane.match().evaluations())
@@ -156,19 +153,16 @@ public final class RaceCharts {
      * @return the table, with a row for each solver
      */
     public static DataTable table(Result race) {
-        List<List<Object>> rows = new ArrayList<>();
-        for (Lane lane : race.lanes()) {
-            double[] distance = lane.distance();
-            rows.add(List.of(label(lane), lane.match().setting().deltaT(),
-                    lane.match().setting().tolerance().orElse(Double.NaN),
-                    lane.drift().outcome().evaluations(), 1000 * lane.match().seconds().orElse(Double.NaN), mean(lane),
-                    lane.left().isPresent() ? Double.NaN : distance[distance.length - 1], lane.drift().largest(),
-                    lane.left().orElse(Double.NaN), lane.drift().outcome().failure().orElse("")));
-        }
-        return new DataTable("race", race.scene() + ", " + work(race), List.of(DataTable.column("solver"),
-                DataTable.column("deltaT (s)"), new DataTable.Column("tolerance", 2), DataTable.column("evaluations"),
-                new DataTable.Column("time (ms)", 3), new DataTable.Column("distance, rms (m)", 3),
-                new DataTable.Column("at the end (m)", 3), new DataTable.Column("largest energy error / scale", 3),
-                new DataTable.Column("left the race at (s)", 3), DataTable.column("why")), rows).withoutEmptyColumns();
+        return DataTable.of("race", race.scene() + ", " + work(race), race.lanes(), column("solver", RaceCharts::label),
+                column("deltaT (s)", lane -> lane.match().setting().deltaT()),
+                column("tolerance", 2, lane -> lane.match().setting().tolerance().orElse(Double.NaN)),
+                column("evaluations", lane -> lane.drift().outcome().evaluations()),
+                column("time (ms)", 3, lane -> 1000 * lane.match().seconds().orElse(Double.NaN)),
+                column("distance, rms (m)", 3, RaceCharts::mean),
+                column("at the end (m)", 3, lane -> lane.left().isPresent() ? Double.NaN
+                        : lane.distance()[lane.distance().length - 1]),
+                column("largest energy error / scale", 3, lane -> lane.drift().largest()),
+                column("left the race at (s)", 3, lane -> lane.left().orElse(Double.NaN)),
+                column("why", lane -> lane.drift().outcome().failure().orElse(""))).withoutEmptyColumns();
     }
 }

@@ -4,7 +4,6 @@ import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import java.util.Arrays;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.NoSuchElementException;
 import java.util.Optional;
@@ -40,12 +39,22 @@ public record SolverChoice(String name, Optional<SolverInfo> info) {
         if (names.strip().equals("all")) {
             return SolverCatalog.names().stream().map(SolverChoice::of).toList();
         }
-        List<SolverChoice> choices = new LinkedHashSet<>(Arrays.stream(names.split(",")).map(String::strip)
-                .filter(name -> !name.isEmpty()).toList()).stream().map(SolverChoice::of).toList();
+        List<SolverChoice> choices = separated(names).stream().map(SolverChoice::of).toList();
         if (choices.isEmpty()) {
             throw new IllegalArgumentException("no solver is named");
         }
         return choices;
+    }
+
+    /** @return the names as in a sentence: a, b and c */
+    public static String together(List<String> names) {
+        int last = names.size() - 1;
+        return last == 0 ? names.get(0) : String.join(", ", names.subList(0, last)) + " and " + names.get(last);
+    }
+
+    /** @return the names in a list separated by commas, each once */
+    public static List<String> separated(String names) {
+        return Arrays.stream(names.split(",")).map(String::strip).filter(name -> !name.isEmpty()).distinct().toList();
     }
 
     /** @return whether it chooses its own sub-steps and takes tolerances */

@@ -5,6 +5,7 @@ import deSolvers.catalog.SolverInfo;
 import java.util.ArrayList;
 import java.util.List;
 import particles.experiments.runs.ProgressListener;
+import particles.experiments.runs.SolverChoice;
 import particles.view.DataTable;
 
 /** The stability limits of all solvers: those measured on their code, and those of the theory. */
@@ -41,13 +42,8 @@ public final class StabilityLimits {
         List<String> free = SolverCatalog.all().stream().filter(SolverInfo::unlimited).map(SolverInfo::name).toList();
         List<String> never = SolverCatalog.all().stream().filter(info -> info.imaginaryLimit() == 0)
                 .map(SolverInfo::name).toList();
-        return "A step has no limit with " + together(free) + "; with " + together(never)
+        return "A step has no limit with " + SolverChoice.together(free) + "; with " + SolverChoice.together(never)
                 + " an undamped spring grows in every step";
-    }
-
-    private static String together(List<String> names) {
-        int last = names.size() - 1;
-        return String.join(", ", names.subList(0, last)) + " and " + names.get(last);
     }
 
     private static List<Object> row(SolverInfo info) {

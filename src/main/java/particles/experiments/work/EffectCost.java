@@ -1,5 +1,7 @@
 package particles.experiments.work;
 
+import static particles.view.DataTable.column;
+
 import deSolvers.RK4Solver;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -137,12 +139,9 @@ public final class EffectCost {
      * @return a row for each
      */
     public static DataTable table(List<Cost> costs) {
-        List<List<Object>> rows = new ArrayList<>();
-        for (Cost cost : costs) {
-            rows.add(List.of(cost.name(), 1e6 * cost.seconds(), cost.overBase()));
-        }
-        return new DataTable("effectCost", "time for a step of rk4", List.of(DataTable.column("what the scene names"),
-                DataTable.column("time (\u00b5s)"), new DataTable.Column("over springs alone", 3)), rows);
+        return DataTable.of("effectCost", "time for a step of rk4", costs, column("what the scene names", Cost::name),
+                column("time (\u00b5s)", cost -> 1e6 * cost.seconds()),
+                column("over springs alone", 3, Cost::overBase));
     }
 
     /**

@@ -1,5 +1,7 @@
 package particles.experiments.work;
 
+import static particles.view.DataTable.column;
+
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -61,9 +63,7 @@ public final class StiffCharts {
     }
 
     private static Series series(Sweep sweep, ToDoubleFunction<Cost> what) {
-        return new Series(name(sweep), Mark.LINE_AND_POINTS,
-                sweep.costs().stream().mapToDouble(Cost::stiffness).toArray(),
-                sweep.costs().stream().mapToDouble(what).toArray());
+        return Series.of(name(sweep), Mark.LINE_AND_POINTS, sweep.costs(), Cost::stiffness, what);
     }
 
     private static String name(Sweep sweep) {
@@ -89,8 +89,7 @@ public final class StiffCharts {
         sweeps.forEach(sweep -> sweep.costs().stream().filter(which.of(sweep))
                 .forEach(cost -> points.add(new double[] {cost.stiffness(), rows.indexOf(name(sweep))})));
         if (!points.isEmpty()) {
-            series.add(new Series(name, mark, points.stream().mapToDouble(point -> point[0]).toArray(),
-                    points.stream().mapToDouble(point -> point[1]).toArray()));
+            series.add(Series.of(name, mark, points, point -> point[0], point -> point[1]));
         }
     }
 
@@ -127,22 +126,21 @@ public final class StiffCharts {
      * @return the exponents, and the cost for the stiffest spring
      */
     public static DataTable table(List<Sweep> sweeps) {
-        List<List<Object>> rows = new ArrayList<>();
-        for (Sweep sweep : sweeps) {
-            Cost soft = sweep.costs().get(0);
-            Cost stiff = sweep.costs().get(sweep.costs().size() - 1);
-            rows.add(List.of(name(sweep), sweep.neverStable() ? "never: grows at any step"
-                    : sweep.solver().adaptive() ? "by step-size control"
-                    : unlimited(sweep) ? "at any step" : "below its limit",
-                    unlimited(sweep) ? Double.NaN : exponent(sweep.stableExponent()),
-                    exponent(sweep.preciseExponent()), soft.toOnePercent(), stiff.toOnePercent()));
-        }
-        return new DataTable("stiffness",
-                "Evaluations grow as k^exponent, where k is the stiffness: for stability, and for an error of 1 %."
-                        + " Then, the evaluations for 1 % with the softest and the stiffest spring",
-                List.of(DataTable.column("solver"), DataTable.column("stable"),
-                        new DataTable.Column("exponent, stability", 3), new DataTable.Column("exponent, 1 %", 3),
-                        DataTable.column("evaluations, softest"), DataTable.column("evaluations, stiffest")), rows);
+        return DataTable.of("stiffness", """
+                Evaluations grow as k^exponent, where k is the stiffness: for stability, and for an error of 1 %. \
+                Then, the evaluations for 1 % with the softest and the stiffest spring""", sweeps,
+                column("solver", StiffCharts::name), column("stable", StiffCharts::stable),
+                column("exponent, stability", 3, sweep -> unlimited(sweep) ? Double.NaN
+                        : exponent(sweep.stableExponent())),
+                column("exponent, 1 %", 3, sweep -> exponent(sweep.preciseExponent())),
+                column("evaluations, softest", sweep -> sweep.costs().get(0).toOnePercent()),
+                column("evaluations, stiffest", sweep -> sweep.costs().get(sweep.costs().size() - 1).toOnePercent()));
+    }
+
+    private static String stable(Sweep sweep) {
+        return sweep.neverStable() ? "never: grows at any step"
+                : sweep.solver().adaptive() ? "by step-size control"
+                : unlimited(sweep) ? "at any step" : "below its limit";
     }
 
     /** Two decimals: those after that come from the numbers of steps being whole. */

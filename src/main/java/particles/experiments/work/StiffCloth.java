@@ -1,5 +1,7 @@
 package particles.experiments.work;
 
+import static particles.view.DataTable.column;
+
 import deSolvers.DESolver;
 import deSolvers.RK4Solver;
 import deSolvers.implicit.BackwardEulerSolver;
@@ -172,11 +174,9 @@ public final class StiffCloth {
      * @return the time of a frame against the number of steps that RK4 needs
      */
     public static ChartData chart(List<Row> rows) {
-        double[] steps = rows.stream().mapToDouble(Row::rk4Steps).toArray();
         return new ChartData(finding(rows), "steps of rk4 that a frame needs", "CPU time of a frame (s)", true, true,
-                List.of(new Series("rk4", Mark.LINE_AND_POINTS, steps, rows.stream().mapToDouble(Row::rk4).toArray()),
-                        new Series("linearised-euler", Mark.LINE_AND_POINTS, steps,
-                                rows.stream().mapToDouble(Row::linearised).toArray())));
+                List.of(Series.of("rk4", Mark.LINE_AND_POINTS, rows, Row::rk4Steps, Row::rk4),
+                        Series.of("linearised-euler", Mark.LINE_AND_POINTS, rows, Row::rk4Steps, Row::linearised)));
     }
 
     /**
@@ -184,12 +184,11 @@ public final class StiffCloth {
      * @return a row for each
      */
     public static DataTable table(List<Row> rows) {
-        return new DataTable("stiffCloth", "CPU time of a frame of 1/60 s of a cloth of " + EDGE + " x " + EDGE
-                + " particles", List.of(new DataTable.Column("stiffness (N/m)", 3), DataTable.column("steps of rk4"),
-                        new DataTable.Column("rk4 (s)", 3), new DataTable.Column("first step of linearised-euler (s)",
-                        3), new DataTable.Column("further ones (s)", 3), new DataTable.Column("backward-euler (s)", 3),
-                        new DataTable.Column("rk4 / further ones", 3)),
-                rows.stream().map(row -> List.<Object>of(row.stiffness(), row.rk4Steps(), row.rk4(), row.first(),
-                        row.linearised(), row.newton(), row.rk4() / row.linearised())).toList());
+        return DataTable.of("stiffCloth", "CPU time of a frame of 1/60 s of a cloth of " + EDGE + " x " + EDGE
+                + " particles", rows, column("stiffness (N/m)", 3, Row::stiffness),
+                column("steps of rk4", Row::rk4Steps), column("rk4 (s)", 3, Row::rk4),
+                column("first step of linearised-euler (s)", 3, Row::first),
+                column("further ones (s)", 3, Row::linearised), column("backward-euler (s)", 3, Row::newton),
+                column("rk4 / further ones", 3, row -> row.rk4() / row.linearised()));
     }
 }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
+import particles.experiments.runs.SolverChoice;
 import particles.experiments.work.WorkPrecision.Curve;
 import particles.experiments.work.WorkPrecision.Failure;
 import particles.experiments.work.WorkPrecision.Point;
@@ -41,8 +42,8 @@ public final class WorkCharts {
                     }
                 }
             }
-            series.add(series(name, Mark.LINE_AND_OPEN_POINTS, open, Point::evaluations));
-            series.add(series(name, Mark.POINTS, fitted, Point::evaluations));
+            series.add(Series.of(name, Mark.LINE_AND_OPEN_POINTS, open, Point::evaluations, Point::error));
+            series.add(Series.of(name, Mark.POINTS, fitted, Point::evaluations, Point::error));
             unreduced(curve, fitted).ifPresent(series::add);
         }
         series.add(new Series("filled: fitted; in brackets: theory", Mark.POINTS, new double[0], new double[0]));
@@ -63,7 +64,7 @@ public final class WorkCharts {
         List<Series> series = new ArrayList<>();
         for (Curve curve : curves) {
             List<Point> good = curve.points().stream().filter(WorkCharts::isResult).toList();
-            series.add(series(curve.solver().label(), Mark.LINE_AND_POINTS, good, Point::seconds));
+            series.add(Series.of(curve.solver().label(), Mark.LINE_AND_POINTS, good, Point::seconds, Point::error));
             double[] x = new double[3 * good.size()];
             double[] y = new double[3 * good.size()];
             for (int k = 0; k < good.size(); k++) {             // a gap after each bar
@@ -83,11 +84,6 @@ public final class WorkCharts {
 
     private static boolean isResult(Point point) {
         return point.failure().isEmpty() && point.error() > 0;
-    }
-
-    private static Series series(String name, Mark mark, List<Point> points, ToDoubleFunction<Point> work) {
-        return new Series(name, mark, points.stream().mapToDouble(work).toArray(),
-                points.stream().mapToDouble(Point::error).toArray());
     }
 
     /** Below the errors, over the same work: a row for each solver of which a run failed. */
@@ -112,9 +108,8 @@ public final class WorkCharts {
             List<double[]> of = failures.get(kind.ordinal());
             if (!of.isEmpty()) {
                 boolean unstable = kind == Failure.UNSTABLE;
-                series.add(new Series(unstable ? "unstable" : "did not converge",
-                        unstable ? Mark.FAILURES : Mark.GIVEN_UP,
-                        of.stream().mapToDouble(f -> f[0]).toArray(), of.stream().mapToDouble(f -> f[1]).toArray()));
+                series.add(Series.of(unstable ? "unstable" : "did not converge",
+                        unstable ? Mark.FAILURES : Mark.GIVEN_UP, of, f -> f[0], f -> f[1]));
             }
         }
         return List.of(errors, new ChartData("", errors.xLabel(), "no result", true, false, rows, series));
@@ -183,10 +178,8 @@ public final class WorkCharts {
     }
 
     private static String said(List<String> solvers) {
-        int last = solvers.size() - 1;
-        return solvers.size() == 1 ? solvers.get(0) + " is first to"
-                : (solvers.size() > MOST_NAMED ? solvers.size() + " solvers"
-                : String.join(", ", solvers.subList(0, last)) + " and " + solvers.get(last)) + " tie for";
+        String all = solvers.size() > MOST_NAMED ? solvers.size() + " solvers" : SolverChoice.together(solvers);
+        return all + (solvers.size() == 1 ? " is first to" : " tie for");
     }
 
     /** @return the solver with the shortest median time, then every other one whose quartiles overlap with it */

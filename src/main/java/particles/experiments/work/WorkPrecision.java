@@ -67,6 +67,10 @@ public final class WorkPrecision {
      * @param expected the theoretical slope; NaN if the method has no fixed order
      */
     public record Curve(SolverChoice solver, boolean byStep, List<Point> points, SlopeFit fit, double expected) {
+        /** @return what was varied from run to run: deltaT (s) or the tolerance */
+        double varied(Point point) {
+            return byStep ? point.deltaT() : point.tolerance();
+        }
     }
 
     private WorkPrecision() {

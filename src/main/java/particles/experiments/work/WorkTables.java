@@ -1,5 +1,7 @@
 package particles.experiments.work;
 
+import static particles.view.DataTable.column;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -19,35 +21,30 @@ public final class WorkTables {
      * @return the fitted slopes, the theoretical ones, and the runs that were fitted
      */
     public static DataTable slopes(Map<WorkProblem, List<Curve>> all) {
-        List<List<Object>> rows = new ArrayList<>();
-        all.forEach((problem, curves) -> curves.forEach(curve -> rows.add(slope(problem, curve))));
-        return new DataTable("slopes",
-                "Fitted slopes beside theory; a fit is of the runs from the coarsest to the finest fitted",
-                List.of(DataTable.column("problem"), DataTable.column("solver"), new DataTable.Column("slope", 3),
-                        DataTable.column("theory"), DataTable.column("order"), DataTable.column("varied"),
-                        new DataTable.Column("coarsest fitted", 3), new DataTable.Column("finest fitted", 3),
-                                DataTable.column("fitted"),
-                        DataTable.column("runs"), DataTable.column("unstable"), DataTable.column("not converged"),
-                        DataTable.column("why no slope")), rows);
+        record Row(WorkProblem problem, Curve curve, SlopeFit fit) {
+            Object varied(int run) {
+                return Double.isNaN(fit.slope()) ? Double.NaN : curve.varied(curve.points().get(run));
+            }
+        }
+        List<Row> rows = new ArrayList<>();
+        all.forEach((problem, curves) -> curves.forEach(curve -> rows.add(new Row(problem, curve, curve.fit()))));
+        return DataTable.of("slopes",
+                "Fitted slopes beside theory; a fit is of the runs from the coarsest to the finest fitted", rows,
+                column("problem", row -> row.problem.name()), column("solver", row -> row.curve.solver().label()),
+                column("slope", 3, row -> row.fit.slope()), column("theory", row -> row.curve.expected()),
+                column("order", row -> row.curve.solver().order()),
+                column("varied", row -> row.curve.byStep() ? "deltaT (s)" : "tolerance"),
+                column("coarsest fitted", 3, row -> row.varied(row.fit.first())),
+                column("finest fitted", 3, row -> row.varied(row.fit.last())),
+                column("fitted", row -> row.fit.last() - row.fit.first() + 1),
+                column("runs", row -> row.curve.points().size()),
+                column("unstable", row -> failed(row.curve, Failure.UNSTABLE)),
+                column("not converged", row -> failed(row.curve, Failure.NOT_CONVERGED)),
+                column("why no slope", row -> row.fit.whyNot()));
     }
 
-    private static List<Object> slope(WorkProblem problem, Curve curve) {
-        List<Point> points = curve.points();
-        SlopeFit fit = curve.fit();
-        boolean none = Double.isNaN(fit.slope());
-        return List.of(problem.name(), curve.solver().label(), fit.slope(), curve.expected(), curve.solver().order(),
-                curve.byStep() ? "deltaT (s)" : "tolerance", none ? Double.NaN : varied(curve, points.get(fit.first())),
-                none ? Double.NaN : varied(curve, points.get(fit.last())), none ? 0 : fit.last() - fit.first() + 1,
-                        points.size(),
-                failed(points, Failure.UNSTABLE), failed(points, Failure.NOT_CONVERGED), fit.whyNot());
-    }
-
-    private static double varied(Curve curve, Point point) {
-        return curve.byStep() ? point.deltaT() : point.tolerance();
-    }
-
-    private static long failed(List<Point> points, Failure kind) {
-        return points.stream().filter(point -> point.failure().equals(Optional.of(kind))).count();
+    private static long failed(Curve curve, Failure kind) {
+        return curve.points().stream().filter(point -> point.failure().equals(Optional.of(kind))).count();
     }
 
     /**
@@ -55,22 +52,23 @@ public final class WorkTables {
      * @return every run
      */
     public static DataTable runs(Map<WorkProblem, List<Curve>> all) {
-        List<List<Object>> rows = new ArrayList<>();
+        record Row(WorkProblem problem, Curve curve, int k, Point point) {
+        }
+        List<Row> rows = new ArrayList<>();
         all.forEach((problem, curves) -> curves.forEach(curve -> {
             for (int k = 0; k < curve.points().size(); k++) {
-                Point p = curve.points().get(k);
-                rows.add(List.of(problem.name(), curve.solver().label(), p.deltaT(), p.tolerance(), p.evaluations(),
-                        p.error(),
-                        curve.fit().contains(k) ? "yes" : "", p.seconds(), p.lower(), p.upper(), p.failure().map(kind ->
-                        kind == Failure.UNSTABLE ? "unstable" : "did not converge").orElse(""), p.why()));
+                rows.add(new Row(problem, curve, k, curve.points().get(k)));
             }
         }));
-        return new DataTable("runs", "Every run; times are medians of five or more runs that were warmed up", List.of(
-                DataTable.column("problem"), DataTable.column("solver"), DataTable.column("deltaT (s)"),
-                new DataTable.Column("tolerance", 2), DataTable.column("evaluations"), new DataTable.Column("error", 3),
-                DataTable.column("fitted"), new DataTable.Column("time (s)", 2),
-                new DataTable.Column("lower quartile (s)", 2),
-                new DataTable.Column("upper quartile (s)", 2), DataTable.column("no result"), DataTable.column("why")),
-                rows);
+        return DataTable.of("runs", "Every run; times are medians of five or more runs that were warmed up", rows,
+                column("problem", row -> row.problem.name()), column("solver", row -> row.curve.solver().label()),
+                column("deltaT (s)", row -> row.point.deltaT()), column("tolerance", 2, row -> row.point.tolerance()),
+                column("evaluations", row -> row.point.evaluations()), column("error", 3, row -> row.point.error()),
+                column("fitted", row -> row.curve.fit().contains(row.k) ? "yes" : ""),
+                column("time (s)", 2, row -> row.point.seconds()),
+                column("lower quartile (s)", 2, row -> row.point.lower()),
+                column("upper quartile (s)", 2, row -> row.point.upper()),
+                column("no result", row -> row.point.failure().map(kind -> kind == Failure.UNSTABLE ? "unstable"
+                        : "did not converge").orElse("")), column("why", row -> row.point.why()));
     }
 }

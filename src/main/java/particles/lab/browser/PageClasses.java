@@ -13,8 +13,8 @@ final class PageClasses implements ClassNames {
     public <K extends Kind> K find(String name, Class<K> type) {
         Supplier<?> maker = Students.EFFECTS.get(name);
         if (maker == null) {
-            throw new IllegalArgumentException(name + " is not in this page; name it in a scene and type: gradle lab"
-                    + " -Pscene=FILE");
+            throw new IllegalArgumentException(name
+                    + " is not in this page; name it in a scene and type: gradle lab -Pscene=FILE");
         }
         return type.cast(maker.get());
     }

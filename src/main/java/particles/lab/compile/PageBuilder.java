@@ -50,16 +50,13 @@ public final class PageBuilder implements LabBuilder {
 
     private static String page(Contents contents, String engine) throws IOException {
         Map<String, String> parts = Map.of(
-                "style", read(UPLOT + "dist/uPlot.min.css") + read(CODEMIRROR + "lib/codemirror.css")
-                + read(PAGE + "lab.css"),
-                "engine", "<script type=\"text/plain\" id=\"engine\">" + closed(engine + read(PAGE + "worker.js"))
-                + "</script>",
+                "style", read(UPLOT + "dist/uPlot.min.css", CODEMIRROR + "lib/codemirror.css", PAGE + "lab.css"),
+                "engine", script(" type=\"text/plain\" id=\"engine\"", engine + read(PAGE + "worker.js")),
                 "scenes", scenes(contents),
-                "libraries", "<script>" + closed(read(UPLOT + "dist/uPlot.iife.min.js")) + "</script>\n<script>"
-                        + closed(read(CODEMIRROR + "lib/codemirror.js") + read(CODEMIRROR + "mode/yaml/yaml.js"))
-                        + "</script>",
+                "libraries", script("", read(UPLOT + "dist/uPlot.iife.min.js"))
+                        + script("", read(CODEMIRROR + "lib/codemirror.js", CODEMIRROR + "mode/yaml/yaml.js")),
                 "modules", modules(),
-                "loader", "<script>" + read(PAGE + "loader.js") + "</script>",
+                "loader", script("", read(PAGE + "loader.js")),
                 "licences", licences());
         return PLACE.matcher(read(PAGE + "index.html"))
                 .replaceAll(place -> Matcher.quoteReplacement(parts.get(place.group(1))));
@@ -68,30 +65,30 @@ public final class PageBuilder implements LabBuilder {
     private static String scenes(Contents contents) throws IOException {
         StringBuilder all = new StringBuilder();
         for (Path file : contents.scenes()) {
-            boolean first = file.equals(contents.first());
-            all.append("<script type=\"text/plain\" class=\"scene\" data-name=\"")
-                    .append(escaped(file.getFileName().toString()))
-                    .append('"').append(first ? " data-first=\"" + escaped(contents.solver().orElse("")) + '"'
-                    : "").append('>')
-                    .append(closed(Files.readString(file))).append("</script>\n");
+            String first = file.equals(contents.first())
+                    ? " data-first=\"" + escaped(contents.solver().orElse("")) + '"' : "";
+            all.append(script(" type=\"text/plain\" class=\"scene\" data-name=\""
+                    + escaped(file.getFileName().toString()) + '"' + first, Files.readString(file)));
         }
-        return all.append("<script type=\"text/plain\" id=\"students\">").append(String.join(" ", contents.solvers()))
-                .append("</script>").toString();
+        return all + script(" type=\"text/plain\" id=\"students\"", String.join(" ", contents.solvers()));
     }
 
     private static String modules() throws IOException {
-        StringBuilder all = new StringBuilder(script("./three.core.min.js", read(THREE + "build/three.core.min.js")))
-                .append(script("three", read(THREE + "build/three.module.min.js")))
-                .append(script("orbit", read(THREE + "examples/jsm/controls/OrbitControls.js")));
+        StringBuilder all = new StringBuilder(module("./three.core.min.js", THREE + "build/three.core.min.js"))
+                .append(module("three", THREE + "build/three.module.min.js"))
+                .append(module("orbit", THREE + "examples/jsm/controls/OrbitControls.js"));
         for (String name : OWN_MODULES) {
-            all.append(script("./" + name + ".js", read(PAGE + name + ".js")));
+            all.append(module("./" + name + ".js", PAGE + name + ".js"));
         }
         return all.toString();
     }
 
-    private static String script(String name, String text) {
-        return "<script type=\"text/plain\" class=\"module\" data-name=\"" + name + "\">" + closed(text)
-                + "</script>\n";
+    private static String module(String name, String file) throws IOException {
+        return script(" type=\"text/plain\" class=\"module\" data-name=\"" + name + '"', read(file));
+    }
+
+    private static String script(String attributes, String text) {
+        return "<script" + attributes + ">" + closed(text) + "</script>\n";
     }
 
     private static String licences() throws IOException {
@@ -123,12 +120,16 @@ public final class PageBuilder implements LabBuilder {
         return text.replace("&", "&amp;").replace("<", "&lt;").replace("\"", "&quot;");
     }
 
-    private static String read(String resource) throws IOException {
-        try (InputStream stream = PageBuilder.class.getClassLoader().getResourceAsStream(resource)) {
-            if (stream == null) {
-                throw new IOException("the page's part " + resource + " is missing");
+    private static String read(String... resources) throws IOException {
+        StringBuilder text = new StringBuilder();
+        for (String resource : resources) {
+            try (InputStream stream = PageBuilder.class.getClassLoader().getResourceAsStream(resource)) {
+                if (stream == null) {
+                    throw new IOException("the page's part " + resource + " is missing");
+                }
+                text.append(new String(stream.readAllBytes(), StandardCharsets.UTF_8));
             }
-            return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
         }
+        return text.toString();
     }
 }

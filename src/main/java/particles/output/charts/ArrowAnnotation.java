@@ -16,23 +16,18 @@ import org.jfree.chart.ui.RectangleEdge;
 final class ArrowAnnotation extends AbstractXYAnnotation {
     private static final long serialVersionUID = 1L;
 
-    private final double fromX;
-    private final double fromY;
-    private final double toX;
-    private final double toY;
+    private final Line2D.Double line;
     private final double head;
     private final boolean headOnly;
     private final Color colour;
 
     /**
+     * @param line     from its tail to its tip, in the values of the axes
      * @param head     the length of the head (logical pixels); a shorter arrow has a smaller one
      * @param headOnly whether only the head is drawn, in full size, its tip at the second point
      */
-    ArrowAnnotation(double fromX, double fromY, double toX, double toY, double head, boolean headOnly, Color colour) {
-        this.fromX = fromX;
-        this.fromY = fromY;
-        this.toX = toX;
-        this.toY = toY;
+    ArrowAnnotation(Line2D.Double line, double head, boolean headOnly, Color colour) {
+        this.line = line;
         this.head = head;
         this.headOnly = headOnly;
         this.colour = colour;
@@ -43,10 +38,10 @@ final class ArrowAnnotation extends AbstractXYAnnotation {
                      PlotRenderingInfo info) {
         RectangleEdge below = plot.getDomainAxisEdge();
         RectangleEdge beside = plot.getRangeAxisEdge();
-        double x0 = domain.valueToJava2D(fromX, area, below);
-        double y0 = range.valueToJava2D(fromY, area, beside);
-        double x1 = domain.valueToJava2D(toX, area, below);
-        double y1 = range.valueToJava2D(toY, area, beside);
+        double x0 = domain.valueToJava2D(line.x1, area, below);
+        double y0 = range.valueToJava2D(line.y1, area, beside);
+        double x1 = domain.valueToJava2D(line.x2, area, below);
+        double y1 = range.valueToJava2D(line.y2, area, beside);
         double length = Math.hypot(x1 - x0, y1 - y0);
         if (!(length > 1e-3) || !(length <= 1e6)) {
             return;

@@ -17,8 +17,13 @@ import particles.output.text.FontCheck;
 import particles.view.ChartData;
 import particles.view.VectorField;
 
-/** Writes charts as PNG pictures, and as SVG if wanted, all in one style. */
-public final class ChartWriter {
+/**
+ * Writes charts as PNG pictures, and as SVG if wanted, all in one style.
+ *
+ * @param folder the output folder
+ * @param format the format of the pictures
+ */
+public record ChartWriter(OutputFolder folder, ChartFormat format) {
     private static final int WIDTH = 900;
     private static final int HEIGHT = 560;
     private static final int STACKED_HEIGHT = 760;
@@ -28,23 +33,6 @@ public final class ChartWriter {
     public static final String PNG = ".png";
     /** The ending of a vector graphic's name. */
     public static final String SVG = ".svg";
-
-    private final OutputFolder folder;
-    private final ChartFormat format;
-
-    /**
-     * @param folder the output folder
-     * @param format the format of the pictures
-     */
-    public ChartWriter(OutputFolder folder, ChartFormat format) {
-        this.folder = folder;
-        this.format = format;
-    }
-
-    /** @return the format of the pictures */
-    public ChartFormat format() {
-        return format;
-    }
 
     /**
      * Writes charts above each other over the same x axis, or on slides each by itself.

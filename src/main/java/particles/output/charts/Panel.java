@@ -28,7 +28,7 @@ public record Panel(List<ChartData> charts, Kind kind, Optional<VectorField> fie
         /** A path in state space. */
         PHASE,
         /** A map of a plane: a unit along x is as long as one along y, so that circles are round. */
-        MAP
+        MAP,
     }
 
     /**

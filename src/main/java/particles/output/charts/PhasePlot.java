@@ -5,6 +5,7 @@ import java.awt.Color;
 import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.geom.AffineTransform;
+import java.awt.geom.Line2D;
 import java.util.Arrays;
 import java.util.Optional;
 import org.jfree.chart.axis.NumberAxis;
@@ -87,9 +88,9 @@ final class PhasePlot {
         for (int k = 0; k < field.x().length; k++) {
             double x = field.x()[k];
             double v = field.v()[k];
-            renderer.addAnnotation(new ArrowAnnotation(x, v, x + time * field.dx()[k], v + time * field.dv()[k],
-                    FIELD_HEAD,
-                    false, ChartStyle.FIELD), Layer.BACKGROUND);
+            renderer.addAnnotation(new ArrowAnnotation(
+                    new Line2D.Double(x, v, x + time * field.dx()[k], v + time * field.dv()[k]), FIELD_HEAD, false,
+                    ChartStyle.FIELD), Layer.BACKGROUND);
         }
         show((NumberAxis) plot.getDomainAxis(), field.x(), cellX / 2);
         show((NumberAxis) plot.getRangeAxis(), field.v(), cellV / 2);
@@ -116,8 +117,9 @@ final class PhasePlot {
         for (double place : HEADS) {
             int k = (int) (place * last);
             if (k < last) {
-                renderer.addAnnotation(new ArrowAnnotation(path.x()[k], path.y()[k], path.x()[k + 1], path.y()[k + 1],
-                        PATH_HEAD, true, colour), Layer.FOREGROUND);
+                renderer.addAnnotation(new ArrowAnnotation(
+                        new Line2D.Double(path.x()[k], path.y()[k], path.x()[k + 1], path.y()[k + 1]), PATH_HEAD, true,
+                        colour), Layer.FOREGROUND);
             }
         }
     }

@@ -14,17 +14,9 @@ import java.nio.file.StandardOpenOption;
  * The lock that keeps a second run out of a folder while a run writes there. It is a small hidden file that the
  * operating system unlocks when the process ends, however it ends, so that a killed run does not lock its folder.
  */
-final class FolderLock implements AutoCloseable {
+record FolderLock(Path file, FileChannel channel) implements AutoCloseable {
     /** The file's name; it holds the number of the process that writes. */
     static final String NAME = ".desolver-writing";
-
-    private final Path file;
-    private final FileChannel channel;
-
-    private FolderLock(Path file, FileChannel channel) {
-        this.file = file;
-        this.channel = channel;
-    }
 
     /**
      * @param folder an existing folder

@@ -43,8 +43,8 @@ final class OutputManifest {
         }
         Path file = folder.resolve(name);
         if (!names.contains(name) && Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {
-            throw new OutputException(file, "write", "this file exists and no run made it; "
-                    + "move it away or choose another folder", null);
+            throw new OutputException(file, "write",
+                    "this file exists and no run made it; move it away or choose another folder", null);
         }
         names.add(name);
     }

@@ -79,8 +79,8 @@ public final class FrameRenderer {
     /** @param text the words in the pictures, if there are any */
     public FrameRenderer(FrameSetup stage, int width, int height, Optional<FrameText> text) {
         if (width < 16 || height < 16 || (long) width * height > 40_000_000) {
-            throw new IllegalArgumentException("pictures of " + width + " x " + height + " pixels; "
-                    + "from 16 x 16 to 40 million are possible");
+            throw new IllegalArgumentException("pictures of " + width + " x " + height
+                    + " pixels; from 16 x 16 to 40 million are possible");
         }
         this.stage = stage;
         image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);

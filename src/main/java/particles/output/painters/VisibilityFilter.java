@@ -66,8 +66,7 @@ public final class VisibilityFilter {
     /** @return whether a spring between these particles is drawn */
     public boolean spring(int from, int to) {
         return look.springs() == Visibility.ALWAYS
-                || look.springs() == Visibility.BESIDE_SURFACES && !(isIn(inSurface, from) && isIn(inSurface,
-                to))
+                || look.springs() == Visibility.BESIDE_SURFACES && !(isIn(inSurface, from) && isIn(inSurface, to))
                 && !isIn(onClosed, from) && !isIn(onClosed, to);
     }
 }

@@ -13,7 +13,6 @@ import particles.output.animation.GifAnimation;
 import particles.output.charts.ChartWriter;
 import particles.output.charts.SolverStyle;
 import particles.output.charts.StripChart;
-import particles.output.files.OutputFolder;
 import particles.output.frames.FrameSetup;
 import particles.output.frames.Pipeline;
 import particles.view.ChartData;
@@ -47,8 +46,9 @@ public final class RaceFilm implements AutoCloseable {
      * @param title   the scene, and the kind of equal work
      * @param finding the winner
      * @param ghost   the description of the ghost
+     * @param words   the text beside each run, in the order of {@link #watch}
      */
-    public record Head(String title, String finding, String ghost) {
+    public record Head(String title, String finding, String ghost, List<Words> words) {
     }
 
     /**
@@ -102,26 +102,23 @@ public final class RaceFilm implements AutoCloseable {
     /**
      * Writes {@code animation.gif} and a still of 16:9 of the end.
      *
-     * @param writer   writes the sheet
-     * @param folder   the output folder
+     * @param writer   writes the sheet, and has the output folder
      * @param sheet    the name of the sheet, such as {@code race.png}
      * @param head     the text at the top
-     * @param words    the text for each run, in the order of {@link #watch}
      * @param strip    the data of the chart, with a line of each run's name
      * @param progress receives the progress
      */
-    public void write(ChartWriter writer, OutputFolder folder, String sheet, Head head, List<Words> words,
-                      ChartData strip, DoubleConsumer progress) {
+    public void write(ChartWriter writer, String sheet, Head head, ChartData strip, DoubleConsumer progress) {
         close();
         int last = ghost.count() - 1;
-        try (GifAnimation gif = new GifAnimation(folder, page.width(), page.height(), importantColours(), page.width(),
-                playback);
+        try (GifAnimation gif = new GifAnimation(writer.folder(), page.width(), page.height(), importantColours(),
+                page.width(), playback);
                 Pipeline<Canvas> pipeline = new Pipeline<>(Pipeline.threads(BYTES_PER_PIXEL * page.width()
                         * page.height()), () -> new Canvas(page, strip))) {
             for (int k = 0; k <= last; k++) {
                 int index = k;
                 pipeline.add(canvas -> {
-                    page.draw(canvas.image, head, index / rate, words, panels(index), canvas.chart);
+                    page.draw(canvas.image, head, index / rate, panels(index), canvas.chart);
                     Runnable rest = gif.prepare(index, pixels(canvas.image));
                     return () -> {
                         rest.run();
@@ -130,7 +127,7 @@ public final class RaceFilm implements AutoCloseable {
                 });
             }
         }
-        RaceSheet.write(writer, sheet, head, words, panels(last), new StripChart(strip), last / rate);
+        RaceSheet.write(writer, sheet, head, panels(last), new StripChart(strip), last / rate);
     }
 
     /** @return each run's picture, over the ghost */

@@ -79,9 +79,7 @@ final class RacePage {
      * @param panels the pictures
      * @param chart  the chart below them
      */
-    void draw(BufferedImage image, RaceFilm.Head head, double time,
-            List<RaceFilm.Words> words, List<BufferedImage> panels,
-              StripChart chart) {
+    void draw(BufferedImage image, RaceFilm.Head head, double time, List<BufferedImage> panels, StripChart chart) {
         Graphics2D g = image.createGraphics();
         smooth(g);
         g.setColor(Color.WHITE);
@@ -95,10 +93,9 @@ final class RacePage {
         for (int k = 0; k < panels.size(); k++) {
             int x = beside + k % columns * (panelWidth + GAP);
             int y = HEAD + k / columns * (LABEL + panelHeight + GAP);
-            drawLabel(g, words.get(k), x, y, panelWidth);
+            drawLabel(g, head.words().get(k), x, y, panelWidth);
             drawPanel(g, panels.get(k), new Rectangle2D.Double(x, y + LABEL, panelWidth, panelHeight),
-                    words.get(k).left(),
-                    time);
+                    head.words().get(k).left(), time);
         }
         int left = beside + (columns - free()) * (panelWidth + GAP);
         chart.draw(g, free() == 0 ? new Rectangle2D.Double(0, height() - STRIP, WIDTH, STRIP)

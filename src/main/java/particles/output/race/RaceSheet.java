@@ -36,8 +36,9 @@ final class RaceSheet {
      * @param chart  the chart below
      * @param time   the time at the end (s)
      */
-    static void write(ChartWriter writer, String name, RaceFilm.Head head, List<RaceFilm.Words> words,
-                      List<BufferedImage> panels, StripChart chart, double time) {
+    static void write(ChartWriter writer, String name, RaceFilm.Head head, List<BufferedImage> panels,
+            StripChart chart, double time) {
+        List<RaceFilm.Words> words = head.words();
         BufferedImage one = panels.get(0);
         int rows = words.size() > MOST_COLUMNS ? 2 : 1;
         int columns = (words.size() + rows - 1) / rows;

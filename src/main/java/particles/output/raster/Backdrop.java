@@ -123,8 +123,7 @@ public final class Backdrop {
                 / spacing;
         double line = Math.max(GridLines.coverage(u, footU), GridLines.coverage(v, footV));
         colour[p] = Colours.mix(Colours.lit(Colours.mix(sky.ground, sky.line, line), Math.max(0.5f, light), 0),
-                sky.horizon,
-                haze);
+                sky.horizon, haze);
         near[p] = (float) view.nearness(depth);
         if (ShadowMap.isLit(plane, lighting.lamp) && haze < 0.9) {
             planeAt[p] = (byte) nearest;

@@ -1,9 +1,5 @@
 package particles.output.raster;
 
-import java.util.List;
-import particles.ParticleSystem;
-import particles.law.Particles;
-import particles.law.Plane;
 import particles.law.Vector3;
 import particles.view.Camera;
 
@@ -21,44 +17,6 @@ public final class CameraFraming {
     private static final Vector3 FROM_THE_FRONT = new Vector3(0.22, 0.16, 1);
 
     private CameraFraming() {
-    }
-
-    /**
-     * Frames a system at its start with room for its motion: hanging particles may swing around fixed ones, and others
-     * may fall to a plane.
-     *
-     * @param system the system at its start
-     * @param planes the ground and other planes
-     * @param aspect the width of the pictures divided by their height
-     * @return a perspective camera
-     */
-    public static Camera around(ParticleSystem system, List<Plane> planes, double aspect) {
-        Particles particles = system.getParticles();
-        double[] state = system.getOwnState();
-        Bounds bounds = new Bounds();
-        Bounds pegs = new Bounds();
-        for (int i = 0, x = 0; i < particles.count(); i++, x += Particles.STRIDE) {
-            Vector3 place = new Vector3(state[x], state[x + 1], state[x + 2]);
-            bounds.add(place);
-            if (particles.isFixed(i)) {
-                pegs.add(place);
-            }
-            for (Plane plane : planes) {
-                bounds.add(place.minus(plane.normal().times(plane.distance(place.x(), place.y(), place.z()))));
-            }
-        }
-        if (!pegs.isEmpty()) {
-            Vector3 middle = pegs.middle();
-            double reach = 0;
-            for (int i = 0, x = 0; i < particles.count(); i++, x += Particles.STRIDE) {
-                Vector3 place = new Vector3(state[x], state[x + 1], state[x + 2]);
-                reach = Math.max(reach, place.minus(middle).length());
-            }
-            boolean flat = bounds.high.z() - bounds.low.z() <= FLAT * reach;
-            bounds.add(middle.plus(new Vector3(reach, 0, 0)));
-            bounds.add(middle.minus(new Vector3(reach, reach, flat ? 0 : reach / 2)));
-        }
-        return bounds.isEmpty() ? around(Vector3.ZERO, Vector3.ZERO, aspect) : around(bounds.low, bounds.high, aspect);
     }
 
     /**
@@ -112,24 +70,5 @@ public final class CameraFraming {
             }
         }
         return true;
-    }
-
-    /** A box that grows. */
-    private static final class Bounds {
-        private Vector3 low = new Vector3(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
-        private Vector3 high = low.times(-1);
-
-        void add(Vector3 p) {
-            low = new Vector3(Math.min(low.x(), p.x()), Math.min(low.y(), p.y()), Math.min(low.z(), p.z()));
-            high = new Vector3(Math.max(high.x(), p.x()), Math.max(high.y(), p.y()), Math.max(high.z(), p.z()));
-        }
-
-        boolean isEmpty() {
-            return low.x() > high.x();
-        }
-
-        Vector3 middle() {
-            return low.plus(high).times(0.5);
-        }
     }
 }

@@ -47,10 +47,10 @@ public final class LightLayer {
      */
     public void spot(double x, double y, double radius, double near, int rgb, double brightness, Raster raster,
             Backdrop backdrop) {
-        int x0 = (int) Math.max(0, Math.ceil(x - radius - 0.5));
-        int x1 = (int) Math.min(width - 1, Math.floor(x + radius - 0.5));
-        int y0 = (int) Math.max(0, Math.ceil(y - radius - 0.5));
-        int y1 = (int) Math.min(height - 1, Math.floor(y + radius - 0.5));
+        int x0 = Raster.first(x - radius, 0);
+        int x1 = Raster.last(x + radius, width - 1);
+        int y0 = Raster.first(y - radius, 0);
+        int y1 = Raster.last(y + radius, height - 1);
         if (x0 > x1 || y0 > y1) {
             return;
         }

@@ -184,6 +184,16 @@ public final class Raster {
         isLeft[k] = !cutsRows || fromY > toY == area > 0;
     }
 
+    /** @return the first sample, from least on, whose centre lies beyond an edge */
+    static int first(double edge, int least) {
+        return (int) Math.max(least, Math.ceil(edge - 0.5));
+    }
+
+    /** @return the last sample, up to most, whose centre lies before an edge */
+    static int last(double edge, int most) {
+        return (int) Math.min(most, Math.floor(edge - 0.5));
+    }
+
     private static double channel(int rgb, int shift) {
         return ONE * (rgb >> shift & 255) + GUARD;
     }

@@ -1,22 +1,11 @@
 package particles.output.raster;
 
 /** Draws balls and tubes, shaded at each sample. Positions and radii are in samples. */
-public final class RoundShapes {
+public record RoundShapes(Raster raster, CameraProjection view, Lighting lighting) {
     /** The smallest radius; thinner shapes would fall between samples. */
     private static final double THINNEST = 0.8;
     /** Shapes farther out (samples) are not drawn, since coordinates lose precision. */
     private static final double FARTHEST = 1e7;
-
-    private final Raster raster;
-    private final CameraProjection view;
-    private final Lighting lighting;
-
-    /** Creates shapes that are drawn onto this raster. */
-    public RoundShapes(Raster raster, CameraProjection view, Lighting lighting) {
-        this.raster = raster;
-        this.view = view;
-        this.lighting = lighting;
-    }
 
     private static boolean isDrawable(double x, double y, double radius) {
         return Math.abs(x) < FARTHEST && Math.abs(y) < FARTHEST && radius < FARTHEST;      // false for NaN
@@ -34,10 +23,10 @@ public final class RoundShapes {
         if (!isDrawable(x, y, r)) {
             return;
         }
-        int y0 = (int) Math.max(0, Math.ceil(y - r - 0.5));
-        int y1 = (int) Math.min(raster.height - 1, Math.floor(y + r - 0.5));
-        int x0 = (int) Math.max(0, Math.ceil(x - r - 0.5));
-        int x1 = (int) Math.min(raster.width - 1, Math.floor(x + r - 0.5));
+        int y0 = Raster.first(y - r, 0);
+        int y1 = Raster.last(y + r, raster.height - 1);
+        int x0 = Raster.first(x - r, 0);
+        int x1 = Raster.last(x + r, raster.width - 1);
         if (y0 > y1 || x0 > x1) {
             return;
         }
@@ -82,8 +71,8 @@ public final class RoundShapes {
         double length = Math.sqrt(square);
         double acrossX = length > 1e-6 ? -dy / length : 0;
         double acrossY = length > 1e-6 ? dx / length : 1;
-        int y0 = (int) Math.max(0, Math.ceil(Math.min(ay, by) - r - 0.5));
-        int y1 = (int) Math.min(raster.height - 1, Math.floor(Math.max(ay, by) + r - 0.5));
+        int y0 = Raster.first(Math.min(ay, by) - r, 0);
+        int y1 = Raster.last(Math.max(ay, by) + r, raster.height - 1);
         double least = Math.max(0, Math.min(ax, bx) - r - 0.5);
         double most = Math.min(raster.width - 1, Math.max(ax, bx) + r - 0.5);
         for (int sy = y0; sy <= y1; sy++) {

@@ -101,10 +101,10 @@ public final class ShadowMap {
     public void disc(double column, double row, double radius) {
         double r = Math.max(radius * cells, 0.6);
         float strength = (float) Math.min(1, radius * cells / r);
-        int x0 = (int) Math.max(MARGIN, Math.ceil(column - r - 0.5));
-        int x1 = (int) Math.min(SIZE - 1 - MARGIN, Math.floor(column + r - 0.5));
-        int y0 = (int) Math.max(MARGIN, Math.ceil(row - r - 0.5));
-        int y1 = (int) Math.min(SIZE - 1 - MARGIN, Math.floor(row + r - 0.5));
+        int x0 = Raster.first(column - r, MARGIN);
+        int x1 = Raster.last(column + r, SIZE - 1 - MARGIN);
+        int y0 = Raster.first(row - r, MARGIN);
+        int y1 = Raster.last(row + r, SIZE - 1 - MARGIN);
         for (int y = y0; y <= y1; y++) {
             for (int x = x0; x <= x1; x++) {
                 double dx = x + 0.5 - column;

@@ -11,8 +11,6 @@ import particles.output.files.OutputFolder;
 
 /** Writes results as JUnit XML reports, which autograders read. */
 public final class JUnitXml {
-    private static final String CONTROL = "[^\\t\\n\\r\\u0020-\\uD7FF\\uE000-\\uFFFD\\x{10000}-\\x{10FFFF}]";
-
     private JUnitXml() {
     }
 
@@ -50,13 +48,11 @@ public final class JUnitXml {
                 String details = String.join("\n", result.details());
                 if (result.failure().isPresent()) {
                     start(xml, "failure", "type", "mark", "message", result.failure().get());
-                    xml.writeCharacters(clean(details));
-                    xml.writeEndElement();
                 } else {
                     start(xml, "system-out");
-                    xml.writeCharacters(clean(details));
-                    xml.writeEndElement();
                 }
+                xml.writeCharacters(clean(details));
+                xml.writeEndElement();
                 xml.writeEndElement();
             }
             xml.writeCharacters("\n");
@@ -77,6 +73,6 @@ public final class JUnitXml {
 
     /** Removes control characters that XML cannot express. */
     private static String clean(String text) {
-        return text.replaceAll(CONTROL, "?");
+        return text.replaceAll(Html.NO_CHARACTER, "?");
     }
 }

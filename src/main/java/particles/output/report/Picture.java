@@ -10,29 +10,22 @@ import particles.output.charts.PanelGrid;
 import particles.view.ChartData;
 import particles.view.VectorField;
 
-/** A picture of a page, and the chart data behind it. */
-public final class Picture {
-    private final String name;
-    private final String caption;
-    private final String file;
-    private final String title;
-    private final boolean oneScale;
-    private final List<Panel> panels;
-    private final boolean again;
+/**
+ * A picture of a page, and the chart data behind it.
+ *
+ * @param name     the name of its files, without an ending
+ * @param caption  the caption
+ * @param file     the name of the picture's file
+ * @param title    the title over several panels
+ * @param oneScale whether all panels have the same axes
+ * @param panels   the charts; none if the picture is made elsewhere
+ * @param repeated whether it shows a part of another one again, in a file of its own
+ */
+public record Picture(String name, String caption, String file, String title, boolean oneScale, List<Panel> panels,
+        boolean repeated) {
 
     private Picture(String name, String caption, String title, boolean oneScale, List<Panel> panels) {
         this(name, caption, name + ".png", title, oneScale, panels, false);
-    }
-
-    private Picture(String name, String caption, String file, String title, boolean oneScale, List<Panel> panels,
-                    boolean again) {
-        this.name = name;
-        this.caption = caption;
-        this.file = file;
-        this.title = title;
-        this.oneScale = oneScale;
-        this.panels = panels;
-        this.again = again;
     }
 
     /**
@@ -112,22 +105,6 @@ public final class Picture {
         return new Picture(name, caption, file, title, oneScale, panels, true);
     }
 
-    boolean isAgain() {
-        return again;
-    }
-
-    String name() {
-        return name;
-    }
-
-    String caption() {
-        return caption;
-    }
-
-    String file() {
-        return file;
-    }
-
     List<ChartData> data() {
         return panels.stream().flatMap(panel -> panel.charts().stream()).toList();
     }
@@ -138,7 +115,7 @@ public final class Picture {
      */
     List<Picture> laidOut(ChartFormat format) {
         boolean crowded = panels.stream().anyMatch(panel -> panel.curves() > format.mostCurves());
-        if (again && format.slide()) {
+        if (repeated && format.slide()) {
             return List.of();                           // the larger picture is slides
         }
         if (panels.isEmpty() || !crowded && !format.slide()) {

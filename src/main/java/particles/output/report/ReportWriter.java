@@ -53,25 +53,31 @@ public final class ReportWriter {
     }
 
     private void page(Report report) throws IOException {
-        put("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-                + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>"
-                + Html.escaped(report.title()) + "</title>\n<style>\n" + ReportStyle.CSS
-                + "</style>\n</head>\n<body>\n<h1>"
-                + Html.escaped(report.title()) + "</h1>\n");
+        put("""
+                <!DOCTYPE html>
+                <html lang="en">
+                <head>
+                <meta charset="utf-8"/>
+                <meta name="viewport" content="width=device-width, initial-scale=1"/>
+                <title>%s</title>
+                <style>
+                """, report.title());
+        write(ReportStyle.CSS);
+        put("</style>\n</head>\n<body>\n<h1>%s</h1>\n", report.title());
         paragraphs(report.text());
         Map<Section, String> ids = new LinkedHashMap<>();
         report.sections().forEach(section -> ids.put(section, html.id(section.name())));
         put("<nav>\n<h2>Contents</h2>\n<ol>\n");
         for (Section section : report.sections()) {
-            put("<li><a href=\"#" + ids.get(section) + "\">" + Html.escaped(section.name()) + "</a>: "
-                    + Html.escaped(finding(section)) + "</li>\n");
+            put("<li><a href=\"#%s\">%s</a>: %s</li>\n", ids.get(section), section.name(), finding(section));
         }
         put("</ol>\n</nav>\n");
         for (Section section : report.sections()) {
             section(section, ids.get(section));
         }
-        put("<footer><p>" + Html.escaped(report.end()) + "</p></footer>\n<script>\n" + ReportStyle.SCRIPT
-                + "</script>\n</body>\n</html>\n");
+        put("<footer><p>%s</p></footer>\n<script>\n", report.end());
+        write(ReportStyle.SCRIPT);
+        put("</script>\n</body>\n</html>\n");
     }
 
     private static String finding(Section section) {
@@ -79,16 +85,17 @@ public final class ReportWriter {
     }
 
     private void section(Section section, String id) throws IOException {
-        put("<section id=\"" + id + "\">\n<p class=\"task\">gradle " + Html.escaped(section.name()) + ": "
-                + Html.escaped(section.purpose()) + "</p>\n<h2>" + Html.escaped(finding(section)) + "</h2>\n");
-        if (section.failure().isPresent()) {
-            put("<p class=\"failure\">" + Html.escaped(section.failure().get()) + "</p>\n");
-        }
+        put("""
+                <section id="%s">
+                <p class="task">gradle %s: %s</p>
+                <h2>%s</h2>
+                """, id, section.name(), section.purpose(), finding(section));
+        section.failure().ifPresent(failure -> put("<p class=\"failure\">%s</p>\n", failure));
         if (section.page().isPresent()) {
             ResultPage page = section.page().get();
             paragraphs(page.text());
             for (Picture picture : page.pictures()) {
-                if (!picture.isAgain()) {
+                if (!picture.repeated()) {
                     figure(section, picture);
                 }
             }
@@ -102,13 +109,14 @@ public final class ReportWriter {
     private void figure(Section section, Picture picture) throws IOException {
         byte[] bytes = Files.readAllBytes(section.folder().resolve(picture.file()));
         boolean moves = picture.file().endsWith(".gif");
-        String caption = Html.escaped(picture.caption());
-        String kind = moves ? "\" class=\"animation\">\n" : hasManyParts(bytes) ? "\" class=\"whole\">\n" : "\">\n";
-        put("<figure id=\"" + html.id(section.name() + "-" + picture.name()) + kind
-                + "<div class=\"scroll\"><button type=\"button\" title=\"larger or smaller\"><img alt=\"" + caption
-                + "\" src=\"data:image/" + (moves ? "gif" : "png") + ";base64,");
+        String kind = moves ? " class=\"animation\"" : hasManyParts(bytes) ? " class=\"whole\"" : "";
+        put("<figure id=\"%s\"" + kind + """
+                >
+                <div class="scroll"><button type="button" title="larger or smaller"><img alt="%s" \
+                src="data:image/%s;base64,""", html.id(section.name() + "-" + picture.name()), picture.caption(),
+                moves ? "gif" : "png");
         file.write(Base64.getEncoder().encode(picture.data().isEmpty() ? bytes : SmallImage.of(bytes)));
-        put("\"/></button></div>\n<figcaption>" + caption + "</figcaption>\n</figure>\n");
+        put("\"/></button></div>\n<figcaption>%s</figcaption>\n</figure>\n", picture.caption());
     }
 
     /** Whether a picture's text would be too small on half a sheet: wider pictures than a chart, and tall ones. */
@@ -120,47 +128,55 @@ public final class ReportWriter {
     }
 
     private void table(Section section, DataTable table) {
-        boolean isLong = table.rows().size() > MOST_ROWS;
+        int count = table.rows().size();
+        boolean isLong = count > MOST_ROWS;
         if (isLong) {
-            put("<p class=\"printed\">Not printed: " + Html.escaped(table.title()) + "; " + table.rows().size()
-                    + " rows, in " + Html.escaped(table.name()) + ".csv.</p>\n<div class=\"folded\">\n");
+            put("""
+                    <p class="printed">Not printed: %s; %s rows, in %s.csv.</p>
+                    <div class="folded">
+                    """, table.title(), count, table.name());
         }
-        put("<h3>" + Html.escaped(table.title()) + "</h3>\n");
+        put("<h3>%s</h3>\n", table.title());
         if (isLong) {
-            put("<details>\n<summary>All " + table.rows().size() + " rows</summary>\n");
+            put("<details>\n<summary>All %s rows</summary>\n", count);
         }
-        put("<div class=\"table\"><table id=\"" + html.id(section.name() + "-" + table.name()) + "\">\n<thead><tr>");
+        put("<div class=\"table\"><table id=\"%s\">\n<thead><tr>", html.id(section.name() + "-" + table.name()));
         for (int c = 0; c < table.columns().size(); c++) {
             put("<th scope=\"col\"" + (TableText.isNumbers(table, c) ? " class=\"number\"" : "")
-                    + "><button type=\"button\">" + Html.escaped(table.columns().get(c).name()) + "</button></th>");
+                    + "><button type=\"button\">%s</button></th>", table.columns().get(c).name());
         }
         put("</tr></thead>\n<tbody>\n");
         List<List<String>> cells = TableText.cells(table);
-        for (int r = 0; r < table.rows().size(); r++) {
-            StringBuilder row = new StringBuilder("<tr>");
+        for (int r = 0; r < count; r++) {
+            put("<tr>");
             for (int c = 0; c < table.columns().size(); c++) {
-                row.append(cell(table.rows().get(r).get(c), cells.get(r + 1).get(c)));
+                cell(table.rows().get(r).get(c), cells.get(r + 1).get(c));
             }
-            put(row.append("</tr>\n").toString());
+            put("</tr>\n");
         }
         put("</tbody>\n</table></div>\n" + (isLong ? "</details>\n</div>\n" : ""));
     }
 
     /** A cell with all digits for sorting and a few for reading. */
-    private static String cell(Object value, String text) {
-        if (!(value instanceof Number number)) {
-            return "<td class=\"text\">" + Html.escaped(text) + "</td>";
+    private void cell(Object value, String text) {
+        if (value instanceof Number number) {
+            put("<td class=\"number\" data-value=\"%s\">%s</td>",
+                    number instanceof Double d ? Numbers.shortest(d) : number, text);
+        } else {
+            put("<td class=\"text\">%s</td>", text);
         }
-        String all = number instanceof Double d ? Numbers.shortest(d) : number.toString();
-        return "<td class=\"number\" data-value=\"" + all + "\">" + Html.escaped(text) + "</td>";
     }
 
     private void paragraphs(List<String> text) {
-        text.forEach(paragraph -> put("<p>" + Html.escaped(paragraph) + "</p>\n"));
+        text.forEach(paragraph -> put("<p>%s</p>\n", paragraph));
     }
 
-    private void put(String text) {
-        byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+    private void put(String template, Object... texts) {
+        write(Html.fill(template, texts));
+    }
+
+    private void write(String html) {
+        byte[] bytes = html.getBytes(StandardCharsets.UTF_8);
         file.write(bytes, 0, bytes.length);
     }
 }

@@ -57,8 +57,8 @@ public final class ResultPageWriter {
         }
         for (Picture picture : page.pictures()) {
             lines.addAll(List.of("", "![" + picture.caption() + "](" + picture.file() + ")", "", picture.caption()
-                    + (picture.data().isEmpty() ? "" : " Its numbers: [" + picture.name() + ".csv](" + picture.name()
-                    + ".csv).")));
+                    + (picture.data().isEmpty() ? "" : " Its numbers: [%1$s.csv](%1$s.csv)."
+                            .formatted(picture.name()))));
         }
         for (DataTable table : page.tables()) {
             lines.addAll(List.of("", "## " + table.title(), ""));

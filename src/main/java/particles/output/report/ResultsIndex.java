@@ -9,7 +9,6 @@ import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Stream;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
@@ -86,27 +85,35 @@ public final class ResultsIndex {
     }
 
     private static String html(List<Entry> entries) {
-        StringBuilder html = new StringBuilder("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n"
-                + "<meta charset=\"utf-8\"/>\n<meta name=\"viewport\""
-                + " content=\"width=device-width, initial-scale=1\"/>\n"
-                + "<title>Results</title>\n<style>\n" + STYLE + "</style>\n</head>\n<body>\n"
-                + "<h1>Results</h1>\n<main>\n");
+        StringBuilder html = new StringBuilder("""
+                <!DOCTYPE html>
+                <html lang="en">
+                <head>
+                <meta charset="utf-8"/>
+                <meta name="viewport" content="width=device-width, initial-scale=1"/>
+                <title>Results</title>
+                <style>
+                """ + STYLE + """
+                </style>
+                </head>
+                <body>
+                <h1>Results</h1>
+                <main>
+                """);
         for (Entry entry : entries) {
             html.append("<figure>");
-            Optional<String> picture = entry.files().stream().filter(ResultsIndex::isPicture).findFirst();
-            picture.ifPresent(file -> html.append("<a href=\"").append(link(entry, file))
-                    .append("\"><img loading=\"lazy\" alt=\"\" src=\"").append(link(entry, file)).append("\"/></a>"));
-            html.append("<figcaption><strong>").append(Html.escaped(entry.folder())).append("</strong>");
-            entry.files().stream().filter(file -> file.contains(".") && !file.contains("/")
-                    && !file.endsWith(".csv")).forEach(file ->
-                    html.append(" <a href=\"").append(link(entry, file)).append("\">").append(Html.escaped(file))
-                            .append("</a>"));
+            entry.files().stream().filter(ResultsIndex::isPicture).findFirst().map(file -> link(entry, file))
+                    .ifPresent(link -> html.append(Html.fill(
+                            "<a href=\"%s\"><img loading=\"lazy\" alt=\"\" src=\"%s\"/></a>", link, link)));
+            html.append(Html.fill("<figcaption><strong>%s</strong>", entry.folder()));
+            entry.files().stream().filter(file -> file.contains(".") && !file.contains("/") && !file.endsWith(".csv"))
+                    .forEach(file -> html.append(Html.fill(" <a href=\"%s\">%s</a>", link(entry, file), file)));
             html.append("</figcaption></figure>\n");
         }
         return html.append("</main>\n</body>\n</html>\n").toString();
     }
 
     private static String link(Entry entry, String file) {
-        return Html.escaped(Path.of("/").resolve(entry.folder()).resolve(file).toUri().getRawPath().substring(1));
+        return Path.of("/").resolve(entry.folder()).resolve(file).toUri().getRawPath().substring(1);
     }
 }

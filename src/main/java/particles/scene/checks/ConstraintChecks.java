@@ -76,8 +76,8 @@ final class ConstraintChecks {
         Place place = values.place(RodDescription.TO);
         Vector3 way = index.position(rod.to()).minus(index.position(rod.from()));
         if (rod.from().equals(rod.to())) {
-            problems.add(place, "a rod from " + Wording.quote(rod.from()) + " to itself; its ends must be two"
-                    + " different particles");
+            problems.add(place, "a rod from " + Wording.quote(rod.from())
+                    + " to itself; its ends must be two different particles");
         } else if (way.isZero()) {
             problems.add(place, Wording.quote(rod.from()) + " and " + Wording.quote(rod.to())
                     + " are at the same place; a rod between them would have no length");
@@ -87,8 +87,8 @@ final class ConstraintChecks {
         } else {
             double rate = velocity(rod.to()).minus(velocity(rod.from())).dot(way) / way.length();
             if (Math.abs(rate) > STILL) {
-                problems.add(place, "the ends of the rod"
-                        + " from " + Wording.quote(rod.from()) + " to " + Wording.quote(rod.to())
+                problems.add(place,
+                        "the ends of the rod from " + Wording.quote(rod.from()) + " to " + Wording.quote(rod.to())
                         + " move " + (rate > 0 ? "apart" : "together") + " at " + Wording.number(Math.abs(rate))
                         + " m/s; their relative velocity must be across the rod" + moving(rod));
             }
@@ -156,8 +156,8 @@ final class ConstraintChecks {
         Vector3 x = index.position(bead);
         Vector3 v = index.velocity(bead);
         if (index.isFixed(bead)) {
-            problems.add(wire.values().place(WireKind.BEAD), Wording.quote(bead) + " is fixed; a bead must"
-                    + " be free to move");
+            problems.add(wire.values().place(WireKind.BEAD), Wording.quote(bead)
+                    + " is fixed; a bead must be free to move");
         } else {
             Curve curve = wire.kind().curve(wire.values(), x);
             double[] off = new double[Curve.ROWS];
@@ -169,8 +169,8 @@ final class ConstraintChecks {
                 if (Math.abs(off[r]) > ON_WIRE || Math.abs(leaving) > STILL) {
                     problems.add(wire.values().place(WireKind.BEAD), Wording.quote(bead) + (Math.abs(off[r]) > ON_WIRE
                             ? " begins " + distance(curve, x) + " off its wire; place it on the wire"
-                            : " leaves its wire at " + Wording.number(Math.abs(leaving)) + " m/s; its velocity"
-                                    + " must be along the wire"));
+                            : " leaves its wire at " + Wording.number(Math.abs(leaving))
+                                    + " m/s; its velocity must be along the wire"));
                     break;
                 }
             }
@@ -207,8 +207,8 @@ final class ConstraintChecks {
             if (deltaT.isPresent() && rate * deltaT.get() > MOST_FEEDBACK) {
                 problems.add(scene.find(SceneFormat.CONSTRAINTS).isPresent() ? constraints.place()
                         : scene.place(SceneFormat.DELTA_T), "the feedback of rods and wires, " + Wording.number(rate)
-                        + " /s, is too strong for a deltaT of " + Wording.number(deltaT.get()) + " s; feedback"
-                        + " times deltaT must be "
+                        + " /s, is too strong for a deltaT of " + Wording.number(deltaT.get())
+                        + " s; feedback times deltaT must be "
                         + Wording.number(MOST_FEEDBACK) + " at most");
             }
         }

@@ -66,8 +66,8 @@ final class RuleChecks {
         String id = values.get(key);
         Place first = moved.putIfAbsent(id, values.place(key));
         if (first != null) {
-            problems.add(values.place(key), "particle " + Wording.quote(id) + " already has a motion, at"
-                    + " line " + first.line());
+            problems.add(values.place(key), "particle " + Wording.quote(id)
+                    + " already has a motion, at line " + first.line());
         }
         boolean fixed = particles.stream().anyMatch(particle -> particle.id().equals(id) && particle.fixed());
         for (ShapeDescription shape : shapes) {

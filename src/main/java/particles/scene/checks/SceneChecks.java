@@ -145,8 +145,8 @@ public final class SceneChecks {
     private void take(String id, Place place) {
         Place first = ids.putIfAbsent(id, place);
         if (first != null) {
-            problems.add(place, "the id " + Wording.quote(id) + " is already used at"
-                    + " line " + first.line() + "; give another");
+            problems.add(place, "the id " + Wording.quote(id)
+                    + " is already used at line " + first.line() + "; give another");
         }
     }
 
@@ -211,8 +211,7 @@ public final class SceneChecks {
         for (Chosen<EffectKind> effect : effects) {
             Place first = named.putIfAbsent(effect.kind().name(), effect.place());
             if (first != null && !effect.kind().isRepeatable()) {
-                problems.add(effect.place(), "'" + effect.kind().name() + "' is already named at"
-                        + " line " + first.line());
+                problems.add(effect.place(), "'" + effect.kind().name() + "' is already named at line " + first.line());
             }
         }
         for (Chosen<EffectKind> effect : effects) {
@@ -236,8 +235,8 @@ public final class SceneChecks {
                     isKnown(phase, Phase.ABOUT);
                     boolean angle = phase.find(Phase.AXIS).equals(Optional.of(Phase.ANGLE));
                     if (angle && phase.isSound() && phase.find(Phase.ABOUT).isEmpty()) {
-                        problems.add(phase.place(Phase.AXIS), "'axis: angle' needs 'about', the"
-                                + " particle that the angle is seen from");
+                        problems.add(phase.place(Phase.AXIS),
+                                "'axis: angle' needs 'about', the particle that the angle is seen from");
                     } else if (!angle && phase.isSound() && phase.find(Phase.ABOUT).isPresent()) {
                         problems.add(phase.place(Phase.ABOUT), "'about' goes with 'axis: angle'");
                     } else if (phase.isSound() && phase.find(Phase.ABOUT).equals(phase.find(Phase.PARTICLE))) {

@@ -27,8 +27,8 @@ public final class CameraFormat {
             "perspective: distant things look smaller; orthographic: parallel lines stay parallel.");
     static final Key<Double> FIELD_OF_VIEW = Key.withDefault("fieldOfView", NumberType.between(1, 170, "degrees"), 35.0,
             "The vertical angle of a perspective picture (degrees).");
-    static final Key<Double> HEIGHT = Key.optional("height", NumberType.positive("m"), "The height of an"
-            + " orthographic picture (m); by default the height of a perspective one at the target.");
+    static final Key<Double> HEIGHT = Key.optional("height", NumberType.positive("m"),
+            "The height of an orthographic picture (m); by default the height of a perspective one at the target.");
 
     static final MappingType TYPE = MappingType.of("the camera", POSITION, TARGET, UP, PROJECTION, FIELD_OF_VIEW,
             HEIGHT);
@@ -44,8 +44,8 @@ public final class CameraFormat {
             return Optional.empty();
         }
         if (away.normalized().cross(values.get(UP).normalized()).length() < 1e-6) {
-            problems.add(values.place(UP), "the camera looks along its 'up' direction;"
-                    + " give another 'up', such as [0, 0, -1]");
+            problems.add(values.place(UP),
+                    "the camera looks along its 'up' direction; give another 'up', such as [0, 0, -1]");
             return Optional.empty();
         }
         double halfAngle = StrictMath.toRadians(values.get(FIELD_OF_VIEW)) / 2;

@@ -30,9 +30,10 @@ public final class RenderFormat {
     static final Key<String> PARTICLES = Key.withDefault("particles", NameType.of("choice", SHOWN),
             nameOf(STANDARD.particles()), "Which particles are drawn. beside-surfaces: all but those of a surface.");
     static final Key<String> PARTICLES_AS = Key.withDefault("particlesAs", NameType.of("way of drawing", KINDS),
-            nameOf(ParticleStyle.STANDARD.kind()), "How free particles are drawn. balls: shaded; points: dots of the"
-                    + " same size at any distance; blobs: drops that merge into one smooth surface; glow: spots"
-                    + " of light that add up and fade with age if particles have a lifetime.");
+            nameOf(ParticleStyle.STANDARD.kind()), """
+                    How free particles are drawn. balls: shaded; points: dots of the same size at any distance; \
+                    blobs: drops that merge into one smooth surface; glow: spots of light that add up and fade with \
+                    age if particles have a lifetime.""");
     static final Key<List<String>> AGE_COLOURS = Key.optional("ageColours", ListType.of("a colour", COLOUR),
             "The colours of a glow from birth to death, evenly spaced; by default those of a flame.");
     static final Key<Double> TRAIL = Key.withDefault("trail", NumberType.notNegative("s"),
@@ -55,8 +56,8 @@ public final class RenderFormat {
             "The colour of fixed particles.");
     static final Key<String> FRONT_COLOUR = colour("frontColour", STANDARD.frontColour(),
             "The colour of a surface's front.");
-    static final Key<String> BACK_COLOUR = colour("backColour", STANDARD.backColour(), "The colour of a"
-            + " surface's back.");
+    static final Key<String> BACK_COLOUR = colour("backColour", STANDARD.backColour(),
+            "The colour of a surface's back.");
 
     static final Key<Double> VELOCITY_ARROWS = Key.withDefault("velocityArrows", NumberType.notNegative("s"), 0.0,
             "Draws each particle's velocity as an arrow, as long as its path in this time (s) at its present speed;"
@@ -94,12 +95,12 @@ public final class RenderFormat {
         }
         int count = values.find(AGE_COLOURS).orElse(List.of()).size();
         if (count < 1 || count > MOST_COLOURS) {
-            problems.add(values.place(AGE_COLOURS), "'ageColours' has " + count + " colours; allowed are 1"
-                    + " to " + MOST_COLOURS);
+            problems.add(values.place(AGE_COLOURS), "'ageColours' has " + count
+                    + " colours; allowed are 1 to " + MOST_COLOURS);
         }
         if (values.find(PARTICLES_AS).filter(as -> !as.equals(GLOW)).isPresent()) {
-            problems.add(values.place(AGE_COLOURS), "'ageColours' only works with a glow; add 'particlesAs:"
-                    + " glow' or remove it");
+            problems.add(values.place(AGE_COLOURS),
+                    "'ageColours' only works with a glow; add 'particlesAs: glow' or remove it");
         }
     }
 

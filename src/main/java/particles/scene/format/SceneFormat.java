@@ -66,17 +66,19 @@ public final class SceneFormat {
             "Rules that act between steps, such as bounces; only rules named here act.");
     public static final Key<String> IMPACT = Key.withDefault("impact",
             NameType.of("kind of impact", List.of("clamp", "exact")), "clamp",
-            "exact: each step is divided at the moment of impact. clamp: after each step, particles below a"
-                    + " surface are moved onto it and bounce, so impacts come up to deltaT late. With clamp, particles"
-                    + " in a groove may keep jumping by about g deltaT^2.");
+            """
+                    exact: each step is divided at the moment of impact. clamp: after each step, particles below a \
+                    surface are moved onto it and bounce, so impacts come up to deltaT late. With clamp, particles \
+                    in a groove may keep jumping by about g deltaT^2.""");
     public static final Key<Values> CAMERA = Key.optional("camera", CameraFormat.TYPE,
             "The position and direction of the camera; by default everything fits into the picture.");
     public static final Key<Values> LOOK = Key.optional("look", RenderFormat.TYPE, "How things are drawn.");
     public static final Key<Values> OUTPUT = Key.optional("output", OutputDescription.TYPE, "Which files are written.");
     public static final Key<Double> BLOW_UP_FACTOR = Key.withDefault("blowUpFactor", NumberType.positive(""), 1e6,
-            "The run has blown up, and ends, when the kinetic energy is this many times the energy estimated for the"
-                    + " scene before the run. Whatever this number is, gradle run also ends when the numerical error"
-                    + " is 1000 times the rest of the energy.");
+            """
+                    The run has blown up, and ends, when the kinetic energy is this many times the energy estimated \
+                    for the scene before the run. Whatever this number is, gradle run also ends when the numerical \
+                    error is 1000 times the rest of the energy.""");
 
     public static final MappingType SCENE = MappingType.of("the scene", TITLE, TEACHES, SOLVER, DELTA_T, DURATION,
             PARTICLES,

@@ -20,9 +20,10 @@ public final class SolverFormat {
             "The method that solves the equations of motion.");
     static final Key<Double> RELATIVE = Key.optional("relativeTolerance", NumberType.between(0,
                     AdaptiveSolver.LOOSEST_TOLERANCE, ""),
-            "1e-6 by default. An adaptive solver divides deltaT into sub-steps so short that the estimated error of"
-                    + " each entry of the state stays below absoluteTolerance + relativeTolerance |entry|. Here |entry|"
-                    + " is the larger of its sizes before and after the sub-step.");
+            """
+                    1e-6 by default. An adaptive solver divides deltaT into sub-steps so short that the estimated \
+                    error of each entry of the state stays below absoluteTolerance + relativeTolerance |entry|. Here \
+                    |entry| is the larger of its sizes before and after the sub-step.""");
     static final Key<Double> ABSOLUTE = Key.optional("absoluteTolerance", NumberType.notNegative(""),
             "1e-9 by default (in m and m/s). See relativeTolerance.");
 

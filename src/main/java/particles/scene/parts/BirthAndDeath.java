@@ -36,8 +36,8 @@ final class BirthAndDeath {
     private static final Key<String> ID = Key.required("id", ParticleDescription.NEW_ID,
             "Its name, with which its particles' ids begin: fountain[0], fountain[1] ... It must differ from"
                     + " the ids of particles and shapes.");
-    private static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"), "The point"
-            + " where particles are born (m).");
+    private static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"),
+            "The point where particles are born (m).");
     private static final Key<Double> RADIUS = Key.withDefault("radius", NumberType.notNegative("m"), 0.0,
             "The largest distance from that point at birth (m).");
     private static final Key<Vector3> DIRECTION = Key.withDefault("direction", VectorType.notZero(""),
@@ -45,8 +45,8 @@ final class BirthAndDeath {
             "The direction in which they start; its length does not matter.");
     private static final Key<Double> SPREAD = Key.withDefault("spread", NumberType.between(0, 180, "degrees"), 0.0,
             "The largest angle between a particle's velocity and the direction (degrees).");
-    private static final Key<Double> SPEED = Key.required("speed", NumberType.notNegative("m/s"), "Their speed"
-            + " at birth (m/s).");
+    private static final Key<Double> SPEED = Key.required("speed", NumberType.notNegative("m/s"),
+            "Their speed at birth (m/s).");
     private static final Key<Double> RATE = Key.required("rate", NumberType.positive("1/s"),
             "The number of particles born per second (1/s).");
     private static final Key<Double> MASS = Key.withDefault("mass", NumberType.positive("kg"), 1.0,
@@ -109,8 +109,8 @@ final class BirthAndDeath {
     private static final Key<Double> LIGHTEST = Key.required("lightest", NumberType.positive("kg"),
             "No split makes a particle lighter than this (kg).");
 
-    static final RuleKind SAMPLES = new RuleKind("samples", "Merges and splits particles to keep them evenly"
-            + " spaced.", FARTHEST,
+    static final RuleKind SAMPLES = new RuleKind("samples",
+            "Merges and splits particles to keep them evenly spaced.", FARTHEST,
             CLOSEST, LIGHTEST, SAMPLE_ID, SharedKeys.SEED) {
         @Override
         public void build(Values values, SceneAssembly assembly) {

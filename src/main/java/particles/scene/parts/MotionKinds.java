@@ -14,8 +14,8 @@ import particles.spec.VectorType;
 
 /** The prescribed motions of moving anchors; {@link RuleKind#ALL} lists them. */
 abstract class MotionKinds extends RuleKind {
-    private static final Key<String> PARTICLE = Key.required("particle", TextType.of("the id of a fixed"
-            + " particle", "\\S"),
+    private static final Key<String> PARTICLE = Key.required("particle", TextType.of(
+            "the id of a fixed particle", "\\S"),
             "The particle to move, starting from its position. It must be fixed.");
     private static final Key<Double> PERIOD = Key.required("period", NumberType.positive("s"),
             "The period of the motion (s).");
@@ -51,8 +51,8 @@ abstract class MotionKinds extends RuleKind {
     private static final Key<Vector3> AMPLITUDE = Key.required("amplitude", VectorType.notZero("m"),
             "The largest displacement to one side, as a vector (m).");
 
-    static final RuleKind SHAKE = new MotionKinds("shake", "Moves a particle to and fro: its displacement is"
-            + " amplitude sin(2 pi t / period).",
+    static final RuleKind SHAKE = new MotionKinds("shake",
+            "Moves a particle to and fro: its displacement is amplitude sin(2 pi t / period).",
             PARTICLE, AMPLITUDE, PERIOD) {
         @Override
         AnchorMotion motion(Values values, Vector3 start) {
@@ -70,8 +70,7 @@ abstract class MotionKinds extends RuleKind {
             "The axis of rotation; the motion is counter-clockwise"
                     + " if the axis points at you. Its length does not matter.");
 
-    static final RuleKind CIRCLE = new MotionKinds("circle", "Moves a particle round an axis, like a"
-            + " crank.", PARTICLE,
+    static final RuleKind CIRCLE = new MotionKinds("circle", "Moves a particle round an axis, like a crank.", PARTICLE,
             CENTRE,
             AXIS, PERIOD) {
         @Override
@@ -86,12 +85,11 @@ abstract class MotionKinds extends RuleKind {
     };
 
     private static final Key<Vector3> TO = Key.required("to", VectorType.of("m"), "The point where it stops (m).");
-    private static final Key<Double> DURATION = Key.required("duration", NumberType.positive("s"), "The"
-            + " duration of the motion (s).");
+    private static final Key<Double> DURATION = Key.required("duration", NumberType.positive("s"),
+            "The duration of the motion (s).");
 
     static final RuleKind GLIDE = new MotionKinds("glide",
-            "Moves a particle straight to another place, starting and stopping"
-                    + " smoothly.", PARTICLE, TO, DURATION) {
+            "Moves a particle straight to another place, starting and stopping smoothly.", PARTICLE, TO, DURATION) {
         @Override
         AnchorMotion motion(Values values, Vector3 start) {
             return new GlideMotion(start, values.get(TO), values.get(DURATION));

@@ -28,8 +28,8 @@ public record ParticleDescription(String id, Vector3 position, Vector3 velocity,
             "^[^\\s\\[\\],\"'\\x00-\\x1f\\x7f-\\xa0\\xad\\u061c\\u200b-\\u200f\\u2028-\\u202e"
             + "\\u2060-\\u206f\\ufeff]{1,60}$");
 
-    public static final Key<String> ID = Key.required("id", NEW_ID, "The particle's name; it must differ from the ids"
-            + " of other particles and shapes.");
+    public static final Key<String> ID = Key.required("id", NEW_ID,
+            "The particle's name; it must differ from the ids of other particles and shapes.");
     static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"), "Its position at the start (m).");
     public static final Key<Vector3> VELOCITY = Key.withDefault("velocity", VectorType.of("m/s"), Vector3.ZERO,
             "Its velocity at the start (m/s).");

@@ -3,6 +3,7 @@ package particles.scene.parts;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Function;
 import particles.effects.SharedKeys;
 import particles.law.Obstacle;
 import particles.law.Plane;
@@ -85,15 +86,23 @@ public abstract class RuleKind extends Kind {
     }
 
     /** A rule for particles that meet a solid. */
-    private abstract static class OfSolid extends RuleKind {
-        OfSolid(String name, String sentence, Key<?>... keys) {
+    private static final class OfSolid extends RuleKind {
+        private final Function<Values, Obstacle> solid;
+
+        OfSolid(String name, String sentence, Function<Values, Obstacle> solid, Key<?>... keys) {
             super(name, sentence, keys);
+            this.solid = solid;
+        }
+
+        @Override
+        public Optional<Obstacle> obstacle(Values values) {
+            return Optional.of(solid.apply(values));
         }
 
         @Override
         public void build(Values values, SceneAssembly assembly) {
-            obstacle(values).ifPresent(solid -> assembly.add(new ContactSurface(name(), solid, values.get(RESTITUTION),
-                    values.find(FRICTION).map(RuleKind::friction).orElse(Friction.NONE), values.get(REST_SPEED))));
+            assembly.add(new ContactSurface(name(), solid.apply(values), values.get(RESTITUTION),
+                    values.find(FRICTION).map(RuleKind::friction).orElse(Friction.NONE), values.get(REST_SPEED)));
         }
     }
 
@@ -108,12 +117,7 @@ public abstract class RuleKind extends Kind {
 
     private static final RuleKind GROUND = new OfSolid("ground",
             "Level ground: particles bounce off it, rest on it and slide along it.",
-            HEIGHT, RESTITUTION, FRICTION, REST_SPEED) {
-        @Override
-        public Optional<Obstacle> obstacle(Values values) {
-            return Optional.of(Plane.ground(values.get(HEIGHT)));
-        }
-    };
+            values -> Plane.ground(values.get(HEIGHT)), HEIGHT, RESTITUTION, FRICTION, REST_SPEED);
 
     private static final Key<Vector3> POINT = Key.withDefault("point", VectorType.of("m"), Vector3.ZERO,
             "Any point of the plane (m).");
@@ -121,22 +125,14 @@ public abstract class RuleKind extends Kind {
             "A vector that points out of the solid, to the side of the particles; its length does not matter.");
 
     private static final RuleKind PLANE = new OfSolid("plane",
-            "A ramp or a wall: particles bounce off it, rest on it and slide along"
-                    + " it.", POINT, NORMAL, RESTITUTION, FRICTION, REST_SPEED) {
-        @Override
-        public Optional<Obstacle> obstacle(Values values) {
-            return Optional.of(new Plane(values.get(POINT), values.get(NORMAL)));
-        }
-    };
+            "A ramp or a wall: particles bounce off it, rest on it and slide along it.",
+            values -> new Plane(values.get(POINT), values.get(NORMAL)),
+            POINT, NORMAL, RESTITUTION, FRICTION, REST_SPEED);
 
     private static final RuleKind SPHERE = new OfSolid("sphere",
             "A ball, or the inside of a hollow one: particles bounce off it, rest on it and slide along it.",
-            SharedKeys.CENTRE, SharedKeys.RADIUS, SharedKeys.HOLLOW, RESTITUTION, FRICTION, REST_SPEED) {
-        @Override
-        public Optional<Obstacle> obstacle(Values values) {
-            return Optional.of(SharedKeys.sphere(values));
-        }
-    };
+            SharedKeys::sphere, SharedKeys.CENTRE, SharedKeys.RADIUS, SharedKeys.HOLLOW, RESTITUTION, FRICTION,
+            REST_SPEED);
 
     /** All rules. */
     public static final List<RuleKind> ALL = List.of(GROUND, PLANE, SPHERE, BirthAndDeath.TEAR, MotionKinds.SHAKE,

@@ -43,8 +43,8 @@ public record ShapeDescription(Lattice lattice, double mass, Vector3 velocity, B
             return Optional.empty();
         }
         if (!(lattice.flatness() > 1e-9)) {
-            problems.add(chosen.place(), "'" + kind.name() + "' has no extent in one direction: its particles"
-                    + " would lie on top of each other");
+            problems.add(chosen.place(), "'" + kind.name()
+                    + "' has no extent in one direction: its particles would lie on top of each other");
             return Optional.empty();
         }
         BitSet fixed = new BitSet();
@@ -72,8 +72,8 @@ public record ShapeDescription(Lattice lattice, double mass, Vector3 velocity, B
         if (part.endsWith("]")) {
             OptionalInt number = lattice.find(part);
             if (number.isEmpty()) {
-                problems.add(place, "unknown particle " + Wording.quote(part) + " in 'fixed';"
-                        + " known: " + lattice.range());
+                problems.add(place, "unknown particle " + Wording.quote(part)
+                        + " in 'fixed'; known: " + lattice.range());
             }
             number.ifPresent(fixed::set);
             return;

@@ -97,10 +97,10 @@ public abstract class ShapeKind extends Kind {
         return fixed;
     }
 
-    private static final Key<Vector3> START = Key.required("start", VectorType.of("m"), "The position of its"
-            + " first particle (m).");
-    private static final Key<Vector3> END = Key.required("end", VectorType.of("m"), "The position of its"
-            + " last particle (m).");
+    private static final Key<Vector3> START = Key.required("start", VectorType.of("m"),
+            "The position of its first particle (m).");
+    private static final Key<Vector3> END = Key.required("end", VectorType.of("m"),
+            "The position of its last particle (m).");
     private static final Key<Integer> PARTICLES = Key.required("particles", COUNT, "The number of particles.");
 
     private static final ShapeKind ROPE = new ShapeKind("rope",

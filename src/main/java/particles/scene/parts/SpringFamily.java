@@ -23,13 +23,13 @@ public record SpringFamily(Sort sort, double stiffness, double damping) {
     /** The pairs of neighbours that are connected. */
     public enum Sort {
         /** Nearest neighbours along each direction: they hold the shape together. */
-        STRUCTURAL("structural", "Springs between nearest neighbours along each"
-                + " direction: they hold the shape together."),
+        STRUCTURAL("structural",
+                "Springs between nearest neighbours along each direction: they hold the shape together."),
         /** Diagonals of faces and cells: they keep squares from becoming rhombi. */
         SHEAR("shear", "Springs along the diagonals of squares (and cubes): they keep squares from becoming rhombi."),
         /** Second neighbours along each direction, with one between them: they resist folding. */
-        BEND("bend", "Springs between second neighbours along each direction, skipping one particle: they"
-                + " resist folding.");
+        BEND("bend",
+                "Springs between second neighbours along each direction, skipping one particle: they resist folding.");
 
         private final Key<Values> key;
 

@@ -7,10 +7,10 @@ import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import particles.spec.MappingType;
+import particles.spec.Ordered;
 import particles.spec.messages.Wording;
 
 /** Writes a type as a JSON Schema of draft 7, the newest draft that the YAML plug-ins of all common editors know. */
@@ -25,10 +25,8 @@ public final class JsonSchema {
      * @return the schema, ending with a line feed; the same text for the same type, always
      */
     public static String of(MappingType root, String title, String description) {
-        Map<String, Object> schema = new LinkedHashMap<>();
-        schema.put("$schema", "http://json-schema.org/draft-07/schema#");
-        schema.put("title", title);
-        schema.put("description", description);
+        Map<String, Object> schema = Ordered.map("$schema", "http://json-schema.org/draft-07/schema#", "title", title,
+                "description", description);
         schema.putAll(root.schema());
         StringWriter text = new StringWriter();
         try (JsonGenerator json = new JsonFactory().createGenerator(text)) {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import particles.spec.Key;
 import particles.spec.KindType;
 import particles.spec.ListType;
@@ -96,8 +97,8 @@ public final class Reference {
 
     private static String written(Object json) {
         if (json instanceof List<?> list) {
-            return list.isEmpty() ? "none" : "[" + String.join(", ", list.stream().map(Reference::written).toList())
-                    + "]";
+            return list.isEmpty() ? "none"
+                    : list.stream().map(Reference::written).collect(Collectors.joining(", ", "[", "]"));
         }
         return json instanceof Number number ? Wording.number(number.doubleValue()) : json.toString();
     }

@@ -182,8 +182,7 @@ class ProgramTest {
     @Test
     void argumentThatIsNoOptionIsRefused() {
         assertRefused(OptionStyle.SHELL, "unexpected 'cloth'; options are written --name=value; allowed: --help",
-                "solvers",
-                "cloth");
+                "solvers", "cloth");
     }
 
     @Test

@@ -34,8 +34,8 @@ class EdgeScenesTest {
             all.add(Arguments.of(task, "all are fixed", "  - {id: a, position: [0, 1, 0], fixed: true}\n"));
             all.add(Arguments.of(task, "all die", "  - {id: a, position: [0, 0.1, 0], velocity: [0, -1, 0]}\n"
                     + "rules:\n  - kill: {point: [0, 0, 0]}\n"));
-            all.add(Arguments.of(task, "one is far away", "  - {id: a, position: [1e30, 0, 0]}\n"
-                    + "  - {id: b, position: [0, 0, 0]}\n"));
+            all.add(Arguments.of(task, "one is far away",
+                    "  - {id: a, position: [1e30, 0, 0]}\n  - {id: b, position: [0, 0, 0]}\n"));
         }
         return all.stream();
     }

@@ -32,7 +32,8 @@ class RaceCommandTest {
     }
 
     private static RaceCommand race(String... options) {
-        RaceCommand race = new RaceCommand(OptionStyle.GRADLE);
+        RaceCommand race = new RaceCommand();
+        race.typedIn(OptionStyle.GRADLE);
         new CommandLine(race).parseArgs(options);
         assertEquals(List.of(), race.mistakes());
         return race;

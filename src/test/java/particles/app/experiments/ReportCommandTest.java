@@ -35,10 +35,6 @@ class ReportCommandTest {
         @Mixin
         private final SceneOptions options = new SceneOptions();
 
-        Shows() {
-            super(OptionStyle.GRADLE);
-        }
-
         @Override
         protected void read(Mistakes mistakes) {
             options.read(mistakes, this, "one-spring", "radau");
@@ -59,7 +55,6 @@ class ReportCommandTest {
         private final RuntimeException why;
 
         Fails(RuntimeException why) {
-            super(OptionStyle.GRADLE);
             this.why = why;
         }
 
@@ -77,7 +72,7 @@ class ReportCommandTest {
         args[0] = "report";
         args[1] = "--out=" + top.resolve("report");
         System.arraycopy(options, 0, args, 2, options.length);
-        return new Program(List.of(new ReportCommand(OptionStyle.GRADLE, List.of(new Fails(why), new Shows()))),
+        return new Program(List.of(new ReportCommand(List.of(new Fails(why), new Shows()))),
                 OptionStyle.GRADLE, new PrintWriter(out), new PrintWriter(err)).execute(args);
     }
 

@@ -72,7 +72,7 @@ class RunCommandTest {
         }
         lines.getBuffer().setLength(0);
         errors.getBuffer().setLength(0);
-        List<ProgramCommand> commands = List.of(new RunCommand(scenes, OptionStyle.GRADLE, stop),
+        List<ProgramCommand> commands = List.of(new RunCommand(scenes, stop),
                 new ScenesCommand(scenes));
         return new Program(commands, OptionStyle.GRADLE, new PrintWriter(lines), new PrintWriter(errors))
                 .execute(args.toArray(String[]::new));
@@ -115,9 +115,9 @@ class RunCommandTest {
                   - {id: probe, position: [0, 0, 0], velocity: [1, 0, 0]}
                 """);
         assertEquals(ExitCode.BAD_INPUT, run("--scene=2"));
-        assertEquals(scenes.resolve("02-far.yaml") + ":5:11: a duration of 1000000 s needs more than a million"
-                + " pictures at frameRate = 25; in the scene, output: {frameRate: 0.001} draws 1000, and"
-                + " -Pframes=false none", errors.toString().strip());
+        assertEquals(scenes.resolve("02-far.yaml") + """
+                :5:11: a duration of 1000000 s needs more than a million pictures at frameRate = 25; in the scene, \
+                output: {frameRate: 0.001} draws 1000, and -Pframes=false none""", errors.toString().strip());
         assertFalse(Files.exists(out), "nothing is written");
         assertEquals(ExitCode.DONE, run("--scene=2", "--frames=false"));
     }
@@ -193,8 +193,8 @@ class RunCommandTest {
 
     @Test
     void anImpossibleFilmIsOneLine() {
-        assertEnds(ExitCode.BAD_INPUT, "option -Pvideo: 'avi' is not a kind of film; allowed: none,"
-                + " mp4", "--video=avi");
+        assertEnds(ExitCode.BAD_INPUT,
+                "option -Pvideo: 'avi' is not a kind of film; allowed: none, mp4", "--video=avi");
         assertEnds(ExitCode.BAD_INPUT, "-Pvideo=mp4 needs pictures; remove -Pframes=false", "--video=mp4",
                 "--frames=false");
     }
@@ -323,9 +323,10 @@ class RunCommandTest {
     @Test
     void aThousandfoldGainIsABlowUp() throws IOException {
         assertEquals(ExitCode.STOPPED, run("--solver=euler", "--duration=20", "--frames=false"));
-        assertTrue(errors.toString().matches("euler stopped at t = 9\\.\\d+ s at particle 'block': the numerical error"
-                + " is \\d+ J, over 1000 times the rest of the energy\\R"
-                + "undamped springs gain energy with euler at any deltaT\\Rtry -Psolver=verlet\\R"), errors.toString());
+        assertTrue(errors.toString().matches("""
+                euler stopped at t = 9\\.\\d+ s at particle 'block': the numerical error is \\d+ J, over 1000 times \
+                the rest of the energy\\Rundamped springs gain energy with euler at any deltaT\\Rtry \
+                -Psolver=verlet\\R"""), errors.toString());
     }
 
     /**

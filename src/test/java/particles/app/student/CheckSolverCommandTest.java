@@ -134,8 +134,7 @@ class CheckSolverCommandTest {
     void anExceptionWhileItIsMeasuredLosesNothingThatWasFoundOut(@TempDir Path folder) throws IOException {
         String screen = here(ExitCode.BAD_INPUT, Crashes.class.getName(), folder);
         assertTrue(screen.startsWith("Crashes: wrong. This is the Euler method."), screen);
-        String mistake = "while it was measured on springs:"
-                + " java.lang.IndexOutOfBoundsException: at 1, in Crashes.";
+        String mistake = "while it was measured on springs: java.lang.IndexOutOfBoundsException: at 1, in Crashes.";
         assertTrue(screen.contains("failure: " + mistake), screen);
         assertTrue(Files.readString(folder.resolve("report/checkSolver.md")).contains("- **failure**: " + mistake));
     }

@@ -88,8 +88,8 @@ class NewClassCommandTest {
     @Test
     void aSolverExtendsOneOfTwoClasses() {
         assertTrue(run(ExitCode.BAD_INPUT, "newSolver", "HeunSolver",
-                "--from=RK4Solver").startsWith("option -Pfrom: 'RK4Solver'"
-                + " cannot be extended here; allowed are: DESolver, FixedStepSolver"));
+                "--from=RK4Solver").startsWith(
+                "option -Pfrom: 'RK4Solver' cannot be extended here; allowed are: DESolver, FixedStepSolver"));
         assertFalse(Files.exists(folder.resolve("exercises/HeunSolver.java")));
     }
 

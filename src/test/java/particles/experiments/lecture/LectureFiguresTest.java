@@ -20,13 +20,14 @@ class LectureFiguresTest {
      * The values are the stability functions', to six digits; measured and theory differ by rounding, 8e-12 at most.
      */
     @ParameterizedTest
-    @CsvSource({
-        "midpoint, 1,   11,   3.411969, 11.641532, 1.178636,  22",
-        "midpoint, 0.5, 100,  2.171047, 4.713443,  1.914611,  200",
-        "midpoint, 0.1, 5000, 1.064494, 1.133147,  0.830824,  10000",
-        "rk4,      1,   8,    0.952268, 0.906814,  -0.044631, 32",
-        "rk4,      1,   100,  0.542612, 0.294427,  -0.557889, 400",
-        "rk4,      0.4, 1250, 0.965755, 0.932682,  -0.100637, 5000"})
+    @CsvSource(textBlock = """
+            midpoint, 1,   11,   3.411969, 11.641532, 1.178636,  22
+            midpoint, 0.5, 100,  2.171047, 4.713443,  1.914611,  200
+            midpoint, 0.1, 5000, 1.064494, 1.133147,  0.830824,  10000
+            rk4,      1,   8,    0.952268, 0.906814,  -0.044631, 32
+            rk4,      1,   100,  0.542612, 0.294427,  -0.557889, 400
+            rk4,      0.4, 1250, 0.965755, 0.932682,  -0.100637, 5000
+            """)
     void figuresHaveTheNumbersOfTheory(String solver, double deltaT, int steps, double amplitude, double energy,
             double phase, long evaluations) {
         Figure figure = new Figure(solver, deltaT, steps);
@@ -66,9 +67,9 @@ class LectureFiguresTest {
     @Test
     void theFindingIsThatOfTheTable() {
         List<Result> results = LectureFigures.onSlides().stream().map(LectureFigures::run).toList();
-        assertEquals("euler and midpoint spiral outwards, rk4 spirals inwards; how fast depends on the step: midpoint"
-                + " \u00d7\u00a03.41 in 11 s with deltaT = 1 s, \u00d7\u00a01.06 in 500 s with"
-                + " deltaT = 0.1 s",
+        assertEquals("""
+                euler and midpoint spiral outwards, rk4 spirals inwards; how fast depends on the step: midpoint \
+                \u00d7\u00a03.41 in 11 s with deltaT = 1 s, \u00d7\u00a01.06 in 500 s with deltaT = 0.1 s""",
                 LectureFigures.finding(results));
         assertEquals("rk4 spirals inwards", LectureFigures.finding(results.subList(4, 7)));
     }

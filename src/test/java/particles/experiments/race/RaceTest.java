@@ -124,8 +124,8 @@ class RaceTest {
         DataTable table = RaceCharts.table(race);
         assertEquals(left, cell(table, 0, "left the race at (s)"));
         double step = euler.match().setting().deltaT();
-        assertEquals(left / step, (Long) cell(table, 0, "evaluations"), 1, "evaluations until then, and not those of"
-                + " its share: " + euler.match().evaluations());
+        assertEquals(left / step, (Long) cell(table, 0, "evaluations"), 1,
+                "evaluations until then, and not those of its share: " + euler.match().evaluations());
         assertTrue(cell(table, 0, "why").toString().contains("went where the reference never comes near"));
     }
 

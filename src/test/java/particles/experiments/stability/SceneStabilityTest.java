@@ -42,8 +42,12 @@ class SceneStabilityTest {
      * bar 1 %.
      */
     @ParameterizedTest
-    @CsvSource({"1, 1.414213562, 2", "2, 1.154700538, 1.632993162", "10, 1.010283227, 1.428756241",
-            "100, 1.000120951, 1.414384613"})
+    @CsvSource(textBlock = """
+            1, 1.414213562, 2
+            2, 1.154700538, 1.632993162
+            10, 1.010283227, 1.428756241
+            100, 1.000120951, 1.414384613
+            """)
     void predictionAndRunsAgreeOnChains(int n, double leapfrog, double rk4) {
         for (Limit limit : limits(chain(n, ""), "verlet, symplectic-euler, rk4")) {
             double exact = limit.solver().name().equals("rk4") ? rk4 : leapfrog;

@@ -40,7 +40,12 @@ class StiffGalleryTest {
      * oscillates by up to (1 + h omega / 2) / (1 - h omega / 2), which is 400 for symplectic Euler 1 % from its limit.
      */
     @ParameterizedTest
-    @CsvSource({"rk4, 4, 1", "symplectic-euler, 1, 1000", "verlet, 1, 1000", "yoshida4, 3, 1000"})
+    @CsvSource(textBlock = """
+            rk4, 4, 1
+            symplectic-euler, 1, 1000
+            verlet, 1, 1000
+            yoshida4, 3, 1000
+            """)
     void whatCountsAsStableIsWithinTheLimit(String solver, int evaluations, double most) {
         double limit = SolverChoice.of(solver).info().orElseThrow().imaginaryLimit();
         for (StiffGallery.Cost cost : sweep(solver, 5).costs()) {

@@ -3,6 +3,7 @@ package particles.output.animation;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.output.SmallPictures.FRONT;
 
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
@@ -18,12 +19,10 @@ import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.FileImageInputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import particles.law.Vector3;
 import particles.output.files.OutputFolder;
 import particles.output.frames.FrameRenderer;
 import particles.output.frames.FrameSetup;
 import particles.output.painters.FrameState;
-import particles.view.Camera;
 import particles.view.RenderOptions;
 import particles.view.Scenery;
 
@@ -36,8 +35,7 @@ class GifAnimationTest {
     Path top;
 
     private static FrameRenderer renderer() {
-        Camera camera = new Camera(new Vector3(0, 0, 9), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
-        return new FrameRenderer(new FrameSetup(camera, RenderOptions.STANDARD, Scenery.NONE, "", ""), W, H, 2);
+        return new FrameRenderer(new FrameSetup(FRONT, RenderOptions.STANDARD, Scenery.NONE, "", ""), W, H, 2);
     }
 
     private static FrameState ball(int k) {

@@ -3,6 +3,10 @@ package particles.output.frames;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.output.SmallPictures.FRONT;
+import static particles.output.SmallPictures.H;
+import static particles.output.SmallPictures.W;
+import static particles.output.SmallPictures.plain;
 
 import java.awt.geom.Rectangle2D;
 import java.util.List;
@@ -18,19 +22,13 @@ import particles.output.painters.DrawnSizes;
 import particles.output.painters.FrameState;
 import particles.output.painters.TrailSample;
 import particles.output.raster.CameraProjection;
-import particles.view.Camera;
 import particles.view.ParticleMark;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
-import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
 
 /** Particles with a colour, a size and a label of their own, and arrows, in pictures of 20 pixels a metre. */
 class FrameMarksTest {
-    private static final int W = 320;
-    private static final int H = 200;
-    private static final Camera FRONT = new Camera(new Vector3(0, 0, 50), Vector3.ZERO, new Vector3(0, 1, 0), false, 0,
-            10);
     private static final double RADIUS = 1;
 
     private static ParticleStyle style(double arrows, ParticleMark... marks) {
@@ -49,8 +47,7 @@ class FrameMarksTest {
     }
 
     private static int[] picture(ParticleStyle style) {
-        RenderOptions look = new RenderOptions(Visibility.ALWAYS, Visibility.ALWAYS, RADIUS, 0.1,
-                0x0000ff, 0, 0, 0, style);
+        RenderOptions look = plain(0x0000ff, RADIUS, style);
         FrameRenderer renderer = new FrameRenderer(new FrameSetup(FRONT, look, Scenery.NONE, "", ""), W, H,
                 Optional.empty());
         return renderer.render(state(style, 2));

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.output.SmallPictures.FRONT;
+import static particles.output.SmallPictures.plain;
 
 import deSolvers.RK4Solver;
 import java.io.IOException;
@@ -26,10 +28,8 @@ import particles.output.TestEffects;
 import particles.output.animation.GifAnimation;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
-import particles.view.Camera;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
-import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
 
 /** Frames at regular times, drawn in another thread. */
@@ -79,10 +79,8 @@ class FrameObserverTest {
     }
 
     private static FrameRenderer renderer(ParticleStyle style) {
-        Camera camera = new Camera(new Vector3(0, 0, 9), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
-        RenderOptions look = new RenderOptions(Visibility.ALWAYS, Visibility.ALWAYS, 0.3, 0.1,
-                0x00ff00, 0, 0, 0, style);
-        return new FrameRenderer(new FrameSetup(camera, look, Scenery.NONE, "", ""), W, H, Optional.empty());
+        RenderOptions look = plain(0x00ff00, 0.3, style);
+        return new FrameRenderer(new FrameSetup(FRONT, look, Scenery.NONE, "", ""), W, H, Optional.empty());
     }
 
     /** Thrown up from y = -4 m with 8 m/s under 8 m/s^2: y = -4 + 8 t - 4 t^2, which Hermite's cubic gives exactly. */
@@ -237,8 +235,7 @@ class FrameObserverTest {
     }
 
     private static LastSteps lastSteps(Simulation simulation) {
-        Camera camera = new Camera(new Vector3(0, 0, 9), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
-        LastSteps last = new LastSteps(camera, W, H);
+        LastSteps last = new LastSteps(FRONT, W, H);
         simulation.addObserver(last);
         return last;
     }

@@ -4,6 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.output.SmallPictures.FRONT;
+import static particles.output.SmallPictures.H;
+import static particles.output.SmallPictures.W;
+import static particles.output.SmallPictures.state;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -21,22 +25,9 @@ import particles.view.Surface;
 
 /** Pictures against computed values: positions, visibility and shadows. */
 class FrameRendererTest {
-    private static final int W = 320;
-    private static final int H = 200;
-    /** 20 pixels a metre, the origin in the middle. */
-    private static final Camera FRONT = new Camera(new Vector3(0, 0, 50), Vector3.ZERO, new Vector3(0, 1, 0), false, 0,
-            10);
     private static final RenderOptions LOOK = new RenderOptions(Visibility.ALWAYS, Visibility.ALWAYS,
             0.5, 0.1, 0x00ff00, 0x000000,
             0xff0000, 0x0000ff, ParticleStyle.STANDARD);
-
-    private static FrameState state(double... positions) {
-        FrameState state = new FrameState();
-        state.positions = positions;
-        state.particles = positions.length / 3;
-        state.fixed = new boolean[state.particles];
-        return state;
-    }
 
     private static FrameRenderer renderer(Camera camera, RenderOptions look,
             List<Surface> surfaces, List<Plane> planes) {

@@ -2,6 +2,8 @@ package particles.output.frames;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.output.SmallPictures.FRONT;
+import static particles.output.SmallPictures.plain;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
@@ -9,12 +11,9 @@ import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import particles.law.Vector3;
 import particles.output.painters.FrameState;
-import particles.view.Camera;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
-import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
 
 /** The words of a picture can be read, whatever is behind them. */
@@ -36,10 +35,8 @@ class FrameTextTest {
     /** Just left of the first letter nothing is drawn but the ground. */
     @Test
     void wordsOfABlowUpHaveAGroundOfTheirOwn() {
-        Camera camera = new Camera(new Vector3(0, 0, 5), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
-        RenderOptions look = new RenderOptions(Visibility.ALWAYS, Visibility.ALWAYS, 1, 0.1,
-                0x0000ff, 0, 0, 0, ParticleStyle.STANDARD);
-        FrameText text = new FrameText(new FrameSetup(camera, look, Scenery.NONE, "A title", "rk4"), H, 2);
+        RenderOptions look = plain(0x0000ff, 1, ParticleStyle.STANDARD);
+        FrameText text = new FrameText(new FrameSetup(FRONT, look, Scenery.NONE, "A title", "rk4"), H, 2);
         FrameState state = new FrameState();
         List<Rectangle2D> usual = text.boxes(W, H, state, true);
         BufferedImage without = onRed(text, state);
@@ -57,8 +54,7 @@ class FrameTextTest {
     /** Frames of an atom come 1e17 times a second: the time has three digits. */
     @Test
     void theTimeOfAnAtomHasAnExponent() {
-        Camera camera = new Camera(new Vector3(0, 0, 5), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
-        FrameSetup setup = new FrameSetup(camera, RenderOptions.STANDARD, Scenery.NONE, "A title", "rk4");
+        FrameSetup setup = new FrameSetup(FRONT, RenderOptions.STANDARD, Scenery.NONE, "A title", "rk4");
         FrameState state = new FrameState();
         state.time = 1.234e-16;
         assertEquals("1.23e-16", new FrameText(setup, H, 17).seconds(state));

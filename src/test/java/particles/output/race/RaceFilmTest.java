@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.output.SmallPictures.FRONT;
+import static particles.output.SmallPictures.plain;
 
 import deSolvers.RK4Solver;
 import java.awt.image.BufferedImage;
@@ -30,13 +32,10 @@ import particles.output.charts.SolverStyle;
 import particles.output.charts.StripChart;
 import particles.output.files.OutputFolder;
 import particles.output.frames.FrameSetup;
-import particles.view.Camera;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 import particles.view.ParticleStyle;
-import particles.view.RenderOptions;
-import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
 
 class RaceFilmTest {
@@ -44,10 +43,7 @@ class RaceFilmTest {
     private static final int BALL = 0x404040;
 
     private static FrameSetup stage() {
-        Camera camera = new Camera(new Vector3(0, 0, 9), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
-        return new FrameSetup(camera, new RenderOptions(Visibility.ALWAYS, Visibility.ALWAYS, 0.3,
-                0.1, 0xff0000, 0, 0, 0,
-                ParticleStyle.STANDARD), Scenery.NONE, "", "");
+        return new FrameSetup(FRONT, plain(0xff0000, 0.3, ParticleStyle.STANDARD), Scenery.NONE, "", "");
     }
 
     private static Simulation falling(double deltaT, Observer observer) {
@@ -63,8 +59,8 @@ class RaceFilmTest {
     void ghostIsSeenWhereThePictureIsFree() {
         int[] rgb = {EMPTY, 0xff0000, EMPTY, EMPTY};
         GhostLayer.add(rgb, new int[] {BALL, BALL, EMPTY, 0x000000}, new int[] {EMPTY, EMPTY, EMPTY, EMPTY});
-        assertEquals(0xe0 + 150 * (0x40 - 0xe0) / 256, rgb[0] >> 16, "150/256 of the way from the empty picture to the"
-                + " ghost");
+        assertEquals(0xe0 + 150 * (0x40 - 0xe0) / 256, rgb[0] >> 16,
+                "150/256 of the way from the empty picture to the ghost");
         assertEquals(0xff0000, rgb[1], "what stands in front hides it");
         assertEquals(EMPTY, rgb[2]);
         assertTrue((rgb[3] & 255) < (rgb[0] & 255), "a darker ghost is darker");
@@ -132,10 +128,10 @@ class RaceFilmTest {
             } catch (SimulationException e) {
                 assertEquals(0.75, e.getTime());
             }
-            film.write(new ChartWriter(folder, ChartFormat.PAGE), folder, "race.png",
-                    new RaceFilm.Head("A fall", "rk4 wins", "grey"), List.of(
+            film.write(new ChartWriter(folder, ChartFormat.PAGE), "race.png",
+                    new RaceFilm.Head("A fall", "rk4 wins", "grey", List.of(
                     new RaceFilm.Words("rk4", "deltaT = 0.25 s", "16 evaluations", OptionalDouble.empty()),
-                    new RaceFilm.Words("euler", "deltaT = 0.25 s", "16 evaluations", OptionalDouble.of(0.75))), strip,
+                    new RaceFilm.Words("euler", "deltaT = 0.25 s", "16 evaluations", OptionalDouble.of(0.75)))), strip,
                     part -> heard[0]++);
             parts = heard[0];
         }

@@ -53,8 +53,7 @@ class ResultPageWriterTest {
         List<List<Object>> rows = Collections.nCopies(101, List.of("many"));
         try (OutputFolder folder = OutputFolder.open(path)) {
             ResultPageWriter.write(folder, new ResultPage("long", "Long", List.of(), List.of(),
-                    List.of(new DataTable("all", "All", List.of(DataTable.column("a")), rows))),
-                    ChartFormat.PAGE);
+                    List.of(new DataTable("all", "All", List.of(DataTable.column("a")), rows))), ChartFormat.PAGE);
         }
         String text = Files.readString(path.resolve("long.md"));
         assertTrue(text.contains("All 101 rows: [all.csv](all.csv).") && !text.contains("| many |"), text);

@@ -42,8 +42,9 @@ class FontCheckTest {
             try (OutputFolder folder = OutputFolder.open(Path.of(args[0]))) {
                 ParticleSystem system = new ParticleSystem();
                 system.addParticle("ball", 1, Vector3.ZERO, Vector3.ZERO, false);
-                FrameRenderer renderer = new FrameRenderer(new FrameSetup(CameraFraming.around(system, List.of(), 1.5),
-                        RenderOptions.STANDARD, Scenery.NONE, "title", "caption"), 90, 60, 2);
+                FrameRenderer renderer = new FrameRenderer(new FrameSetup(
+                        CameraFraming.around(Vector3.ZERO, Vector3.ZERO, 1.5), RenderOptions.STANDARD,
+                        Scenery.NONE, "title", "caption"), 90, 60, 2);
                 Simulation simulation = new Simulation(system, new RK4Solver(), 0.1, 0, Double.POSITIVE_INFINITY);
                 try (FrameObserver frames = new FrameObserver(renderer, 25, List.of(new PngFrames(folder, 90, 60)))) {
                     simulation.addObserver(frames);

@@ -19,8 +19,8 @@ class MemoryEstimateTest {
     private static final double MEGABYTE = 1 << 20;
 
     private static SceneDescription cloth(int side, String solver) {
-        return read("solver: " + solver + "\nshapes:\n  - cloth: {corner: [-1, 1, 0], across: [2, 0, 0], down:"
-                + " [0, -1, 0], columns: "
+        return read("solver: " + solver
+                + "\nshapes:\n  - cloth: {corner: [-1, 1, 0], across: [2, 0, 0], down: [0, -1, 0], columns: "
                 + side + ", rows: " + side + ", totalMass: 1, structural: {stiffness: 10}, shear: {stiffness: 10}}\n");
     }
 
@@ -50,10 +50,9 @@ class MemoryEstimateTest {
     void aSceneThatDoesNotFitIsRefusedWithNumbers() {
         Problems problems = new Problems();
         MemoryEstimate.check(cloth(300, "rk4"), 100 * MEGABYTE, problems);
-        assertEquals(List.of("x.yaml:7:3: the scene needs about 152 MiB of memory for 90000 particles and"
-                + " 358202 springs"
-                + " with rk4, and Java may use 100 MiB; use fewer particles, or give Java more memory:"
-                + " JAVA_TOOL_OPTIONS=-Xmx1g"),
+        assertEquals(List.of("""
+                x.yaml:7:3: the scene needs about 152 MiB of memory for 90000 particles and 358202 springs with rk4, \
+                and Java may use 100 MiB; use fewer particles, or give Java more memory: JAVA_TOOL_OPTIONS=-Xmx1g"""),
                 problems.lines());
         MemoryEstimate.check(cloth(300, "rk4"), 153 * MEGABYTE, problems);
         assertEquals(1, problems.count());
@@ -95,7 +94,6 @@ class MemoryEstimateTest {
                 + "  - emitter: {id: drop, position: [0, 0, 0], speed: 1, rate: 100%s}\n";
         assertEquals(52, MemoryEstimate.of(read(emitter.formatted(", lifetime: 0.5"))).particles());
         assertEquals(1001, MemoryEstimate.of(read(emitter.formatted(""))).particles());
-        assertEquals(2, MemoryEstimate.of(read(emitter.formatted("") + "  - kill: {point: [0, -1,"
-                + " 0]}\n")).particles());
+        assertEquals(2, MemoryEstimate.of(read(emitter.formatted("") + "  - kill: {point: [0, -1, 0]}\n")).particles());
     }
 }
