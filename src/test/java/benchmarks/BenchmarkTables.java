@@ -5,12 +5,15 @@ import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import java.util.function.Predicate;
 import particles.view.DataTable;
 
 /** Tables of measured times. */
 public final class BenchmarkTables {
     private static final double MICRO = 1e3;
     private static final String COMPARISON = "comparison";
+    private static final String STEPS = "steps";
 
     private BenchmarkTables() {
     }
@@ -64,6 +67,23 @@ public final class BenchmarkTables {
                                 3)), rows);
     }
 
+    /** @param medians the time of each run and of the same one by hand (ns) */
+    static DataTable steps(Map<Run, Double> medians) {
+        List<List<Object>> rows = new ArrayList<>();
+        medians.forEach((run, time) -> {
+            if (medians.containsKey(ByHand.like(run))) {
+                double byHand = medians.get(ByHand.like(run));
+                rows.add(List.of(run.workload(), run.method(), time / run.steps() / MICRO,
+                        byHand / run.steps() / MICRO, time / byHand));
+            }
+        });
+        return new DataTable(STEPS, "A step of ours beside plain loops written by hand for the workload",
+                List.of(DataTable.column("workload"), DataTable.column("solver"),
+                        new DataTable.Column("ours (\u00b5s)", 3), new DataTable.Column("by hand (\u00b5s)", 3),
+                        new DataTable.Column("ours over by hand", 3)),
+                rows);
+    }
+
     private static String twoDigits(double ratio) {
         return String.format(Locale.ROOT, ratio < 9.95 ? "%.1f" : "%.0f", ratio);
     }
@@ -75,16 +95,20 @@ public final class BenchmarkTables {
     public static String finding(List<DataTable> tables) {
         List<String> parts = new ArrayList<>();
         for (String equal : List.of("evaluations", "error")) {
-            DoubleSummaryStatistics ratios = tables.stream().filter(table -> table.name().equals(COMPARISON))
-                    .flatMap(table -> table.rows().stream()).filter(row -> row.get(0).equals(equal))
-                    .mapToDouble(row -> (Double) row.get(row.size() - 1)).summaryStatistics();
-            if (ratios.getCount() > 0) {
-                parts.add(twoDigits(ratios.getMin()) + " to " + twoDigits(ratios.getMax())
-                        + " times as long as ours at equal "
-                        + equal);
-            }
+            range(tables, COMPARISON, row -> row.get(0).equals(equal)).ifPresent(range -> parts.add("Hipparchus takes "
+                    + range + " times as long as ours at equal " + equal));
         }
-        return parts.isEmpty() ? "What solvers, effects, scenes and frames take"
-                : "Hipparchus takes " + String.join(", and ", parts);
+        range(tables, STEPS, row -> true).ifPresent(range -> parts.add("a step of ours takes " + range
+                + " times as long as loops by hand"));
+        return parts.isEmpty() ? "What solvers, effects, scenes and frames take" : String.join(", and ", parts);
+    }
+
+    /** The range of a table's last column. */
+    private static Optional<String> range(List<DataTable> tables, String name, Predicate<List<Object>> rows) {
+        DoubleSummaryStatistics ratios = tables.stream().filter(table -> table.name().equals(name))
+                .flatMap(table -> table.rows().stream()).filter(rows)
+                .mapToDouble(row -> (Double) row.get(row.size() - 1)).summaryStatistics();
+        return ratios.getCount() == 0 ? Optional.empty()
+                : Optional.of(twoDigits(ratios.getMin()) + " to " + twoDigits(ratios.getMax()));
     }
 }

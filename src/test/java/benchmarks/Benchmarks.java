@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.experiments.runs.ProgressListener;
 import particles.law.DivisibleEffect;
@@ -23,6 +24,7 @@ public final class Benchmarks {
 
     private final Predicate<String> included;
     private final Stopwatch stopwatch;
+    private final Stopwatch inOneProcess;
     private final ProgressListener progress;
     private int begun;
 
@@ -32,12 +34,13 @@ public final class Benchmarks {
      * @param progress receives the progress
      */
     public Benchmarks(Predicate<String> included, Measurement times, ProgressListener progress) {
-        this(included, (Stopwatch) times, progress);
+        this(included, times, new Measurement(0, times.iterations(), times.seconds()), progress);
     }
 
-    Benchmarks(Predicate<String> included, Stopwatch stopwatch, ProgressListener progress) {
+    Benchmarks(Predicate<String> included, Stopwatch stopwatch, Stopwatch inOneProcess, ProgressListener progress) {
         this.included = included;
         this.stopwatch = stopwatch;
+        this.inOneProcess = inOneProcess;
         this.progress = progress;
     }
 
@@ -45,7 +48,8 @@ public final class Benchmarks {
     public static List<String> names() {
         List<String> names = new ArrayList<>();
         Comparison.plans().forEach(plan -> names.add(plan.toString()));
-        runs().forEach(run -> names.add(name(run)));
+        runs().forEach(run -> names.add(name("solver", run)));
+        steps().forEach(run -> names.add(name("steps", run)));
         EffectCases.names().forEach(effect -> names.add("effect " + effect));
         SCENES.forEach(scene -> names.add("scene " + scene));
         FRAMES.forEach(scene -> names.add("frame " + scene));
@@ -62,8 +66,19 @@ public final class Benchmarks {
         return runs;
     }
 
-    private static String name(Run run) {
-        return "solver " + run.workload() + " " + run.method();
+    /** Solvers that are measured against loops written by hand. */
+    private static List<Run> steps() {
+        List<Run> runs = new ArrayList<>();
+        for (String workload : List.of("oscillator", "chain", "cloth-64", "cloth-256")) {
+            for (String solver : ByHand.METHODS) {
+                runs.add(Run.steps(workload, solver, STEPS * Workload.DELTA_T, STEPS));
+            }
+        }
+        return runs;
+    }
+
+    private static String name(String kind, Run run) {
+        return kind + " " + run.workload() + " " + run.method();
     }
 
     /** @return a table for each kind of benchmark, the comparison first */
@@ -78,29 +93,34 @@ public final class Benchmarks {
         }
         List<Run> both = comparisons.stream().flatMap(pair -> List.of(pair.ours(), pair.theirs()).stream()).distinct()
                 .toList();
-        List<Run> runs = runs().stream().filter(run -> included.test(name(run))).toList();
+        List<Run> runs = runs().stream().filter(run -> included.test(name("solver", run))).toList();
+        List<Run> steps = steps().stream().filter(run -> included.test(name("steps", run)))
+                .flatMap(run -> Stream.of(run, ByHand.like(run))).toList();
         List<String> effects = chosen("effect ", EffectCases.names());
         List<String> scenes = chosen("scene ", SCENES);
         List<String> frames = chosen("frame ", FRAMES);
-        int all = both.size() + runs.size() + effects.size() + scenes.size() + frames.size();
+        int all = both.size() + runs.size() + steps.size() + effects.size() + scenes.size() + frames.size();
         if (!comparisons.isEmpty()) {
-            tables.add(BenchmarkTables.comparison(plans, comparisons, medians(SolveBenchmark.class, both, all)));
+            tables.add(BenchmarkTables.comparison(plans, comparisons,
+                    medians(stopwatch, SolveBenchmark.class, both, all)));
         }
         if (!runs.isEmpty()) {
-            tables.add(BenchmarkTables.solvers(runs, medians(SolveBenchmark.class, runs, all)));
+            tables.add(BenchmarkTables.solvers(runs, medians(stopwatch, SolveBenchmark.class, runs, all)));
+        }
+        if (!steps.isEmpty()) {
+            tables.add(BenchmarkTables.steps(medians(inOneProcess, SolveBenchmark.class, steps, all)));
         }
         if (!effects.isEmpty()) {
-            tables.add(effectTable(medians(EffectBenchmark.class, effects, all)));
+            tables.add(effectTable(medians(stopwatch, EffectBenchmark.class, effects, all)));
         }
         if (!scenes.isEmpty()) {
             tables.add(timeTable("scenes", "Reading, checking and building a scene", "scene", MILLI,
-                    medians(SceneBenchmark.class, scenes, all)));
+                    medians(stopwatch, SceneBenchmark.class, scenes, all)));
         }
         if (!frames.isEmpty()) {
             tables.add(timeTable("frames",
-                    "Drawing a frame of 1280 x 720 pixels and compressing it to PNG, on one thread",
-                    "scene",
-                    MILLI, medians(FrameBenchmark.class, frames, all)));
+                    "Drawing a frame of 1280 x 720 pixels and compressing it to PNG, on one thread", "scene", MILLI,
+                    medians(stopwatch, FrameBenchmark.class, frames, all)));
         }
         return tables;
     }
@@ -109,16 +129,13 @@ public final class Benchmarks {
         return names.stream().filter(name -> included.test(kind + name)).toList();
     }
 
-    private <T> Map<T, Double> medians(Class<?> benchmark, List<T> what, int all) {
-        Map<String, Double> byText = stopwatch.medians(benchmark, what.stream().map(Object::toString).toList(),
-                text -> progress.reached((double) begun++ / all, label(text)));
+    private <T> Map<T, Double> medians(Stopwatch stopwatch, Class<?> benchmark, List<T> what, int all) {
         Map<T, Double> medians = new LinkedHashMap<>();
-        what.forEach(one -> medians.put(one, byText.get(one.toString())));
+        for (T one : what) {
+            progress.reached((double) begun++ / all, one instanceof Run run ? run.label() : one.toString());
+            medians.put(one, stopwatch.median(benchmark, one.toString()));
+        }
         return medians;
-    }
-
-    private static String label(String text) {
-        return text.contains(" ") ? Run.parse(text).label() : text;
     }
 
     private static DataTable effectTable(Map<String, Double> medians) {

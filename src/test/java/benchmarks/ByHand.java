@@ -89,24 +89,22 @@ final class ByHand implements Method {
     }
 
     private void rk4() {
+        System.arraycopy(s, 0, next, 0, s.length);
         derivative(s);
-        for (int i = 0; i < s.length; i++) {
-            next[i] = s[i] + h / 6 * k[i];
-            trial[i] = s[i] + h / 2 * k[i];
-        }
+        stage(h / 6, h / 2);
         derivative(trial);
-        for (int i = 0; i < s.length; i++) {
-            next[i] += h / 3 * k[i];
-            trial[i] = s[i] + h / 2 * k[i];
-        }
+        stage(h / 3, h / 2);
         derivative(trial);
-        for (int i = 0; i < s.length; i++) {
-            next[i] += h / 3 * k[i];
-            trial[i] = s[i] + h * k[i];
-        }
+        stage(h / 3, h);
         derivative(trial);
+        stage(h / 6, 0);
+        System.arraycopy(next, 0, s, 0, s.length);
+    }
+
+    private void stage(double part, double ahead) {
         for (int i = 0; i < s.length; i++) {
-            s[i] = next[i] + h / 6 * k[i];
+            next[i] += part * k[i];
+            trial[i] = s[i] + ahead * k[i];
         }
     }
 
@@ -116,13 +114,15 @@ final class ByHand implements Method {
             trial[i] = s[i] + h / 2 * k[i];
         }
         derivative(trial);
-        for (int i = 0; i < s.length; i++) {
-            s[i] += h * k[i];
-        }
+        step();
     }
 
     private void euler() {
         derivative(s);
+        step();
+    }
+
+    private void step() {
         for (int i = 0; i < s.length; i++) {
             s[i] += h * k[i];
         }

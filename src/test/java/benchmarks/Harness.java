@@ -28,8 +28,7 @@ final class Harness {
      * @throws IllegalStateException if a class is not a valid benchmark
      */
     static void write(Path folder) throws IOException {
-        Path sources = Files.createTempDirectory("benchmarks");
-        Files.createDirectories(folder);
+        Path sources = Files.createDirectories(folder.resolve("sources"));
         RFGeneratorSource benchmarks = new RFGeneratorSource();
         benchmarks.processClasses(BENCHMARKS.toArray(Class<?>[]::new));
         FileSystemDestination written = new FileSystemDestination(folder.toFile(), sources.toFile());
@@ -46,15 +45,6 @@ final class Harness {
         }
         if (ToolProvider.getSystemJavaCompiler().run(null, null, null, arguments.toArray(String[]::new)) != 0) {
             throw new IllegalStateException("what JMH wrote does not compile; the lines above say why");
-        }
-        delete(sources);
-    }
-
-    private static void delete(Path folder) throws IOException {
-        try (Stream<Path> files = Files.walk(folder)) {
-            for (Path file : files.sorted((a, b) -> b.compareTo(a)).toList()) {
-                Files.delete(file);
-            }
         }
     }
 

@@ -1,11 +1,6 @@
 package benchmarks;
 
-import java.util.LinkedHashMap;
-import java.util.List;
-import java.util.Map;
 import java.util.concurrent.TimeUnit;
-import java.util.function.Consumer;
-import org.openjdk.jmh.results.RunResult;
 import org.openjdk.jmh.runner.Runner;
 import org.openjdk.jmh.runner.RunnerException;
 import org.openjdk.jmh.runner.options.Options;
@@ -15,7 +10,7 @@ import org.openjdk.jmh.runner.options.TimeValue;
 /**
  * JMH's settings: forks, iterations and their length.
  *
- * @param forks      the number of processes, run one after another
+ * @param forks      the number of processes, run one after another; 0 for this one
  * @param iterations measured iterations in each, after as many for warm-up
  * @param seconds    the length of an iteration (s)
  */
@@ -27,23 +22,18 @@ public record Measurement(int forks, int iterations, double seconds) implements 
     private static final String[] JVM = {"-XX:+UseSerialGC", "-Xbatch"};
 
     @Override
-    public Map<String, Double> medians(Class<?> benchmark, List<String> what, Consumer<String> begun) {
+    public double median(Class<?> benchmark, String what) {
         TimeValue time = TimeValue.nanoseconds((long) (seconds * TimeUnit.SECONDS.toNanos(1)));
         System.setProperty("jmh.ignoreLock", "true");           // another user's lock would block for ever
+        String log = "build/jmh/log.txt";
         Options options = new OptionsBuilder().include("^" + benchmark.getName().replace(".", "\\.") + "\\.")
-                .param("what", what.toArray(String[]::new)).forks(forks).shouldFailOnError(true).jvmArgsAppend(JVM)
+                .param("what", what).forks(forks).shouldFailOnError(true).jvmArgsAppend(JVM).output(log)
                 .warmupIterations(iterations).warmupTime(time).measurementIterations(iterations).measurementTime(time)
                 .build();
-        Map<String, Double> medians = new LinkedHashMap<>();
-        Heard heard = new Heard(begun);
         try {
-            for (RunResult result : new Runner(options, heard).run()) {
-                medians.put(result.getParams().getParam("what"),
-                        result.getPrimaryResult().getStatistics().getPercentile(50));
-            }
+            return new Runner(options).runSingle().getPrimaryResult().getStatistics().getPercentile(50);
         } catch (RunnerException e) {
-            throw new IllegalStateException("JMH failed: " + e.getMessage() + "\n" + heard.lines(), e);
+            throw new IllegalStateException("JMH failed at '" + what + "': " + e.getMessage() + "; see " + log, e);
         }
-        return medians;
     }
 }

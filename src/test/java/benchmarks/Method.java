@@ -44,6 +44,9 @@ interface Method {
 
     /** Makes the method of a run; its solver is reused for repeated runs. */
     static Method of(Run run) {
+        if (ByHand.isMeant(run)) {
+            return ByHand.of(run);
+        }
         if (HIPPARCHUS_FIXED.containsKey(run.method())) {
             return hipparchus(HIPPARCHUS_FIXED.get(run.method()).create(run.duration() / run.steps()), run.duration());
         }

@@ -18,11 +18,13 @@ import particles.law.Vector3;
 
 /**
  * A problem for benchmarks, solved repeatedly from the same start: the lecture's oscillator behind the simple
- * interface, a chain of 100 particles, or a cloth of 12 x 12. The same object is our solvers' source and Hipparchus'
- * equation.
+ * interface, a chain of 100 particles, or a cloth of 12 x 12, 64 x 64 or 256 x 256. The same object is our solvers'
+ * source and Hipparchus' equation.
  */
 final class Workload implements OrdinaryDifferentialEquation {
     static final List<String> NAMES = List.of("oscillator", "chain", "cloth");
+    /** A step at which every solver stays stable on chains and cloths (s). */
+    static final double DELTA_T = 1.0 / 4096;
     private static final double STRICT = 1e-13;
     private static final double SHORTEST = 1e-12;
 
@@ -52,10 +54,13 @@ final class Workload implements OrdinaryDifferentialEquation {
                 return new Workload(name, oscillator, oscillator::evaluations, 20, 1.0 / 16);
             case "chain":
                 ParticleSystem chain = chain();
-                return new Workload(name, chain, chain::getEvaluations, 0.5, 1.0 / 4096);
+                return new Workload(name, chain, chain::getEvaluations, 0.5, DELTA_T);
             case "cloth":
-                ParticleSystem cloth = Cloth.hanging(12, 50, 0);
-                return new Workload(name, cloth, cloth::getEvaluations, 0.125, 1.0 / 4096);
+            case "cloth-64":
+            case "cloth-256":
+                int n = name.equals("cloth") ? 12 : Integer.parseInt(name.substring(6));
+                ParticleSystem cloth = Cloth.hanging(n, 50, 0);
+                return new Workload(name, cloth, cloth::getEvaluations, 0.125, DELTA_T);
             default:
                 throw new NoSuchElementException("no workload is called '" + name + "'");
         }

@@ -25,6 +25,9 @@
  * With other work beside it, single rows differed by up to a factor of two. Adams-Moulton of Hipparchus chooses its
  * steps, ours does not.
  *
+ * <p>{@code -Pinclude=steps} compares steps of the slides' solvers with loops written by hand for the workload
+ * ({@code ByHand}), in one process and half a minute: what the interface, the checks and the slides' form cost.
+ *
  * <h2>Stiff cloth: {@code gradle stiffCloth}</h2>
  * Measures the CPU time of a frame of 1/60 s of ever stiffer cloth of 64 x 64 particles: RK4, with up to 5,000 steps,
  * against one step of backward Euler with one linear solve. That step takes as long as some 100 steps of {@code rk4}: a

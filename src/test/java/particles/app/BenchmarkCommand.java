@@ -71,11 +71,10 @@ final class BenchmarkCommand extends ExperimentCommand {
                 progress).measure();
         return new ResultPage(NAME, BenchmarkTables.finding(tables),
                 List.of("Medians of " + forks + " x " + iterations + " iterations of " + seconds + " s by JMH, Java "
-                        + Runtime.version().feature()
-                        + """
-                        , one thread. At equal evaluations both make the same steps of the same method; at equal \
-                        error each has the coarsest setting that ends within 1e-6 of a reference solution, over the \
-                        largest entry of the state."""), List.of(), tables);
+                        + Runtime.version().feature() + """
+                        , one thread; steps and their loops by hand in one process. At equal evaluations both make the \
+                        same steps of the same method; at equal error each has the coarsest setting that ends within \
+                        1e-6 of a reference solution, over the largest entry of the state."""), List.of(), tables);
     }
 
     /** @param args options, as for any command of the program */
