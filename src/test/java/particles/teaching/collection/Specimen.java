@@ -30,8 +30,4 @@ record Specimen(String name, String about, String cause, Supplier<DESolver> make
     static Specimen wrong(String name, String about, String cause, Step step) {
         return wrong(name, about, cause, () -> PlantedSolvers.solver(step));
     }
-
-    static Specimen wrong(String name, String about, String cause, DESolver solver) {
-        return wrong(name, about, cause, () -> solver);
-    }
 }

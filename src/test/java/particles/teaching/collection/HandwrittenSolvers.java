@@ -1,0 +1,525 @@
+package particles.teaching.collection;
+
+import static particles.teaching.collection.Methods.drift;
+import static particles.teaching.collection.Methods.kick;
+import static particles.teaching.collection.Methods.plus;
+import static particles.teaching.collection.Specimen.right;
+import static particles.teaching.collection.Specimen.wrong;
+import static particles.teaching.solvers.PlantedSolvers.slope;
+import static particles.teaching.solvers.PlantedSolvers.slopeAt;
+import static particles.teaching.solvers.PlantedSolvers.state;
+
+import deSolvers.DESolver;
+import deSolvers.DEStateSource;
+import deSolvers.FixedStepSolver;
+import deSolvers.SecondOrderStateSource;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import java.util.function.DoubleBinaryOperator;
+import particles.teaching.solvers.PlantedSolvers;
+import particles.teaching.solvers.PlantedSolvers.Step;
+
+/** Right and wrong solvers that no table makes: their arrays, loops, fields and habits. */
+final class HandwrittenSolvers {
+    private static final double W = 1 / (2 - Math.cbrt(2));
+
+    private HandwrittenSolvers() {
+    }
+
+    static List<Specimen> allRight() {
+        return List.of(
+                right("Solver1", "Euler in plain loops", HandwrittenSolvers::euler),
+                right("ShuOsher", "means of states, the clock set back", HandwrittenSolvers::shuOsher),
+                right("HeunSolver", "on FixedStepSolver", HeunOnFixedStep::new),
+                right("Kutta", "RK4 with work arrays", WorkArrays::new),
+                right("StepDoubling", "midpoint against two half steps", HandwrittenSolvers::stepDoubling),
+                right("TaylorTwo", "second derivative by a difference", HandwrittenSolvers::taylor),
+                right("RosenbrockEuler", "one Newton step", (source, h) -> rosenbrock(source, h, 1)),
+                right("Rosenbrock", "ROS2", (source, h) -> ros2(source, h, 1)),
+                right("FsalSolver", "Bogacki-Shampine that keeps a derivative", () -> new Fsal("")),
+                right("Leapfrog", "refuses other sources", (source, h) -> {
+                    if (!(source instanceof SecondOrderStateSource)) {
+                        throw new UnsupportedOperationException("positions and velocities are needed");
+                    }
+                    closingKick(source, h);
+                }),
+                right("SemiImplicitEuler", "a cast that may fail", (source, h) -> {
+                    ((SecondOrderStateSource) source).getDimension();
+                    Methods.turns(new double[] {1, 0}, new double[] {1}).make(source, h);
+                }),
+                right("VelocityVerlet", "force at the predicted velocity", HandwrittenSolvers::predicted),
+                right("Yoshida", "three leapfrogs, iterated", (source, h) -> {
+                    for (double w : new double[] {W, 1 - 2 * W, W}) {
+                        closingKick(source, w * h);
+                    }
+                }),
+                right("R48ImplicitEulerFixedPoint", "refuses long steps", HandwrittenSolvers::fixedPoint));
+    }
+
+    static List<Specimen> allWrong() {
+        Random random = new Random(4);
+        double[][] arrays = {new double[64], new double[64]};
+        double[][] many = {new double[600], new double[600]};
+        return List.of(
+                wrong("RK4Solver", "one array for all slopes", "one array", HandwrittenSolvers::oneSlopeArray),
+                wrong("RK4Solver", "trial = s without clone", "one array|clone|copy",
+                        HandwrittenSolvers::aliasedTrial),
+                increment("deltaT ignored", "deltaT is ignored", (f, h) -> f),
+                increment("deltaT hard-coded", "hard-coded", (f, h) -> 0.01 * f),
+                increment("deltaT squared", "multiplied by deltaT twice", (f, h) -> h * h * f),
+                increment("divided by deltaT", "divided by deltaT", (f, h) -> f / h),
+                increment("|deltaT|", "sign of deltaT", (f, h) -> Math.abs(h) * f),
+                increment("no increment", "no derivative is in it", (f, h) -> 0 * f),
+                increment("derivative cut off", "cut off", (f, h) -> h * Math.max(-5, Math.min(5, f))),
+                increment("random", "random|static", (f, h) -> h * f * (1 + 0.01 * random.nextDouble())),
+                increment("NaN", "NaN", (f, h) -> Math.sqrt(-1 - f * f)),
+                wrong("ClassicRK", "deltaT twice", "multiplied by deltaT twice", (source, h) -> {
+                    double[] s = state(source);
+                    double[] k1 = slope(source);
+                    source.incTime(h / 2);
+                    double[] k2 = slopeAt(source, plus(s, h * h / 2, k1));
+                    source.setState(plus(s, h, k2));
+                    source.incTime(h / 2);
+                }),
+                wrong("W107HeunSolver", "brackets missing", "brackets missing", (source, h) -> {
+                    double[] s = state(source);
+                    double[] k1 = slope(source);
+                    source.incTime(h);
+                    source.setState(plus(plus(s, h, k1), 0.5, slopeAt(source, plus(s, h, k1))));
+                }),
+                wrong("EulerSolver", "positions only", "entr|loop|stay", (source, h) -> {
+                    double[] s = state(source);
+                    drift(source, s, h);
+                    slope(source);
+                }),
+                wrong("W141LeapfrogKDK", "last coordinate gets no kick", ": 2, 5, 8.*loop", (source, h) -> {
+                    double[] s = state(source);
+                    kickTwo(source, s, h / 2);
+                    drift(source, s, h);
+                    kickTwo(source, s, h / 2);
+                }),
+                wrong("LeapfrogSolver", "all positions, then all velocities", "\\(x1, v1, x2, v2",
+                        HandwrittenSolvers::halves),
+                wrong("SimpleEuler", "setState in the loop", "setState belongs behind the loop", (source, h) -> {
+                    double[] s = state(source);
+                    for (int i = 0; i < s.length; i++) {
+                        s[i] += h * slope(source)[i];
+                        source.setState(s);
+                    }
+                    source.incTime(h);
+                }),
+                wrong("EulerSolver", "array of fixed size", "array of 12", (source, h) -> {
+                    double[] s = new double[12];
+                    source.getState(s);
+                    double[] f = new double[12];
+                    source.getStateDerivative(f);
+                    source.setState(plus(s, h, f));
+                    source.incTime(h);
+                }),
+                wrong("EulerSolver", "static arrays of 64", "200 particles", (source, h) -> fixed(source, h, arrays)),
+                wrong("EulerSolver", "static arrays of 600", "200 particles", (source, h) -> fixed(source, h, many)),
+                wrong("EulerSolver", "size cached", "size is cached", PlantedSolvers.CachedSize::new),
+                wrong("EulerSolver", "state kept", "array is kept|getState", PlantedSolvers.KeptArray::new),
+                wrong("EulerSolver", "derivative asked once", "stale|first step only",
+                        PlantedSolvers.StaleDerivative::new),
+                wrong("AdamsBashforth2", "never begins again", "set from outside|earlier steps",
+                        PlantedSolvers.AdamsBashforth2::new),
+                wrong("AdamsBashforth2", "the old derivative is static", "static", Shared::new),
+                wrong("BogackiShampine", "derivative of the step before", "derivative|kept", () -> new Fsal("always")),
+                wrong("VerletSolver", "acceleration kept without a test", "kept|derivative", KeptAcceleration::new),
+                wrong("DeltaTOfFirst", "deltaT of the first call", "deltaT", FirstDeltaT::new),
+                wrong("W75EulerSolver", "first source kept", "first source is kept in a field", FirstSource::new),
+                wrong("EulerSolver", "exception", "exception", (source, h) -> state(source)[source.getStateSize()]++),
+                wrong("W98BackwardEuler", "sign of the Jacobian", "signs in the matrix", (source, h) -> rosenbrock(
+                        source, h, -1)),
+                wrong("Ros2", "sign of the Jacobian", "signs in the matrix", (source, h) -> ros2(source, h, -1)));
+    }
+
+    private static Specimen increment(String about, String cause, DoubleBinaryOperator increment) {
+        return wrong("EulerSolver", about, cause, () -> PlantedSolvers.euler(increment));
+    }
+
+    private static void euler(DEStateSource source, double deltaT) {
+        int n = source.getStateSize();
+        double[] state = new double[n];
+        double[] dSdt = new double[n];
+        source.getState(state);
+        source.getStateDerivative(dSdt);
+        for (int i = 0; i < n; i++) {
+            state[i] += deltaT * dSdt[i];
+        }
+        source.setState(state);
+        source.incTime(deltaT);
+    }
+
+    private static double[] mean(double a, double[] x, double[] y) {
+        return plus(plus(x, a - 1, x), 1 - a, y);
+    }
+
+    private static void shuOsher(DEStateSource source, double h) {
+        double[] s = state(source);
+        double[] one = plus(s, h, slope(source));
+        source.incTime(h);
+        double[] middle = mean(0.75, s, plus(one, h, slopeAt(source, one)));
+        source.incTime(-h / 2);
+        source.setState(mean(1.0 / 3, s, plus(middle, h, slopeAt(source, middle))));
+        source.incTime(h / 2);
+    }
+
+    private static void stepDoubling(DEStateSource source, double deltaT) {
+        Step midpoint = Methods.rungeKutta(new double[][] {{}, {0.5}}, new double[] {0, 1}, new double[0],
+                (stage, old, next) -> next);
+        double end = source.getTime() + deltaT;
+        double h = deltaT;
+        while ((end - source.getTime()) * deltaT > 0) {
+            double t = source.getTime();
+            h = Math.abs(h) > Math.abs(end - t) ? end - t : h;
+            double[] s = state(source);
+            midpoint.make(source, h);
+            double[] once = state(source);
+            source.setState(s);
+            Methods.clock(source, t);
+            midpoint.make(source, h / 2);
+            midpoint.make(source, h / 2);
+            double error = Methods.norm(plus(state(source), -1, once));
+            if (Double.isNaN(error)) {
+                throw new IllegalStateException("the state is NaN");
+            }
+            if (error > 1e-7) {
+                source.setState(s);
+                Methods.clock(source, t);
+                h /= 2;
+            } else {
+                Methods.clock(source, h == end - t ? end : t + h);
+            }
+        }
+    }
+
+    private static void taylor(DEStateSource source, double h) {
+        double e = 1e-5;
+        double t = source.getTime();
+        double[] s = state(source);
+        double[] f = slope(source);
+        source.incTime(e);
+        double[] ahead = slopeAt(source, plus(s, e, f));
+        Methods.clock(source, t - e);
+        double[] second = plus(ahead, -1, slopeAt(source, plus(s, -e, f)));
+        source.setState(plus(plus(s, h, f), h * h / 2 / (2 * e), second));
+        Methods.clock(source, t + h);
+    }
+
+    private static double[][] matrix(DEStateSource source, double[] s, double[] f, double factor) {
+        double[][] m = Methods.jacobian(at -> slopeAt(source, at), s, f);
+        for (int i = 0; i < s.length; i++) {
+            for (int j = 0; j < s.length; j++) {
+                m[i][j] = (i == j ? 1 : 0) - factor * m[i][j];
+            }
+        }
+        return m;
+    }
+
+    private static void rosenbrock(DEStateSource source, double h, double sign) {
+        double[] s = state(source);
+        double[] f = slope(source);
+        source.setState(plus(s, h, Methods.solve(matrix(source, s, f, sign * h), f)));
+        source.incTime(h);
+    }
+
+    /** Verwer's ROS2: (I - g h J) k1 = f + g h f_t, (I - g h J) k2 = f(end) - 2 k1 - g h f_t. */
+    private static void ros2(DEStateSource source, double h, double sign) {
+        double g = 1 + 1 / Math.sqrt(2);
+        double t = source.getTime();
+        double[] s = state(source);
+        double[] f = slope(source);
+        double[][] w = matrix(source, s, f, sign * g * h);
+        double dt = 1e-4 * h;
+        source.incTime(dt);
+        double[] ft = dt == 0 ? new double[s.length] : plus(new double[s.length], 1 / dt, plus(slopeAt(source, s), -1,
+                f));
+        double[] k1 = Methods.solve(w, plus(f, g * h, ft));
+        Methods.clock(source, t + h);
+        double[] k2 = Methods.solve(w, plus(plus(slopeAt(source, plus(s, h, k1)), -2, k1), -g * h, ft));
+        source.setState(plus(plus(s, 1.5 * h, k1), 0.5 * h, k2));
+    }
+
+    /** Kick, drift, and a kick that is repeated until the velocity stands still, for the sake of drag. */
+    private static void closingKick(DEStateSource source, double h) {
+        double[] s = state(source);
+        kick(source, s, h / 2);
+        drift(source, s, h);
+        double[] half = s.clone();
+        double change = 1;
+        for (int round = 0; round < 100 && change > 1e-14; round++) {
+            double[] before = s;
+            s = half.clone();
+            kick(source, s, h / 2);
+            change = Methods.norm(plus(s, -1, before));
+        }
+    }
+
+    /** The end's force is taken at v + h a. */
+    private static void predicted(DEStateSource source, double h) {
+        int d = ((SecondOrderStateSource) source).getDimension();
+        double[] s = state(source);
+        double[] a = slope(source);
+        double[] x = s.clone();
+        for (int i = 0; i < s.length; i++) {
+            x[i] += i / d % 2 == 0 ? h * s[i + d] + h * h / 2 * a[i + d] : h * a[i];
+        }
+        source.incTime(h);
+        double[] end = slopeAt(source, x);
+        for (int i = 0; i < s.length; i++) {
+            x[i] = i / d % 2 == 0 ? x[i] : s[i] + h / 2 * (a[i] + end[i]);
+        }
+        source.setState(x);
+    }
+
+    private static void fixedPoint(DEStateSource source, double h) {
+        double[] s = state(source);
+        double[] next = s;
+        source.incTime(h);
+        for (int round = 0; round < 200; round++) {
+            double[] better = plus(s, h, slopeAt(source, next));
+            double change = Methods.norm(plus(better, -1, next));
+            next = better;
+            if (change < 1e-12) {
+                source.setState(next);
+                return;
+            }
+        }
+        throw new IllegalStateException("the iteration does not converge: use a shorter deltaT than " + h);
+    }
+
+    private static void oneSlopeArray(DEStateSource source, double h) {
+        double[] s = state(source);
+        double[] k1 = slope(source);
+        source.incTime(h / 2);
+        double[] k2 = derivative(source, plus(s, h / 2, k1), k1);
+        double[] k3 = derivative(source, plus(s, h / 2, k2), k1);
+        source.incTime(h / 2);
+        double[] k4 = derivative(source, plus(s, h, k3), k1);
+        source.setState(plus(plus(plus(plus(s, h / 6, k1), h / 3, k2), h / 3, k3), h / 6, k4));
+    }
+
+    private static double[] derivative(DEStateSource source, double[] at, double[] k) {
+        source.setState(at);
+        source.getStateDerivative(k);
+        return k;
+    }
+
+    private static void aliasedTrial(DEStateSource source, double h) {
+        double[] s = state(source);
+        double[] trial = s;
+        double[] sum = new double[s.length];
+        double[] k = slope(source);
+        double[] places = {0.5, 0.5, 1};
+        for (int stage = 0; stage < 4; stage++) {
+            sum = plus(sum, stage % 3 == 0 ? h / 6 : h / 3, k);
+            if (stage < 3) {
+                source.incTime(stage == 1 ? 0 : h / 2);
+                for (int i = 0; i < s.length; i++) {
+                    trial[i] = s[i] + places[stage] * h * k[i];
+                }
+                k = slopeAt(source, trial);
+            }
+        }
+        source.setState(plus(s, 1, sum));
+    }
+
+    private static void kickTwo(DEStateSource source, double[] s, double h) {
+        double[] kept = s.clone();
+        kick(source, s, h);
+        for (int i = 5; i < s.length; i += 6) {
+            s[i] = kept[i];
+        }
+        source.setState(s);
+    }
+
+    private static void halves(DEStateSource source, double h) {
+        double[] s = state(source);
+        double[] f = slope(source);
+        int half = s.length / 2;
+        for (int i = 0; i < half; i++) {
+            s[i + half] += h * f[i + half];
+            s[i] += h * s[i + half];
+        }
+        source.setState(s);
+        source.incTime(h);
+    }
+
+    private static void fixed(DEStateSource source, double h, double[][] arrays) {
+        double[] s = state(source);
+        double[] f = slope(source);
+        System.arraycopy(s, 0, arrays[0], 0, s.length);
+        System.arraycopy(f, 0, arrays[1], 0, s.length);
+        source.setState(plus(Arrays.copyOf(arrays[0], s.length), h, arrays[1]));
+        source.incTime(h);
+    }
+
+    private static final class HeunOnFixedStep extends FixedStepSolver {
+        @Override
+        protected void step(DEStateSource source, double[] s, double deltaT) {
+            double[] k1 = eulerStep(s, deltaT);
+            source.incTime(deltaT);
+            double[] k2 = eulerStep(plus(s, 1, k1), deltaT);
+            for (int i = 0; i < s.length; i++) {
+                s[i] += (k1[i] + k2[i]) / 2;
+            }
+        }
+    }
+
+    private static final class WorkArrays extends DESolver {
+        private double[] s = {};
+        private double[] trial = {};
+        private double[] k = {};
+        private double[] sum = {};
+
+        @Override
+        public void stepState(DEStateSource source, double h) {
+            if (s.length != source.getStateSize()) {
+                s = new double[source.getStateSize()];
+                trial = new double[s.length];
+                k = new double[s.length];
+                sum = new double[s.length];
+            }
+            source.getState(s);
+            Arrays.fill(sum, 0);
+            stage(source, 0, h / 6);
+            source.incTime(h / 2);
+            stage(source, h / 2, h / 3);
+            stage(source, h / 2, h / 3);
+            source.incTime(h / 2);
+            stage(source, h, h / 6);
+            source.setState(plus(s, 1, sum));
+        }
+
+        private void stage(DEStateSource source, double place, double weight) {
+            for (int i = 0; i < s.length; i++) {
+                trial[i] = place == 0 ? s[i] : s[i] + place * k[i];
+            }
+            source.setState(trial);
+            source.getStateDerivative(k);
+            for (int i = 0; i < s.length; i++) {
+                sum[i] += weight * k[i];
+            }
+        }
+    }
+
+    /** Bogacki and Shampine's method, whose last derivative is the first of the next step, if it goes on from there. */
+    private static final class Fsal extends DESolver {
+        private final String slip;
+        private DEStateSource last;
+        private double[] left = {};
+        private double[] kept = {};
+        private double time;
+
+        Fsal(String slip) {
+            this.slip = slip;
+        }
+
+        @Override
+        public void stepState(DEStateSource source, double h) {
+            double[] s = state(source);
+            boolean mine = source == last && time == source.getTime() && Arrays.equals(s, left)
+                    || slip.equals("always") && left.length == s.length;
+            double[] k1 = mine ? kept : slope(source);
+            source.incTime(h / 2);
+            double[] k2 = slopeAt(source, plus(s, h / 2, k1));
+            source.incTime(h / 4);
+            double[] k3 = slopeAt(source, plus(s, 3 * h / 4, k2));
+            source.incTime(h / 4);
+            left = plus(plus(plus(s, 2 * h / 9, k1), h / 3, k2), 4 * h / 9, k3);
+            kept = slopeAt(source, left);
+            last = source;
+            time = source.getTime();
+        }
+
+        @Override
+        public void reset() {
+            last = null;
+        }
+    }
+
+    /** Leapfrog that takes the acceleration of its last step while the source is the same object. */
+    private static final class KeptAcceleration extends DESolver {
+        private DEStateSource last;
+        private double[] a = {};
+
+        @Override
+        public void stepState(DEStateSource source, double h) {
+            double[] s = state(source);
+            a = source == last ? a : slope(source);
+            last = source;
+            for (int i = 0; i < s.length; i += i % 6 == 2 ? 4 : 1) {
+                s[i + 3] += h / 2 * a[i + 3];
+                s[i] += h * s[i + 3];
+            }
+            source.incTime(h);
+            a = slopeAt(source, s);
+            for (int i = 3; i < s.length; i += i % 6 == 5 ? 4 : 1) {
+                s[i] += h / 2 * a[i];
+            }
+            source.setState(s);
+        }
+
+        @Override
+        public void reset() {
+            last = null;
+        }
+    }
+
+    /** Adams-Bashforth 2 that begins by Heun; one field is static. */
+    private static final class Shared extends DESolver {
+        private static double[] previous = {};
+        private DEStateSource last;
+        private double time;
+        private double length;
+        private double[] left = {};
+
+        @Override
+        public void stepState(DEStateSource source, double h) {
+            double[] s = state(source);
+            double[] f = slope(source);
+            if (source == last && source.getTime() == time && h == length && Arrays.equals(s, left)) {
+                left = plus(plus(s, 1.5 * h, f), -0.5 * h, previous);
+                source.incTime(h);
+            } else {
+                source.incTime(h);
+                left = plus(plus(s, h / 2, f), h / 2, slopeAt(source, plus(s, h, f)));
+            }
+            source.setState(left);
+            previous = f;
+            last = source;
+            time = source.getTime();
+            length = h;
+        }
+
+        @Override
+        public void reset() {
+            last = null;
+        }
+    }
+
+    private static final class FirstDeltaT extends DESolver {
+        private double h;
+
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            h = h == 0 ? deltaT : h;
+            source.setState(plus(state(source), h, slope(source)));
+            source.incTime(deltaT);
+        }
+    }
+
+    /** Euler that steps the first source that it was given. */
+    private static final class FirstSource extends DESolver {
+        private DEStateSource source;
+
+        @Override
+        public void stepState(DEStateSource given, double deltaT) {
+            source = source == null ? given : source;
+            euler(source, deltaT);
+        }
+    }
+}
