@@ -78,8 +78,8 @@ class ArchitectureTest {
             particles.engine:              deSolvers particles.law
             particles.experiments.energy:  deSolvers.text particles particles.experiments.runs particles.law
                                            particles.scene particles.scene.format particles.view
-            particles.experiments.lecture: deSolvers deSolvers.catalog deSolvers.problems particles.experiments.runs
-                                           particles.experiments.stability particles.view
+            particles.experiments.lecture: deSolvers deSolvers.catalog deSolvers.problems deSolvers.text
+                                           particles.experiments.runs particles.experiments.stability particles.view
             particles.experiments.phase:   particles particles.experiments.runs particles.law particles.scene
                                            particles.scene.format particles.view
             particles.experiments.race:    particles particles.experiments.energy particles.experiments.runs
@@ -106,8 +106,8 @@ class ArchitectureTest {
                                            particles.scene particles.scene.format particles.spec
             particles.output.animation:    particles.output.files particles.output.frames java.awt javax.imageio
                                            org.jcodec
-            particles.output.charts:       particles.output.files particles.output.text particles.view java.awt
-                                           javax.xml org.apache.batik org.jfree org.w3c.dom
+            particles.output.charts:       deSolvers.text particles.output.files particles.output.text particles.view
+                                           java.awt javax.xml org.apache.batik org.jfree org.w3c.dom
             particles.output.files:        particles particles.law com.fasterxml.jackson
             particles.output.frames:       deSolvers.text particles particles.law particles.output.files
                                            particles.output.painters particles.output.raster
@@ -119,7 +119,7 @@ class ArchitectureTest {
             particles.output.raster:       particles.law particles.output.text particles.view java.awt
             particles.output.report:       particles.output.charts particles.output.files particles.output.text
                                            particles.view java.awt javax.imageio javax.xml
-            particles.output.text:         particles.output.files particles.view java.awt org.jfree
+            particles.output.text:         deSolvers.text particles.output.files particles.view java.awt org.jfree
             particles.reactions:           deSolvers.text particles particles.law particles.reactions.algebra
                                            particles.reactions.contact particles.reactions.wires particles.view
             particles.reactions.algebra:   org.ejml
@@ -140,8 +140,9 @@ class ArchitectureTest {
             particles.scene.parts:         particles particles.effects particles.effects.springs particles.law
                                            particles.reactions particles.reactions.contact particles.reactions.wires
                                            particles.rules particles.spec particles.spec.messages particles.view
-            particles.spec:                deSolvers.catalog particles.law particles.spec.messages org.snakeyaml
-            particles.spec.documents:      particles.spec particles.spec.messages com.fasterxml.jackson
+            particles.spec:                deSolvers.catalog deSolvers.text particles.law particles.spec.messages
+                                           org.snakeyaml
+            particles.spec.documents:      deSolvers.text particles.spec com.fasterxml.jackson
             particles.spec.messages:       deSolvers.catalog org.snakeyaml
             particles.teaching:
             particles.teaching.contract:   deSolvers particles.teaching particles.teaching.sources

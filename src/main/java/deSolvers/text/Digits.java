@@ -26,15 +26,15 @@ public final class Digits {
         return write(value, MathContext.UNLIMITED);
     }
 
+    /** As {@link #exact(double)}. */
+    public static String exact(BigDecimal value) {
+        BigDecimal digits = value.stripTrailingZeros();
+        int exponent = digits.precision() - digits.scale() - 1;
+        return digits.signum() == 0 || exponent >= -4 && exponent < 7 ? digits.toPlainString()
+                : digits.scaleByPowerOfTen(-exponent).toPlainString() + "e" + exponent;
+    }
+
     private static String write(double value, MathContext digits) {
-        if (!Double.isFinite(value)) {
-            return Double.toString(value);
-        }
-        BigDecimal rounded = BigDecimal.valueOf(value).round(digits).stripTrailingZeros();
-        int exponent = rounded.precision() - rounded.scale() - 1;
-        if (rounded.signum() == 0 || exponent >= -4 && exponent < 7) {
-            return rounded.toPlainString();
-        }
-        return rounded.scaleByPowerOfTen(-exponent).toPlainString() + "e" + exponent;
+        return Double.isFinite(value) ? exact(BigDecimal.valueOf(value).round(digits)) : Double.toString(value);
     }
 }

@@ -84,18 +84,16 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
             return Optional.empty();
         }
         if (entries.size() > 1) {
-            in.problem(entries.get(1).getKeyNode(), "an entry names one " + what + ", here '" + kind.get().name()
+            return in.problem(entries.get(1).getKeyNode(), "an entry names one " + what + ", here '" + kind.get().name()
                     + "'; the next line is either one of its keys, indented further, or another " + what
                     + ", which needs its own dash");
-            return Optional.empty();
         }
         Node valueNode = entries.get(0).getValueNode();
         if (valueNode.getTag().equals(Tag.NULL)) {
-            in.problem(nameNode,
+            return in.problem(nameNode,
                     "'" + kind.get().name() + "' has no value; it has to be " + kind.get().keys().describe()
                     + (kind.get().keys().mayBeEmpty() ? "; or write '- " + kind.get().name() + "', without the colon"
                     : ""));
-            return Optional.empty();
         }
         Place place = in.place(nameNode);
         return kind.get().keys().read(valueNode, "'" + kind.get().name() + "'",
@@ -109,8 +107,7 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
             try {
                 return Optional.of(in.classes().find(name, byClass.get().type()));
             } catch (IllegalArgumentException e) {
-                in.problem(nameNode, e.getMessage());
-                return Optional.empty();
+                return in.problem(nameNode, e.getMessage());
             }
         }
         Optional<K> found = kinds.stream().filter(kind -> kind.name().equals(name)).findFirst();
@@ -131,9 +128,8 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
 
     private Optional<Chosen<K>> bare(K kind, Node node, Reading in) {
         if (!kind.keys().mayBeEmpty()) {
-            in.problem(node, "'" + kind.name() + "' needs a value for at least one key: write '- "
+            return in.problem(node, "'" + kind.name() + "' needs a value for at least one key: write '- "
                     + kind.name() + ": " + kind.keys().example() + "'");
-            return Optional.empty();
         }
         return Optional.of(new Chosen<>(kind, new Values(in.place(node)), in.place(node)));
     }

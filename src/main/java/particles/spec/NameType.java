@@ -55,9 +55,8 @@ public final class NameType extends Type<String> {
                 return read;
             }
         }
-        in.problem(node, Wording.unknown(what, text, names, List.of())
+        return in.problem(node, Wording.unknown(what, text, names, List.of())
                 + other.map(o -> ", or " + o.describe()).orElse(""));
-        return Optional.empty();
     }
 
     private static boolean isText(Node node) {

@@ -1,5 +1,6 @@
 package particles.spec;
 
+import deSolvers.text.Digits;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Map;
@@ -9,7 +10,6 @@ import java.util.regex.Pattern;
 import org.snakeyaml.engine.v2.common.ScalarStyle;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
-import particles.spec.messages.Wording;
 
 /**
  * Recognises common mistakes in typed numbers, such as {@code 0,01} and {@code 10 ms}, and suggests the right form.
@@ -83,7 +83,7 @@ final class NumberMistake {
     }
 
     private static Optional<String> result(double value) {
-        return Double.isFinite(value) ? Optional.of("expressions are not calculated; write " + Wording.number(value))
+        return Double.isFinite(value) ? Optional.of("expressions are not calculated; write " + Digits.exact(value))
                 : Optional.empty();
     }
 
@@ -99,6 +99,6 @@ final class NumberMistake {
         }
         double value = Double.parseDouble(match.group(1)) * factor;
         double rounded = new BigDecimal(value).round(new MathContext(15)).doubleValue();
-        return Optional.of("write the number without its unit: " + Wording.number(rounded));
+        return Optional.of("write the number without its unit: " + Digits.exact(rounded));
     }
 }

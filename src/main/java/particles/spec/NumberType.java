@@ -1,12 +1,12 @@
 package particles.spec;
 
+import deSolvers.text.Digits;
 import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
-import particles.spec.messages.Wording;
 
 /** The type of a finite number in a range. */
 public final class NumberType extends Type<Double> {
@@ -54,21 +54,17 @@ public final class NumberType extends Type<Double> {
         Optional<Double> number = parse(node);
         if (number.isEmpty()) {
             Optional<String> mistake = NumberMistake.of(node, unit);
-            mistake.ifPresent(hint -> in.problem(node, what + " is " + Wording.describe(node) + "; " + hint));
-            return mistake.isPresent() ? Optional.empty() : wrong(node, what, in);
+            return wrong(node, what, mistake.orElse("it has to be " + describe()), in);
         }
         double value = number.get();
         if (value >= 0 && value < TINY && OVER_ZERO.matcher(((ScalarNode) node).getValue()).matches()) {
-            in.problem(node, what + " is " + Wording.describe(node) + "; positive numbers in a scene are at least "
-                    + Wording.number(TINY));
-            return Optional.empty();
+            return wrong(node, what, "positive numbers in a scene are at least " + Digits.exact(TINY), in);
         }
         if (value <= most && value >= smallest()) {
             return number;
         }
         if (Double.isNaN(value) && !isNotANumber(node) || Math.abs(value) > HUGE) {
-            in.problem(node, what + " is " + Wording.describe(node) + "; numbers in a scene are at most 1e30");
-            return Optional.empty();
+            return wrong(node, what, "numbers in a scene are at most 1e30", in);
         }
         return wrong(node, what, in);
     }
@@ -108,10 +104,10 @@ public final class NumberType extends Type<Double> {
         if (least == -most) {
             range = "a number";
         } else if (most == HUGE) {
-            range = leastAllowed ? "a number from " + Wording.number(least) + " up" : "a number over "
-                    + Wording.number(least);
+            range = leastAllowed ? "a number from " + Digits.exact(least) + " up" : "a number over "
+                    + Digits.exact(least);
         } else {
-            range = "a number from " + Wording.number(least) + " to " + Wording.number(most);
+            range = "a number from " + Digits.exact(least) + " to " + Digits.exact(most);
         }
         return range + (unit.isEmpty() ? "" : " (" + unit + ")");
     }

@@ -37,10 +37,11 @@ public record Reading(String source, Problems problems, ClassNames classes, Opti
                 .anyMatch(known -> known.name().equals(key))).map(MappingType::name).distinct().toList();
     }
 
-    void problem(Node node, String message) {
+    /** As {@link Problems#add}, at a node. */
+    <T> Optional<T> problem(Node node, String message) {
         boolean curly = node instanceof ScalarNode scalar && CURLY_QUOTED.matcher(scalar.getValue()).find();
-        problems.add(place(node), message + (curly ? "; curly quotes are part of the text: type ordinary ones, or none"
-                : ""));
+        return problems.add(place(node), message
+                + (curly ? "; curly quotes are part of the text: type ordinary ones, or none" : ""));
     }
 
     /** A value from an option has no position; its place is the whole option. */

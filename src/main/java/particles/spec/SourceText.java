@@ -50,8 +50,7 @@ public final class SourceText {
                 problem = "the file cannot be read: " + e.getMessage();
             }
         }
-        in.problems().add(Place.of(in.source()), problem);
-        return Optional.empty();
+        return in.problems().add(Place.of(in.source()), problem);
     }
 
     /**
@@ -64,21 +63,18 @@ public final class SourceText {
     static Optional<String> decode(byte[] bytes, Reading in) {
         Place whole = Place.of(in.source());
         if (bytes.length > LARGEST) {
-            in.problems().add(whole, "the file is longer than " + (LARGEST >> 20)
+            return in.problems().add(whole, "the file is longer than " + (LARGEST >> 20)
                     + " MiB; use shapes to make many particles");
-            return Optional.empty();
         }
         if (bytes.length >= 2 && (bytes[0] == LOW && bytes[1] == HIGH || bytes[0] == HIGH && bytes[1] == LOW)) {
-            in.problems().add(whole, "the file is in UTF-16; save it as UTF-8");
-            return Optional.empty();
+            return in.problems().add(whole, "the file is in UTF-16; save it as UTF-8");
         }
         CharBuffer characters = CharBuffer.allocate(bytes.length);
         CoderResult result = StandardCharsets.UTF_8.newDecoder().onMalformedInput(CodingErrorAction.REPORT)
                 .decode(ByteBuffer.wrap(bytes), characters, true);
         String text = characters.flip().toString().replaceAll("\r\n?", "\n");
         if (result.isError()) {
-            in.problems().add(end(text, in), "a byte here is not UTF-8; save the file as UTF-8");
-            return Optional.empty();
+            return in.problems().add(end(text, in), "a byte here is not UTF-8; save the file as UTF-8");
         }
         text = text.startsWith("\uFEFF") ? text.substring(1) : text;
         int word = 0;
@@ -86,14 +82,12 @@ public final class SourceText {
             int c = text.codePointAt(i);
             word = c == ' ' || c == '\t' || c == '\n' ? 0 : word + 1;
             if (word > LONGEST_WORD) {
-                in.problems().add(end(text.substring(0, i), in), "more than " + LONGEST_WORD
+                return in.problems().add(end(text.substring(0, i), in), "more than " + LONGEST_WORD
                         + " characters without a space between them; break the line");
-                return Optional.empty();
             }
             if (!StreamReader.isPrintable(c)) {
-                in.problems().add(end(text.substring(0, i), in), "a character here is not printable: "
+                return in.problems().add(end(text.substring(0, i), in), "a character here is not printable: "
                         + (c == 0 ? "a zero byte; is this a text file?" : String.format("U+%04X", c)));
-                return Optional.empty();
             }
         }
         return Optional.of(text);

@@ -6,7 +6,6 @@ import java.util.regex.Pattern;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
-import particles.spec.messages.Wording;
 
 /** The type of a text, optionally of a certain form. */
 public final class TextType extends Type<String> {
@@ -52,10 +51,7 @@ public final class TextType extends Type<String> {
         }
         String text = ((ScalarNode) node).getValue();
         if (!node.getTag().equals(Tag.STR)) {
-            in.problem(node, what + " is " + Wording.describe(node) + "; it has to be " + describe()
-                    + ": put quotes around it, '"
-                    + text + "'");
-            return Optional.empty();
+            return wrong(node, what, "it has to be " + describe() + ": put quotes around it, '" + text + "'", in);
         }
         return matches(text) ? Optional.of(text) : wrong(node, what, in);
     }

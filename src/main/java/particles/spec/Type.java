@@ -65,7 +65,11 @@ public abstract class Type<T> {
     }
 
     final Optional<T> wrong(Node node, String what, Reading in) {
-        in.problem(node, what + " is " + Wording.describe(node) + "; it has to be " + describe());
-        return Optional.empty();
+        return wrong(node, what, "it has to be " + describe(), in);
+    }
+
+    /** As {@link #wrong(Node, String, Reading)}, with another hint. */
+    final Optional<T> wrong(Node node, String what, String hint, Reading in) {
+        return in.problem(node, what + " is " + Wording.describe(node) + "; " + hint);
     }
 }

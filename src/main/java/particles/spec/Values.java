@@ -1,6 +1,7 @@
 package particles.spec;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.NoSuchElementException;
 import java.util.Optional;
@@ -46,6 +47,11 @@ public final class Values {
     public <T> Optional<T> find(Key<T> key) {
         Found given = found.get(key);
         return given == null ? key.defaultValue() : (Optional<T>) given.value();
+    }
+
+    /** @return the value of a key for a list; no elements if it has none */
+    public <T> List<T> list(Key<List<T>> key) {
+        return find(key).orElse(List.of());
     }
 
     /**

@@ -45,10 +45,9 @@ public final class VectorType extends Type<Vector3> {
         }
         List<Node> nodes = ((SequenceNode) node).getValue();
         if (nodes.size() != 3) {
-            in.problem(node, what + " has " + nodes.size() + (nodes.size() == 1 ? " entry" : " entries")
+            return in.problem(node, what + " has " + nodes.size() + (nodes.size() == 1 ? " entry" : " entries")
                     + "; it has to be "
                     + describe());
-            return Optional.empty();
         }
         double[] values = new double[3];
         boolean right = true;

@@ -2,6 +2,7 @@ package deSolvers.text;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.math.BigDecimal;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
 
@@ -24,6 +25,8 @@ class DigitsTest {
             assertEquals("NaN", Digits.few(Double.NaN));
             assertEquals("0.063", Digits.roundedDown(0.0639));
             assertEquals("1000000", Digits.few(1e6));
+            assertEquals("1.25e7", Digits.exact(new BigDecimal("12500000")));
+            assertEquals("0.0001", Digits.exact(new BigDecimal("1e-4")));
         } finally {
             Locale.setDefault(before);
         }

@@ -5,8 +5,7 @@ import static particles.view.DataTable.column;
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.Oscillator;
-import java.math.BigDecimal;
-import java.math.MathContext;
+import deSolvers.text.Digits;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
@@ -201,12 +200,8 @@ public final class LectureFigures {
 
     private static String growth(Result result) {
         double deltaT = result.figure().deltaT();
-        return "\u00d7\u00a0" + few(result.amplitude()) + " in " + few(result.figure().steps() * deltaT)
-                + " s with deltaT = " + few(deltaT) + " s";
-    }
-
-    private static String few(double number) {
-        return new BigDecimal(number).round(new MathContext(3)).stripTrailingZeros().toPlainString();
+        return "\u00d7\u00a0" + Digits.few(result.amplitude()) + " in " + Digits.few(result.figure().steps() * deltaT)
+                + " s with deltaT = " + Digits.few(deltaT) + " s";
     }
 
     /**

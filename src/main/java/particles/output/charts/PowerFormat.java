@@ -1,11 +1,11 @@
 package particles.output.charts;
 
+import deSolvers.text.Digits;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.text.FieldPosition;
 import java.text.NumberFormat;
 import java.text.ParsePosition;
-import particles.output.text.DecimalTicks;
 
 /** Number format of powers of ten on a logarithmic axis: 100, 0.01, 1e-6. */
 final class PowerFormat extends NumberFormat {
@@ -15,7 +15,7 @@ final class PowerFormat extends NumberFormat {
 
     @Override
     public StringBuffer format(double number, StringBuffer text, FieldPosition position) {
-        return text.append(Double.isFinite(number) ? DecimalTicks.label(new BigDecimal(number).round(DIGITS)) : "");
+        return text.append(Double.isFinite(number) ? Digits.exact(new BigDecimal(number).round(DIGITS)) : "");
     }
 
     @Override

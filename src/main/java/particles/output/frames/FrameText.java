@@ -9,7 +9,6 @@ import java.awt.font.FontRenderContext;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.math.BigDecimal;
-import java.math.MathContext;
 import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
@@ -18,7 +17,6 @@ import java.util.stream.Collectors;
 import particles.output.painters.FrameState;
 import particles.output.raster.Colours;
 import particles.output.raster.Sky;
-import particles.output.text.DecimalTicks;
 import particles.output.text.FontCheck;
 
 /**
@@ -153,8 +151,7 @@ final class FrameText {
 
     /** Adds the labels of the bar: its ends in per cent, and its quantity. */
     private void addScale(List<Line> lines, Rectangle2D bar, float y) {
-        String percent = DecimalTicks.label(new BigDecimal(100 * stage.look().strainRange())
-                .round(new MathContext(3)));
+        String percent = Digits.few(100 * stage.look().strainRange());
         List<String> texts = List.of("\u2212" + percent + " %", "strain", "+" + percent + " %");
         Font font = FontCheck.font(Font.PLAIN, 16 * unit);
         for (int k = 0; k < texts.size(); k++) {

@@ -1,5 +1,6 @@
 package particles.output.text;
 
+import deSolvers.text.Digits;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import org.jfree.chart.axis.NumberTickUnit;
@@ -12,10 +13,6 @@ import org.jfree.chart.axis.TickUnitSource;
  * all read 0.
  */
 public final class DecimalTicks implements TickUnitSource {
-    /** Plain digits from 1e-4 to below 1e6, exponents otherwise. */
-    private static final int SMALLEST_PLAIN = -4;
-    private static final int SMALLEST_EXPONENT = 6;
-
     /** One of the units: 1, 2 or 5 times a power of ten. */
     private static final class Unit extends NumberTickUnit {
         private static final long serialVersionUID = 1L;
@@ -31,22 +28,9 @@ public final class DecimalTicks implements TickUnitSource {
         @Override
         public String valueToString(double value) {
             double units = Math.rint(value / getSize());
-            return Math.abs(units) < 1e15 ? label(size.multiply(BigDecimal.valueOf((long) units)))
+            return Math.abs(units) < 1e15 ? Digits.exact(size.multiply(BigDecimal.valueOf((long) units)))
                     : Double.toString(value);
         }
-    }
-
-    /** @return the value with exactly the digits that it needs */
-    public static String label(BigDecimal value) {
-        if (value.signum() == 0) {
-            return "0";
-        }
-        BigDecimal digits = value.stripTrailingZeros();
-        int exponent = digits.precision() - digits.scale() - 1;
-        if (exponent >= SMALLEST_PLAIN && exponent < SMALLEST_EXPONENT) {
-            return digits.toPlainString();
-        }
-        return digits.movePointLeft(exponent).stripTrailingZeros().toPlainString() + "e" + exponent;
     }
 
     @Override

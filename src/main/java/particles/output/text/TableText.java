@@ -1,5 +1,6 @@
 package particles.output.text;
 
+import deSolvers.text.Digits;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
@@ -107,14 +108,6 @@ public final class TableText {
         if (value.isInfinite()) {
             return value > 0 ? "\u221e" : "\u2212\u221e";
         }
-        BigDecimal rounded = BigDecimal.valueOf(value).round(new MathContext(digits));
-        int exponent = rounded.precision() - rounded.scale() - 1;
-        if (rounded.signum() == 0) {
-            return "0";
-        }
-        if (exponent < -4 || exponent >= 7) {
-            return DecimalTicks.label(rounded);
-        }
-        return rounded.scale() < 0 ? rounded.toPlainString() : rounded.stripTrailingZeros().toPlainString();
+        return Digits.exact(BigDecimal.valueOf(value).round(new MathContext(digits)));
     }
 }

@@ -1,5 +1,6 @@
 package particles.scene.checks;
 
+import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
@@ -52,13 +53,13 @@ final class ConstraintChecks {
     }
 
     void check() {
-        for (Values values : scene.find(SceneFormat.RODS).orElse(List.of())) {
+        for (Values values : scene.list(SceneFormat.RODS)) {
             if (isKnown(values, RodDescription.FROM) & isKnown(values, RodDescription.TO) && values.isSound()) {
                 check(values, RodDescription.of(values));
             }
         }
         checkLines();
-        for (Chosen<WireKind> wire : scene.find(SceneFormat.WIRES).orElse(List.of())) {
+        for (Chosen<WireKind> wire : scene.list(SceneFormat.WIRES)) {
             if (isKnown(wire.values(), WireKind.BEAD) && wire.values().isSound()) {
                 check(wire);
             }
@@ -89,7 +90,7 @@ final class ConstraintChecks {
             if (Math.abs(rate) > STILL) {
                 problems.add(place,
                         "the ends of the rod from " + Wording.quote(rod.from()) + " to " + Wording.quote(rod.to())
-                        + " move " + (rate > 0 ? "apart" : "together") + " at " + Wording.number(Math.abs(rate))
+                        + " move " + (rate > 0 ? "apart" : "together") + " at " + Digits.exact(Math.abs(rate))
                         + " m/s; their relative velocity must be across the rod" + moving(rod));
             }
         }
@@ -102,7 +103,7 @@ final class ConstraintChecks {
     }
 
     private Optional<Chosen<RuleKind>> motionOf(String id) {
-        return scene.find(SceneFormat.RULES).orElse(List.of()).stream().filter(rule -> rule.values().isSound()
+        return scene.list(SceneFormat.RULES).stream().filter(rule -> rule.values().isSound()
                 && rule.kind().anchor().flatMap(rule.values()::find).filter(id::equals).isPresent()).findFirst();
     }
 
@@ -113,7 +114,7 @@ final class ConstraintChecks {
     }
 
     private static String components(Vector3 v) {
-        return "[" + Wording.rounded(v.x()) + ", " + Wording.rounded(v.y()) + ", " + Wording.rounded(v.z()) + "]";
+        return "[" + Digits.few(v.x()) + ", " + Digits.few(v.y()) + ", " + Digits.few(v.z()) + "]";
     }
 
     /**
@@ -169,7 +170,7 @@ final class ConstraintChecks {
                 if (Math.abs(off[r]) > ON_WIRE || Math.abs(leaving) > STILL) {
                     problems.add(wire.values().place(WireKind.BEAD), Wording.quote(bead) + (Math.abs(off[r]) > ON_WIRE
                             ? " begins " + distance(curve, x) + " off its wire; place it on the wire"
-                            : " leaves its wire at " + Wording.number(Math.abs(leaving))
+                            : " leaves its wire at " + Digits.exact(Math.abs(leaving))
                                     + " m/s; its velocity must be along the wire"));
                     break;
                 }
@@ -192,7 +193,7 @@ final class ConstraintChecks {
                     .minus(b.times((a.dot(a) * off[1] - a.dot(b) * off[0]) / determinant));
         }
         double distance = at.minus(from).length();
-        return Double.isFinite(distance) ? "about " + Wording.rounded(distance) + " m" : "far";
+        return Double.isFinite(distance) ? "about " + Digits.few(distance) + " m" : "far";
     }
 
     /**
@@ -206,10 +207,10 @@ final class ConstraintChecks {
             double rate = constraints.get(ConstraintDescription.FEEDBACK);
             if (deltaT.isPresent() && rate * deltaT.get() > MOST_FEEDBACK) {
                 problems.add(scene.find(SceneFormat.CONSTRAINTS).isPresent() ? constraints.place()
-                        : scene.place(SceneFormat.DELTA_T), "the feedback of rods and wires, " + Wording.number(rate)
-                        + " /s, is too strong for a deltaT of " + Wording.number(deltaT.get())
+                        : scene.place(SceneFormat.DELTA_T), "the feedback of rods and wires, " + Digits.exact(rate)
+                        + " /s, is too strong for a deltaT of " + Digits.exact(deltaT.get())
                         + " s; feedback times deltaT must be "
-                        + Wording.number(MOST_FEEDBACK) + " at most");
+                        + Digits.exact(MOST_FEEDBACK) + " at most");
             }
         }
     }

@@ -1,5 +1,6 @@
 package particles.scene.checks;
 
+import deSolvers.text.Digits;
 import java.util.List;
 import java.util.Optional;
 import particles.law.Obstacle;
@@ -66,7 +67,7 @@ final class OutsideCheck {
 
     private static String inside(String id, Chosen<RuleKind> rule, Obstacle solid, double distance) {
         boolean hollow = solid instanceof Sphere sphere && sphere.hollow();
-        return Wording.quote(id) + " begins " + Wording.number(-distance) + " m "
+        return Wording.quote(id) + " begins " + Digits.exact(-distance) + " m "
                 + (hollow ? "outside the hollow '" : "inside the '") + rule.kind().name() + "' of line "
                 + rule.place().line() + "; it has to begin " + (hollow ? "inside" : "outside");
     }

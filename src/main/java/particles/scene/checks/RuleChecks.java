@@ -33,7 +33,7 @@ final class RuleChecks {
     }
 
     private static List<Chosen<RuleKind>> rulesOf(Values scene) {
-        return scene.find(SceneFormat.RULES).orElse(List.of());
+        return scene.list(SceneFormat.RULES);
     }
 
     /** Reports the id prefixes of particles that rules make. */

@@ -7,7 +7,6 @@ import particles.scene.format.SceneFormat;
 import particles.spec.Key;
 import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
-import particles.spec.messages.Wording;
 
 /** Limits on the numbers of steps and pictures of a run: more can only be a typing error. */
 public final class RunLimits {
@@ -21,8 +20,8 @@ public final class RunLimits {
     /** Adds a problem if a run would have too many steps. */
     public static void check(double deltaT, double duration, Map<Key<?>, Place> places, Problems problems) {
         if (duration / deltaT > MOST_STEPS) {
-            problems.add(places.get(SceneFormat.DURATION), "a duration of " + Wording.number(duration) + " s is "
-                    + Wording.rounded(duration / deltaT) + " steps of deltaT = " + Wording.number(deltaT)
+            problems.add(places.get(SceneFormat.DURATION), "a duration of " + Digits.exact(duration) + " s is "
+                    + Digits.few(duration / deltaT) + " steps of deltaT = " + Digits.exact(deltaT)
                     + " s; a run can have at most 1e10");
         }
     }
@@ -38,8 +37,8 @@ public final class RunLimits {
         double frameRate = scene.output().frames().rate();
         if (scene.output().frames().drawn() && scene.duration() * frameRate > MOST_FRAMES) {
             problems.add(scene.places().get(SceneFormat.DURATION), "a duration of "
-                    + Wording.number(scene.duration()) + " s needs more than a million pictures at frameRate = "
-                    + Wording.number(frameRate) + "; in the scene, output: {frameRate: "
+                    + Digits.exact(scene.duration()) + " s needs more than a million pictures at frameRate = "
+                    + Digits.exact(frameRate) + "; in the scene, output: {frameRate: "
                     + Digits.roundedDown(SOME_FRAMES / scene.duration()) + "} draws " + (int) SOME_FRAMES + ", and "
                     + option + "=false none");
         }

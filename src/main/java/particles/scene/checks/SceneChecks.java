@@ -76,7 +76,7 @@ public final class SceneChecks {
         ConstraintChecks constraints = new ConstraintChecks(scene, problems, index, this::isKnown);
         constraints.check();
         checkEffects();
-        OutsideCheck.check(scene.find(SceneFormat.RULES).orElse(List.of()), particles, shapes, problems);
+        OutsideCheck.check(scene.list(SceneFormat.RULES), particles, shapes, problems);
         new RuleChecks(scene, problems, this::isKnown).check(particles, shapes, springs);
         Optional<Camera> camera = scene.find(SceneFormat.CAMERA).filter(Values::isSound)
                 .flatMap(values -> CameraFormat.of(values, problems));
@@ -110,7 +110,7 @@ public final class SceneChecks {
     }
 
     private void checkParticles() {
-        for (Values values : scene.find(SceneFormat.PARTICLES).orElse(List.of())) {
+        for (Values values : scene.list(SceneFormat.PARTICLES)) {
             values.find(ParticleDescription.ID).ifPresent(id -> take(id, values.place(ParticleDescription.ID)));
             if (!values.isSound()) {
                 values.find(ParticleDescription.ID).ifPresent(broken::add);
@@ -127,7 +127,7 @@ public final class SceneChecks {
 
     private void checkShapes() {
         long count = particles.size();
-        for (Chosen<ShapeKind> chosen : scene.find(SceneFormat.SHAPES).orElse(List.of())) {
+        for (Chosen<ShapeKind> chosen : scene.list(SceneFormat.SHAPES)) {
             Key<String> id = chosen.kind().id();
             chosen.values().find(id).ifPresent(name -> take(name, chosen.values().place(id)));
             Optional<ShapeDescription> shape = chosen.values().isSound() && count <= ShapeDescription.MOST_PARTICLES
@@ -151,7 +151,7 @@ public final class SceneChecks {
     }
 
     private void checkSprings() {
-        for (Values values : scene.find(SceneFormat.SPRINGS).orElse(List.of())) {
+        for (Values values : scene.list(SceneFormat.SPRINGS)) {
             boolean known = isKnown(values, SpringDescription.FROM) & isKnown(values, SpringDescription.TO);
             if (!known || !values.isSound()) {
                 continue;
@@ -206,7 +206,7 @@ public final class SceneChecks {
     }
 
     private void checkEffects() {
-        List<Chosen<EffectKind>> effects = scene.find(SceneFormat.EFFECTS).orElse(List.of());
+        List<Chosen<EffectKind>> effects = scene.list(SceneFormat.EFFECTS);
         Map<String, Place> named = new HashMap<>();
         for (Chosen<EffectKind> effect : effects) {
             Place first = named.putIfAbsent(effect.kind().name(), effect.place());

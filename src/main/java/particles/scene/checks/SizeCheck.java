@@ -17,7 +17,7 @@ final class SizeCheck {
     static void check(Values scene, List<ParticleDescription> particles, List<ShapeDescription> shapes,
             Problems problems) {
         long count = particles.size();
-        long springs = scene.find(SceneFormat.SPRINGS).orElse(List.of()).size();
+        long springs = scene.list(SceneFormat.SPRINGS).size();
         for (ShapeDescription shape : shapes) {
             count += shape.lattice().size();
             springs += shape.springCount();

@@ -40,13 +40,12 @@ public final class CameraFormat {
     public static Optional<Camera> of(Values values, Problems problems) {
         Vector3 away = values.get(POSITION).minus(values.get(TARGET));
         if (away.length() == 0) {
-            problems.add(values.place(TARGET), "the camera's target is at the camera's position; choose another point");
-            return Optional.empty();
+            return problems.add(values.place(TARGET),
+                    "the camera's target is at the camera's position; choose another point");
         }
         if (away.normalized().cross(values.get(UP).normalized()).length() < 1e-6) {
-            problems.add(values.place(UP),
+            return problems.add(values.place(UP),
                     "the camera looks along its 'up' direction; give another 'up', such as [0, 0, -1]");
-            return Optional.empty();
         }
         double halfAngle = StrictMath.toRadians(values.get(FIELD_OF_VIEW)) / 2;
         double height = values.find(HEIGHT).orElse(2 * away.length() * StrictMath.tan(halfAngle));

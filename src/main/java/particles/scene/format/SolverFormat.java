@@ -52,8 +52,7 @@ public final class SolverFormat {
         try {
             return Optional.of(scene.settings().solver().create());
         } catch (NoSuchElementException | IllegalArgumentException e) {
-            problems.add(scene.places().get(SceneFormat.SOLVER), e.getMessage());
-            return Optional.empty();
+            return problems.add(scene.places().get(SceneFormat.SOLVER), e.getMessage());
         }
     }
 }

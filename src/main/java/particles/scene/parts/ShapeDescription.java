@@ -37,15 +37,13 @@ public record ShapeDescription(Lattice lattice, double mass, Vector3 velocity, B
         Values values = chosen.values();
         Lattice lattice = kind.lattice(values);
         if (lattice.size() > MOST_PARTICLES) {
-            problems.add(chosen.place(), "'" + kind.name() + "' has " + lattice.size()
+            return problems.add(chosen.place(), "'" + kind.name() + "' has " + lattice.size()
                     + " particles; a scene may have at most "
                     + MOST_PARTICLES);
-            return Optional.empty();
         }
         if (!(lattice.flatness() > 1e-9)) {
-            problems.add(chosen.place(), "'" + kind.name()
+            return problems.add(chosen.place(), "'" + kind.name()
                     + "' has no extent in one direction: its particles would lie on top of each other");
-            return Optional.empty();
         }
         BitSet fixed = new BitSet();
         int before = problems.count();

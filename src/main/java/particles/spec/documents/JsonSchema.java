@@ -4,6 +4,7 @@ import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.core.util.DefaultIndenter;
 import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
+import deSolvers.text.Digits;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
@@ -11,7 +12,6 @@ import java.util.List;
 import java.util.Map;
 import particles.spec.MappingType;
 import particles.spec.Ordered;
-import particles.spec.messages.Wording;
 
 /** Writes a type as a JSON Schema of draft 7, the newest draft that the YAML plug-ins of all common editors know. */
 public final class JsonSchema {
@@ -54,7 +54,7 @@ public final class JsonSchema {
             }
             json.writeEndArray();
         } else if (value instanceof Number number) {
-            json.writeNumber(Wording.number(number.doubleValue()));
+            json.writeNumber(Digits.exact(number.doubleValue()));
         } else if (value instanceof Boolean flag) {
             json.writeBoolean(flag);
         } else {

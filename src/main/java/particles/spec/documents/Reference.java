@@ -1,5 +1,6 @@
 package particles.spec.documents;
 
+import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -13,7 +14,6 @@ import particles.spec.ListType;
 import particles.spec.MappingType;
 import particles.spec.NameType;
 import particles.spec.Type;
-import particles.spec.messages.Wording;
 
 /**
  * Writes the reference of a file format as Markdown tables: one for each mapping, with key, values, default and
@@ -100,7 +100,7 @@ public final class Reference {
             return list.isEmpty() ? "none"
                     : list.stream().map(Reference::written).collect(Collectors.joining(", ", "[", "]"));
         }
-        return json instanceof Number number ? Wording.number(number.doubleValue()) : json.toString();
+        return json instanceof Number number ? Digits.exact(number.doubleValue()) : json.toString();
     }
 
     private static String capital(String text) {

@@ -3,6 +3,7 @@ package particles.spec.messages;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 
 /** Collects the problems of one source, so that all are reported together. */
 public final class Problems {
@@ -18,12 +19,14 @@ public final class Problems {
     /**
      * @param place   the place of the problem
      * @param message the value found and the values allowed; made one line
+     * @return nothing, which a reader may return in place of a value
      */
-    public void add(Place place, String message) {
+    public <T> Optional<T> add(Place place, String message) {
         count++;
         if (problems.size() < LIMIT) {
             problems.add(new Problem(place, Wording.oneLine(message)));
         }
+        return Optional.empty();
     }
 
     /** @return whether no further problem is reported, so that nobody needs to look for any */

@@ -1,8 +1,6 @@
 package particles.spec.messages;
 
 import deSolvers.catalog.DidYouMean;
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
@@ -92,19 +90,6 @@ public final class Wording {
             return "nothing";
         }
         return node.getTag().equals(Tag.STR) ? "the text " + quote(text) : quote(text).replace("'", "");
-    }
-
-    /** @return the number as people write it: 20 for 20.0, 1e20 for 1.0E20 */
-    public static String number(double value) {
-        if (value == StrictMath.rint(value) && Math.abs(value) < 1e7) {
-            return Long.toString((long) value);
-        }
-        return Double.toString(value).replace(".0E", "e").replace('E', 'e');
-    }
-
-    /** @return the number with the three digits that a message needs */
-    public static String rounded(double value) {
-        return number(new BigDecimal(value).round(new MathContext(3)).doubleValue());
     }
 
     /** Makes a text one line and writes invisible or direction-changing characters as codes such as U+200B. */

@@ -12,7 +12,6 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.math.BigDecimal;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashSet;
@@ -148,9 +147,6 @@ class ChartsTest {
         assertEquals("0.3", ticks.getCeilingTickUnit(0.1).valueToString(0.1 + 0.2));
         assertEquals("2000", ticks.getCeilingTickUnit(400).valueToString(2000));
         assertEquals(500, ticks.getCeilingTickUnit(400).getSize());
-        assertEquals("1.25e6", DecimalTicks.label(new BigDecimal("1250000")));
-        assertEquals("100000", DecimalTicks.label(new BigDecimal("1e5")));
-        assertEquals("0.0001", DecimalTicks.label(new BigDecimal("1e-4")));
     }
 
     /** In state space too; what is no solver's has no solver's colour. */
