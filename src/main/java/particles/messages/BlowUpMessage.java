@@ -9,6 +9,8 @@ import java.util.function.UnaryOperator;
 import particles.BlowUpException;
 import particles.NumericalErrorException;
 import particles.SimulationException;
+import particles.law.DifferentiableEffect;
+import particles.law.Effect;
 import particles.reactions.RestingContacts;
 import particles.reactions.RigidConstraints;
 import particles.scene.Scene;
@@ -144,6 +146,11 @@ public final class BlowUpMessage {
     private String notSprings() {
         if (scene.system().getReactions().stream().anyMatch(RigidConstraints.class::isInstance)) {
             return "no spring is too stiff for this deltaT, but what turns fast on rods or wires needs shorter steps";
+        }
+        Optional<String> own = scene.system().getEffects().stream().filter(effect -> !(effect instanceof
+                DifferentiableEffect known && known.hasForceDerivatives())).map(Effect::getName).findFirst();
+        if (own.isPresent()) {
+            return "springs are not the cause; how long deltaT may be for the force '" + own.get() + "' is not known";
         }
         return limits.isKnown() ? "springs are not the cause: deltaT is within the limit of " + solver
                 : "without springs, it is not known how long deltaT may be";

@@ -19,6 +19,8 @@ import particles.SimulationException;
 import particles.experiments.energy.EnergyHistory;
 import particles.experiments.energy.EnergyLedgerRecorder;
 import particles.experiments.energy.NumericalErrorLimit;
+import particles.law.ParticleForce;
+import particles.law.Vector3;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.TestScenes;
@@ -75,6 +77,26 @@ class BlowUpMessageTest {
                 + " the limit of rk4 is 2\\.83; stiffest spring: 'a' to 'b'\\)\\ntry"
                 + " --deltaT=0\\.063, which takes about 4 times the work").matcher(line);
         assertTrue(match.matches(), line);
+    }
+
+    /** A force of one's own, as x^3, is stiff far out: the springs' limit says nothing of it. */
+    @Test
+    void aForceOfOnesOwnIsNotSaidToBeWithinTheLimit() {
+        Scene scene = SceneBuilder.build(TestScenes.read(CHAIN.replace("SOLVER", "rk4").replace("DAMPING", "").replace(
+                "stiffness: 400", "stiffness: 1")));
+        scene.system().addEffect(new ParticleForce(scene.system().getParticles()) {
+            @Override
+            public String getName() {
+                return "quartic";
+            }
+
+            @Override
+            protected Vector3 getForce(Vector3 position, Vector3 velocity, double mass, double time) {
+                return position.times(-1e4 * position.dot(position));
+            }
+        });
+        assertEquals("springs are not the cause; how long deltaT may be for the force 'quartic' is not known",
+                blowUp(scene).lines().toList().get(1));
     }
 
     /** Whatever the solver and the damping, the run with the advice does not blow up. */
