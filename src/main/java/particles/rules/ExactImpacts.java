@@ -95,7 +95,8 @@ public final class ExactImpacts implements EventRule {
                 if (modes.get(p, i) != Mode.FREE) {
                     putOn(surface, state, i);
                     contacts.stopEntering(i, state);
-                } else if (distance(surface, state, i) < 0 && normalSpeed(surface, state, i) >= 0) {
+                } else if (distance(surface, state, i) < 0 && normalSpeed(surface, state, i) >= 0
+                        && !system.getParticles().isFixed(i)) {
                     moveAlong(normal(surface, state, i), state, STRIDE * i, -distance(surface, state, i));
                 }
             }

@@ -233,4 +233,13 @@ class SphereImpactsTest {
         assertEquals(0, entry(system, 0), 1e-8);
         assertEquals(-1, entry(system, 1), 1e-12);
     }
+
+    /** A pivot inside a ball was put onto it, and so was a moving anchor: its rod then pulled at another place. */
+    @Test
+    void aBallMovesNoFixedParticle() {
+        ParticleSystem system = oneParticle(new Vector3(0, 2, 0), Vector3.ZERO);
+        int pivot = system.addParticle("pivot", 1, new Vector3(0, 0.5, 0), Vector3.ZERO, true);
+        exact(system, contacts(system, solid(BALL, 0.5, Friction.NONE)), 0.1, 0.3).run();
+        assertEquals(0.5, entry(system, 6 * pivot + 1));
+    }
 }
