@@ -7,11 +7,16 @@ import static particles.Systems.GRAVITY;
 import deSolvers.DESolver;
 import deSolvers.EulerSolver;
 import deSolvers.RK4Solver;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import particles.effects.Gravity;
+import particles.law.Plane;
 import particles.law.Vector3;
 import particles.law.Violation;
+import particles.reactions.RestingContacts;
 import particles.reactions.RigidConstraints;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 
 /** The end of a run checks its rods, wires and contacts. */
 class ConstraintViolationTest {
@@ -46,5 +51,16 @@ class ConstraintViolationTest {
         Violation large = new Violation(0.2, "large");
         assertEquals(large, small.or(large));
         assertEquals(large, large.or(small));
+    }
+
+    /** A rod that drags a ball through the ground was no violation as long as the ball did not count as touching. */
+    @Test
+    void aFreeParticleBelowASurfaceIsAViolation() {
+        ParticleSystem system = Systems.oneParticle(new Vector3(0, -0.2, 0), Vector3.ZERO);
+        RestingContacts contacts = new RestingContacts(system.getParticles(), List.of(new ContactSurface("ground",
+                new Plane(Vector3.ZERO, new Vector3(0, 1, 0)), 0.5, Friction.NONE, 0.01)));
+        assertEquals(0.2, contacts.getViolation(system.getOwnState()).part(), 1e-15);
+        system.getOwnState()[1] = 0.2;
+        assertEquals(0, contacts.getViolation(system.getOwnState()).part());
     }
 }

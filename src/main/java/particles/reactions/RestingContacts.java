@@ -307,12 +307,13 @@ public final class RestingContacts implements Reaction {
     @Override
     public Violation getViolation(double[] state) {
         Violation worst = Violation.NONE;
-        for (int i = 0; i < modes.end(); i++) {
+        for (int i = 0; i < particles.count(); i++) {
             for (int p = 0; p < surfaces.size(); p++) {
                 Obstacle obstacle = surfaces.get(p).obstacle();
                 int x = STRIDE * i;
-                double off = modes.get(p, i) == ContactModes.Mode.FREE ? 0
-                        : Math.abs(obstacle.distance(state[x], state[x + 1], state[x + 2]));
+                double distance = obstacle.distance(state[x], state[x + 1], state[x + 2]);
+                double off = particles.isFixed(i) || modes.get(p, i) == ContactModes.Mode.FREE && distance > 0 ? 0
+                        : Math.abs(distance);
                 double part = off * (obstacle.isFlat() ? 1
                         : Math.abs(obstacle.curvature(state[x], state[x + 1], state[x + 2])));
                 if (part > worst.part()) {
