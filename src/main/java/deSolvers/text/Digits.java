@@ -35,6 +35,9 @@ public final class Digits {
     }
 
     private static String write(double value, MathContext digits) {
-        return Double.isFinite(value) ? exact(BigDecimal.valueOf(value).round(digits)) : Double.toString(value);
+        if (!Double.isFinite(value)) {
+            return Double.isNaN(value) ? "not a number" : value > 0 ? "over 1e308" : "below -1e308";
+        }
+        return exact(BigDecimal.valueOf(value).round(digits));
     }
 }

@@ -42,10 +42,13 @@ final class ConstraintCorrection {
                 double place = Math.abs(state[x]) + Math.abs(state[x + 1]) + Math.abs(state[x + 2]);
                 error = Math.max(error, Math.abs(right[r]) / (rows.scale(r) + place));
             }
+            if (!(error <= Double.MAX_VALUE)) {
+                throw new SimulationException(time, -1, "a step ends with positions too large to compute with", null);
+            }
             if (error <= FINE || error <= ENOUGH && error > before / 2) {
                 return iteration > 0;
             }
-            if (iteration == MOST_ITERATIONS || !(error <= Double.MAX_VALUE)) {
+            if (iteration == MOST_ITERATIONS) {
                 throw new SimulationException(time, -1, "no positions satisfy the rods and wires at t = " + time
                         + " s: after " + iteration + " iterations the relative error of their lengths is still "
                         + Digits.few(error), null);

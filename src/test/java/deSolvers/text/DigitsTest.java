@@ -22,7 +22,8 @@ class DigitsTest {
             assertEquals("9.37e-6", Digits.few(0.000009366));
             assertEquals("1e-5", Digits.few(0.00001));
             assertEquals("1.2e-12", Digits.exact(0.0000000000012));
-            assertEquals("NaN", Digits.few(Double.NaN));
+            assertEquals("not a number", Digits.few(Double.NaN));
+            assertEquals("over 1e308", Digits.few(Double.POSITIVE_INFINITY));
             assertEquals("0.063", Digits.roundedDown(0.0639));
             assertEquals("1000000", Digits.few(1e6));
             assertEquals("1.25e7", Digits.exact(new BigDecimal("12500000")));
