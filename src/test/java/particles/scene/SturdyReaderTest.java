@@ -5,14 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
-import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.scene.format.SceneFormat;
@@ -128,47 +123,5 @@ class SturdyReaderTest {
                 assertThrows(SceneException.class, () -> SceneReader.read(Path.of(missing))).getLines());
         assertEquals(List.of(folder + ": this is a folder; it has to be a file"),
                 assertThrows(SceneException.class, () -> SceneReader.read(folder)).getLines());
-    }
-
-    /** Scenes with bytes replaced, removed, duplicated and moved are read or refused, without any other exception. */
-    @Test
-    void damagedScenesAreReadOrRefused() throws IOException {
-        List<byte[]> seeds = new ArrayList<>(List.of(GOOD.getBytes(StandardCharsets.UTF_8)));
-        for (Path file : SceneFiles.list(Path.of("scenes"))) {
-            seeds.add(Files.readAllBytes(file));
-        }
-        Random random = new Random(20260101);
-        int refused = 0;
-        int runs = Integer.getInteger("runs", 1000);
-        for (int run = 0; run < runs; run++) {
-            byte[] bytes = damaged(seeds.get(random.nextInt(seeds.size())), random);
-            try {
-                SceneBuilder.build(SceneReader.read("x.yaml", bytes));
-            } catch (SceneException e) {
-                refused++;
-                assertFalse(e.getLines().isEmpty());
-            } catch (RuntimeException | Error e) {
-                throw new AssertionError("run " + run + " ended in " + e + " for\n" + new String(bytes,
-                        StandardCharsets.UTF_8), e);
-            }
-        }
-        assertTrue(refused > runs / 10 && refused < runs, refused + " of " + runs + " were refused");
-    }
-
-    private static byte[] damaged(byte[] seed, Random random) {
-        byte[] bytes = seed.clone();
-        String alphabet = "[]{}:,-#&*!|>'\"%@`? \n\t0123456789.eE+x~\u00ff";
-        for (int n = random.nextInt(4); n >= 0; n--) {
-            int at = random.nextInt(bytes.length);
-            int length = Math.min(random.nextInt(12), bytes.length - at);
-            switch (random.nextInt(4)) {
-                case 0 -> bytes[at] = (byte) alphabet.charAt(random.nextInt(alphabet.length()));
-                case 1 -> bytes[at] = (byte) random.nextInt(256);
-                case 2 -> System.arraycopy(bytes, at, bytes, random.nextInt(bytes.length - length + 1), length);
-                default -> Arrays.fill(bytes, at, at + length,
-                        (byte) alphabet.charAt(random.nextInt(alphabet.length())));
-            }
-        }
-        return bytes;
     }
 }

@@ -1,4 +1,4 @@
-package particles.scene;
+package hunts;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.snakeyaml.engine.v2.api.Load;
 import org.snakeyaml.engine.v2.api.LoadSettings;
 import org.snakeyaml.engine.v2.schema.CoreSchema;
+import particles.scene.SceneFiles;
 
 /** Written YAML reads back as the same tree. */
 class FlowTextTest {

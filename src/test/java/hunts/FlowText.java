@@ -1,4 +1,4 @@
-package particles.scene;
+package hunts;
 
 import java.util.List;
 import java.util.Map;

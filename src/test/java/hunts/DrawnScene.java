@@ -1,0 +1,255 @@
+package hunts;
+
+import deSolvers.catalog.SolverCatalog;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeSet;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+import net.jqwik.api.RandomDistribution;
+import particles.law.Vector3;
+
+/**
+ * A valid scene as plain numbers that jqwik can draw and shrink: balls on springs, rods and wires, a pivot that may
+ * move, effects and surfaces. Balls on rods move as one rigid body at first, as rods demand.
+ */
+record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wires,
+        List<Map<String, Map<String, Object>>> effects, List<Surface> surfaces, Start start, Run run) {
+    private static final double TURN = 2 * Math.PI;
+
+    record Ball(double mass, Vector3 position, Vector3 velocity) {
+    }
+
+    /** @param stiffness 0 for a rod */
+    record Link(int from, int to, double stiffness, double stretch, double damping) {
+    }
+
+    /** At the origin. */
+    record Pivot(String kind, Vector3 way, double period) {
+    }
+
+    record Wire(String kind, int bead, Vector3 direction, double size) {
+    }
+
+    record Surface(String kind, Vector3 normal, double gap, double restitution, String law, double friction) {
+    }
+
+    record Start(Vector3 velocity, Vector3 spin) {
+    }
+
+    record Run(String solver, double deltaT, double steps, boolean exact, boolean projection) {
+    }
+
+    private static Arbitrary<Double> numbers(double least, double most) {
+        return Arbitraries.doubles().between(least, most).ofScale(2).withDistribution(RandomDistribution.uniform());
+    }
+
+    private static Arbitrary<Double> orZero(Arbitrary<Double> number) {
+        return Arbitraries.oneOf(Arbitraries.just(0.0), number);
+    }
+
+    /** Three digits, evenly over decades. */
+    private static Arbitrary<Double> decades(double least, double most) {
+        return numbers(least, most).map(e -> Double.valueOf(String.format(Locale.ROOT, "%.2e", Math.pow(10, e))));
+    }
+
+    private static Arbitrary<Vector3> vectors(double size) {
+        Arbitrary<Double> number = numbers(-size, size);
+        return Combinators.combine(number, number, number).as(Vector3::new);
+    }
+
+    private static Arbitrary<Vector3> directions() {
+        return vectors(1).filter(v -> v.length() > 0.1);
+    }
+
+    private static Arbitrary<Integer> index() {
+        return Arbitraries.integers().between(0, 5).withDistribution(RandomDistribution.uniform());
+    }
+
+    static Arbitrary<DrawnScene> any() {
+        Arbitrary<Ball> ball = Combinators.combine(decades(-1, 1), vectors(1), vectors(1)).as(Ball::new);
+        Arbitrary<Link> link = Combinators.combine(index(), index(), orZero(decades(0, 4)), numbers(0.5, 1.5),
+                orZero(decades(-2, 1))).as(Link::new);
+        Arbitrary<Pivot> pivot = Combinators.combine(Arbitraries.of("none", "still", "shake", "circle", "glide"),
+                directions(), decades(-1, 1)).as(Pivot::new);
+        Arbitrary<Wire> wire = Combinators.combine(Arbitraries.of("line", "circle", "parabola", "sine"), index(),
+                directions(), numbers(0.3, 2)).as(Wire::new);
+        Arbitrary<Surface> surface = Combinators.combine(Arbitraries.of("ground", "plane", "ball", "bowl"),
+                directions(), orZero(decades(-3, -0.3)), Arbitraries.oneOf(Arbitraries.of(0.0, 1.0), numbers(0, 1)),
+                Arbitraries.of("none", "coulomb", "slide"), orZero(numbers(0, 1))).as(Surface::new);
+        Arbitrary<Start> start = Combinators.combine(vectors(2), vectors(2)).as(Start::new);
+        Arbitrary<Run> run = Combinators.combine(Arbitraries.of(SolverCatalog.names()), decades(-3.5, -0.3),
+                numbers(3, 20), Arbitraries.of(true, false), Arbitraries.of(true, false)).as(Run::new);
+        return Combinators.combine(ball.list().ofMinSize(1).ofMaxSize(5), link.list().ofMaxSize(6).withSizeDistribution(
+                RandomDistribution.uniform()), pivot,
+                wire.list().ofMaxSize(1), effect().list().ofMaxSize(3), surface.list().ofMaxSize(2), start, run)
+                .as(DrawnScene::new);
+    }
+
+    private static Arbitrary<Map<String, Map<String, Object>>> effect() {
+        Arbitrary<Double> few = decades(-2, 1);
+        Arbitrary<Map<String, Map<String, Object>>> wind = Combinators.combine(vectors(3), vectors(3), decades(-1, 1),
+                few).as((mean, gust, period, c) -> Map.of("wind", Map.of("mean", list(mean), "gust", list(gust),
+                        "period", period), "drag", Map.of("coefficient", c)));
+        Arbitrary<Map<String, Map<String, Object>>> turbulence = Combinators.combine(few, few).as((speed, c) ->
+                Map.of("turbulence", Map.of("strength", speed), "quadraticDrag", Map.of("coefficient", c)));
+        Arbitrary<Map<String, Map<String, Object>>> cohesion = Combinators.combine(numbers(0.5, 2), few, orZero(few))
+                .as((range, depth, c) -> Map.of("cohesion", Map.of("range", range, "depth", depth, "damping", c)));
+        Arbitrary<Map<String, Map<String, Object>>> penalty = Combinators.combine(decades(1, 4), orZero(few),
+                Arbitraries.of("penaltyPlane", "penaltySphere")).as((k, loss, name) -> Map.of(name,
+                        name.endsWith("Plane") ? Map.of("stiffness", k, "loss", loss, "point", List.of(0, -1.2, 0))
+                        : Map.of("stiffness", k, "loss", loss, "centre", List.of(0, -2, 0), "radius", 1)));
+        return Arbitraries.oneOf(Arbitraries.just(Map.of("gravity", Map.of())),
+                vectors(10).map(g -> Map.of("gravity", Map.of("acceleration", list(g)))),
+                few.map(c -> Map.of("drag", Map.of("coefficient", c))),
+                few.map(c -> Map.of("quadraticDrag", Map.of("coefficient", c))),
+                few.map(mu -> Map.of("attraction", Map.of("strength", mu, "centre", List.of(0, 0, 2)))),
+                wind, turbulence, cohesion, penalty);
+    }
+
+    private static List<Double> list(Vector3 v) {
+        return List.of(v.x(), v.y(), v.z());
+    }
+
+    private static Map<String, Object> map(Object... keysAndValues) {
+        Map<String, Object> map = new LinkedHashMap<>();
+        for (int k = 0; k < keysAndValues.length; k += 2) {
+            map.put((String) keysAndValues[k], keysAndValues[k + 1]);
+        }
+        return map;
+    }
+
+    private boolean hasPivot() {
+        return !pivot.kind.equals("none");
+    }
+
+    /** The scene's text, one line of YAML. */
+    @Override
+    public String toString() {
+        List<Object> springs = new ArrayList<>();
+        List<Object> rods = new ArrayList<>();
+        addLinks(springs, rods);
+        List<Object> bent = wires.stream().map(this::wire).toList();
+        boolean tied = !rods.isEmpty() || !bent.isEmpty();
+        List<Object> rules = new ArrayList<>();
+        surfaces.forEach(surface -> rules.add(surface(surface)));
+        Vector3 begin = move(rules, bent.isEmpty());
+        List<Object> particles = new ArrayList<>();
+        for (int i = 0; i < balls.size(); i++) {
+            Ball ball = balls.get(i);
+            Vector3 v = !bent.isEmpty() ? Vector3.ZERO : !tied ? ball.velocity
+                    : (hasPivot() ? begin : start.velocity).plus(start.spin.cross(ball.position));
+            particles.add(map("id", "b" + i, "mass", ball.mass, "position", list(ball.position), "velocity", list(v)));
+        }
+        if (hasPivot()) {
+            particles.add(map("id", id(balls.size()), "position", List.of(0, 0, 0), "fixed", true));
+        }
+        Map<String, Map<String, Object>> laws = new LinkedHashMap<>();
+        effects.forEach(laws::putAll);
+        if (laws.containsKey("wind")) {
+            laws.remove("turbulence");
+        }
+        Map<String, Object> scene = map("title", "drawn", "teaches", "nothing", "solver", run.solver, "deltaT",
+                run.deltaT, "duration", run.deltaT * run.steps, "threads", 1, "impact", run.exact ? "exact" : "clamp",
+                "particles", particles, "springs", springs, "rods", rods, "wires", bent, "effects",
+                laws.entrySet().stream().map(law -> map(law.getKey(), law.getValue())).toList(), "rules", rules);
+        if (tied) {
+            scene.put("constraints", map("feedback", Math.min(5, 0.4 / run.deltaT), "projection", run.projection));
+        }
+        StringBuilder text = new StringBuilder();
+        FlowText.append(scene, text);
+        return text.append('\n').toString();
+    }
+
+    private String id(int i) {
+        return i == balls.size() ? "pivot" : "b" + i;
+    }
+
+    /** Each pair has one link at most. */
+    private void addLinks(List<Object> springs, List<Object> rods) {
+        int ends = balls.size() + (hasPivot() ? 1 : 0);
+        TreeSet<Integer> taken = new TreeSet<>();
+        for (Link link : links) {
+            int from = Math.min(link.from % ends, link.to % ends);
+            int to = Math.max(link.from % ends, link.to % ends);
+            double length = position(from).minus(position(to)).length();
+            if (from != to && length > 0.1 && taken.add(10 * from + to)) {
+                Map<String, Object> entry = map("from", id(from), "to", id(to));
+                if (link.stiffness > 0) {
+                    entry.putAll(map("stiffness", link.stiffness, "restLength", length * link.stretch, "damping",
+                            link.damping));
+                }
+                (link.stiffness > 0 ? springs : rods).add(entry);
+            }
+        }
+    }
+
+    private Vector3 position(int i) {
+        return i == balls.size() ? Vector3.ZERO : balls.get(i).position;
+    }
+
+    private Object wire(Wire wire) {
+        int i = wire.bead % balls.size();
+        Vector3 x = balls.get(i).position;
+        Map<String, Object> keys = map("bead", id(i));
+        keys.putAll(switch (wire.kind) {
+            case "line" -> map("direction", list(wire.direction));
+            case "circle" -> map("centre", list(x.plus(wire.direction.normalized().times(wire.size))), "radius",
+                    wire.size, "axis", list(across(wire.direction)));
+            case "parabola" -> map("origin", list(x), "curvature", wire.size);
+            default -> map("origin", list(x), "amplitude", wire.size / 2, "wavelength", 1.5);
+        });
+        return map(wire.kind, keys);
+    }
+
+    private static Vector3 across(Vector3 v) {
+        return v.cross(Math.abs(v.x()) < Math.abs(v.y()) ? new Vector3(1, 0, 0) : new Vector3(0, 1, 0));
+    }
+
+    /** Below all balls, or around them. */
+    private Object surface(Surface surface) {
+        Vector3 n = surface.kind.equals("ground") ? new Vector3(0, 1, 0) : surface.normal.normalized();
+        double lowest = balls.stream().mapToDouble(ball -> ball.position.dot(n)).min().orElseThrow() - surface.gap;
+        double far = balls.stream().mapToDouble(ball -> ball.position.length()).max().orElseThrow();
+        Map<String, Object> keys = map("restitution", surface.restitution);
+        keys.putAll(switch (surface.kind) {
+            case "ground" -> map("height", lowest);
+            case "plane" -> map("point", list(n.times(lowest)), "normal", list(n));
+            case "ball" -> map("centre", list(n.times(lowest - 1)), "radius", 1);
+            default -> map("centre", List.of(0, 0, 0), "radius", far + surface.gap + 0.1, "hollow", true);
+        });
+        if (!surface.law.equals("none")) {
+            keys.put("friction", map("law", surface.law, "coefficient", surface.friction));
+        }
+        return map(surface.kind.startsWith("b") ? "sphere" : surface.kind, keys);
+    }
+
+    /** Adds the pivot's motion and returns its velocity at the start; beads begin at rest, and so must it. */
+    private Vector3 move(List<Object> rules, boolean fast) {
+        Map<String, Object> motion = map("particle", "pivot");
+        switch (fast || pivot.kind.equals("none") || pivot.kind.equals("still") ? pivot.kind : "glide") {
+            case "shake" -> {
+                motion.putAll(map("amplitude", list(pivot.way), "period", pivot.period));
+                rules.add(map("shake", motion));
+                return pivot.way.times(TURN / pivot.period);
+            }
+            case "circle" -> {
+                Vector3 axis = across(pivot.way);
+                motion.putAll(map("centre", list(pivot.way), "axis", list(axis), "period", pivot.period));
+                rules.add(map("circle", motion));
+                return axis.normalized().cross(pivot.way.times(-TURN / pivot.period));
+            }
+            case "glide" -> {
+                motion.putAll(map("to", list(pivot.way), "duration", pivot.period));
+                rules.add(map("glide", motion));
+            }
+            default -> {
+            }
+        }
+        return Vector3.ZERO;
+    }
+}

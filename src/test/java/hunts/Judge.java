@@ -1,0 +1,172 @@
+package hunts;
+
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo;
+import java.lang.management.ManagementFactory;
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Pattern;
+import particles.scene.Scene;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneException;
+import particles.scene.SceneReader;
+import particles.scene.format.SceneDescription;
+import particles.scene.format.SolverDescription;
+import particles.scene.format.Tolerances;
+
+/**
+ * Judges one execution. A text has to be refused with clear lines, or run for some steps. A drawn scene also has to
+ * obey the laws of physics, to be nearer to the exact motion with half the deltaT, and to say why if it stops.
+ */
+final class Judge {
+    private static final long SLOW_NANOS = TimeUnit.SECONDS.toNanos(2);
+    private static final int FEW_EVALUATIONS = 30;
+    private static final int MOST_EVALUATIONS = 5000;
+    /** What no message may show, unless the text has it. */
+    private static final Pattern ALIEN = Pattern.compile("NaN|Infinity|Exception|92233720368");
+    /** With half the deltaT, the end moves by less than this in a run that resolves the motion. */
+    private static final double RESOLVED = 0.05;
+    /** Errors below this shrink in the order of the method, and those above the next are no round-off. */
+    private static final double CLOSED = 0.01;
+    private static final double ROUND_OFF = 1e-6;
+    /** An error that shrinks does so by this factor at least, even where its sign changes. */
+    private static final double NEARER = 0.9;
+    /** A rod or contact that is off by more ends a run: it says so. */
+    private static final double WRONG = 0.1;
+    /** The tolerances of the finer run of an adaptive solver: a hundredth of its own. */
+    private static final Optional<Tolerances> FINER = Optional.of(new Tolerances(1e-8, 1e-11));
+    private static final int MOST_LINES_OF_A_STOP = 3;
+    /** Relative and absolute tolerance of the reference; its error is below a hundredth of what is compared with it. */
+    private static final SolverDescription REFERENCE =
+            new SolverDescription("dormand-prince", Optional.of(new Tolerances(1e-10, 1e-11)));
+
+    /**
+     * What became of an execution.
+     *
+     * @param find  what is wrong; empty if nothing is
+     * @param kind  how it ended, in words without numbers
+     * @param order the measured order of a solver whose error is small but not round-off; otherwise NaN
+     */
+    record Verdict(String find, String kind, double order) {
+        Verdict(String find, String kind) {
+            this(find, kind, Double.NaN);
+        }
+    }
+
+    private Judge() {
+    }
+
+    /** Reads, builds and runs a text; only reading and building must be fast. */
+    static Verdict ofText(byte[] text) {
+        try {
+            long begin = threadTime();
+            SceneDescription scene = SceneReader.read("x.yaml", text);
+            Scene built = SceneBuilder.build(scene);
+            long time = threadTime() - begin;
+            if (time > SLOW_NANOS) {
+                return new Verdict("it took " + time / 1e9 + " s of computing to read and build it", "slow");
+            }
+            Trial trial = new Trial(built, FEW_EVALUATIONS);
+            return new Verdict(trial.stopped().map(Judge::ofStop).orElse(""), trial.stopped().isEmpty() ? "built"
+                    : "stopped");
+        } catch (SceneException e) {
+            String shown = new String(text, StandardCharsets.UTF_8);
+            String bad = e.getLines().stream().filter(line -> !line.matches("x\\.yaml(:\\d+:\\d+)?: \\P{Cntrl}{1,1100}")
+                    || ALIEN.matcher(line).results().anyMatch(alien -> !shown.contains(alien.group())))
+                    .findFirst().orElse("");
+            String words = e.getLines().get(0).replaceAll("'[^']*'?|[0-9.e+-]+", "?");
+            return new Verdict(bad, "refused: " + words.substring(0, Math.min(40, words.length())));
+        } catch (RuntimeException | Error e) {
+            return ofError(e);
+        }
+    }
+
+    private static Verdict ofError(Throwable e) {
+        return new Verdict(e + (e.getStackTrace().length > 0 ? " at " + e.getStackTrace()[0] : ""), "error");
+    }
+
+    private static long threadTime() {
+        return ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
+    }
+
+    /** Judges the lines with which a run ends early. */
+    private static String ofStop(String lines) {
+        return ALIEN.matcher(lines).find() || lines.lines().count() > MOST_LINES_OF_A_STOP
+                ? "not a clear message: " + lines : "";
+    }
+
+    /** Judges a drawn scene; it must be valid. */
+    static Verdict ofScene(String text) {
+        try {
+            return judged(read(text), read(text.replace("impact: clamp", "impact: exact")));
+        } catch (RuntimeException | Error e) {
+            return ofError(e);
+        }
+    }
+
+    private static SceneDescription read(String text) {
+        return SceneReader.read("x.yaml", text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    private static Trial run(SceneDescription scene) {
+        return new Trial(SceneBuilder.build(scene), MOST_EVALUATIONS);
+    }
+
+    private static Verdict judged(SceneDescription scene, SceneDescription exactly) {
+        SolverInfo solver = SolverCatalog.info(scene.solver());
+        double h = scene.deltaT();
+        Trial whole = run(scene);
+        if (!whole.isWhole()) {
+            return new Verdict(whole.stopped().map(Judge::ofStop).orElse(""), whole.stopped().isPresent() ? "stopped"
+                    : "cut");
+        }
+        SceneDescription finer = solver.adaptive() ? scene.withSolver(new SolverDescription(solver.name(), FINER))
+                : scene.withDeltaT(h / 2);
+        Trial half = run(finer);
+        String find = ofLaws(whole) + ofLaws(half);
+        if (!find.isEmpty() || !half.isWhole() || whole.distance(half) > RESOLVED) {
+            return new Verdict(find, "not resolved");
+        }
+        Trial exact = run(exactly.withDeltaT(h / 4).withSolver(REFERENCE));
+        if (!exact.isWhole()) {
+            return new Verdict("", "no reference");
+        }
+        boolean struck = exact.struck() || whole.struck() || half.struck();
+        boolean clamped = !scene.settings().exactImpacts() && whole.hasSurfaces();
+        double far = whole.distance(exact);
+        double near = half.distance(exact);
+        boolean compared = far > ROUND_OFF && far < CLOSED;
+        find = exact.depth() > ROUND_OFF ? "the reference is below a surface by " + exact.depth() : ofLaws(exact);
+        if (whole.gain() > whole.ledger() + (clamped ? WRONG : ROUND_OFF)) {
+            find = "surfaces and damping add energy: " + whole.gain();
+        } else if (!clamped && near > NEARER * far && (compared || solver.adaptive() && far > CLOSED)) {
+            Trial fine = run(finer.withDeltaT(h / 16));
+            find = fine.isWhole() && fine.distance(exact) > NEARER * far ? "finer steps are not nearer: " + far + ", "
+                    + near + ", " + fine.distance(exact) : find;
+        } else if (whole.ledger() < CLOSED && exact.ledger() > Math.max(ROUND_OFF, NEARER * whole.ledger())) {
+            Trial fine = run(exactly.withDeltaT(h / 64).withSolver(REFERENCE));
+            find = fine.isWhole() && fine.ledger() > NEARER * whole.ledger() ? "the ledger does not close: "
+                    + whole.ledger() + ", " + exact.ledger() + ", " + fine.ledger() : find;
+        }
+        return new Verdict(find, solver.name() + (!struck ? "" : clamped ? ", clamp" : ", exact"),
+                compared && near > 0 && !solver.adaptive() ? Math.log(far / near) / Math.log(2) : Double.NaN);
+    }
+
+    private static String ofLaws(Trial trial) {
+        if (!trial.isWhole()) {
+            return "";
+        }
+        return !(trial.distance(trial) == 0 && trial.ledger() < Double.POSITIVE_INFINITY) ? "not finite"
+                : trial.rods() > WRONG ? "a rod is longer or shorter by " + trial.rods()
+                : trial.depth() > WRONG ? "below a surface by " + trial.depth()
+                : trial.momentum() > momentum(trial.scene().description().solver()) ? "momentum changed by "
+                + trial.momentum() : "";
+    }
+
+    /** Measured: 1e-15, 7e-11 for implicit solvers, and 1.5e-9 where linear systems are solved by iteration. */
+    private static double momentum(String solver) {
+        return solver.equals("linearised-euler") ? 1e-8 : SolverCatalog.info(solver).family().equals("implicit") ? 1e-9
+                : 1e-14;
+    }
+}
