@@ -91,7 +91,7 @@ class ArchitectureTest {
                                            particles.experiments.runs particles.experiments.spectrum particles.law
                                            particles.scene particles.scene.format particles.view
             particles.experiments.work:    deSolvers deSolvers.catalog deSolvers.implicit deSolvers.problems particles
-                                           particles.effects particles.effects.springs particles.experiments.runs
+                                           particles.effects.springs particles.experiments.runs
                                            particles.experiments.spectrum particles.law particles.scene particles.view
             particles.javac:               javax.tools
             particles.lab:                 deSolvers.catalog particles particles.effects.springs

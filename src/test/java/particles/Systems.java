@@ -1,6 +1,7 @@
 package particles;
 
 import deSolvers.DESolver;
+import deSolvers.RK4Solver;
 import particles.law.Vector3;
 
 /** Small systems and runs shared by several tests. */
@@ -16,6 +17,11 @@ public final class Systems {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("p", 1, position, velocity, false);
         return system;
+    }
+
+    /** @return a run by rk4 without an energy limit */
+    public static Simulation rk4(ParticleSystem system, double deltaT, double duration) {
+        return new Simulation(system, new RK4Solver(), deltaT, duration, Double.POSITIVE_INFINITY);
     }
 
     /** Runs to the end, with rules and no energy limit. */

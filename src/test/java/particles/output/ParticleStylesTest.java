@@ -3,6 +3,7 @@ package particles.output;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.rk4;
 import static particles.output.SmallPictures.FRONT;
 import static particles.output.SmallPictures.H;
 import static particles.output.SmallPictures.W;
@@ -11,7 +12,6 @@ import static particles.output.SmallPictures.look;
 import static particles.output.SmallPictures.renderer;
 import static particles.output.SmallPictures.state;
 
-import deSolvers.RK4Solver;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -189,7 +189,7 @@ class ParticleStylesTest {
     void aTrailFollowsThePathAndFades() {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("ball", 1, new Vector3(-6, 0.525, 0), new Vector3(4, 0, 0), false);
-        Simulation simulation = new Simulation(system, new RK4Solver(), 0.003, 3, Double.POSITIVE_INFINITY);
+        Simulation simulation = rk4(system, 0.003, 3);
         FrameRenderer renderer = renderer(FRONT, look(ParticleStyle.Kind.BALLS, 0.25, 2), Scenery.NONE);
         int[] empty = renderer(FRONT, look(ParticleStyle.Kind.BALLS, 0.25, 2), Scenery.NONE).render(state()).clone();
         List<int[]> frames = new ArrayList<>();

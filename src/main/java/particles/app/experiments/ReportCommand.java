@@ -67,7 +67,7 @@ public final class ReportCommand extends ResultsCommand {
 
     @Option(names = "--experiments", paramLabel = "NAMES", defaultValue = "all",
             description = "Experiments, separated by commas (default: ${DEFAULT-VALUE}).")
-    private String names = "all";
+    private String names;
 
     private Supplier<Optional<SceneDescription>> about;
     private Supplier<List<SolverChoice>> choices;

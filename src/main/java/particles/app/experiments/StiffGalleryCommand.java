@@ -20,11 +20,11 @@ import picocli.CommandLine.Option;
 public final class StiffGalleryCommand extends ExperimentCommand {
     @Option(names = "--solvers", paramLabel = "NAMES", defaultValue = "all",
             description = "Solvers, separated by commas (default: ${DEFAULT-VALUE}).")
-    private String solvers = "all";
+    private String solvers;
 
     @Option(names = "--decades", paramLabel = "NUMBER", defaultValue = "8",
             description = "Decades of stiffness above 1 N/m, 5 to 8 (default: ${DEFAULT-VALUE}).")
-    private int decades = 8;
+    private int decades;
 
     private List<SolverChoice> choices;
 

@@ -35,11 +35,11 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
     @Option(names = "--problem", paramLabel = "NAMES", defaultValue = "all",
             description = "Problems, separated by commas:"
             + " oscillator, pendulum, kepler, network, stiff-chain, cloth (default: ${DEFAULT-VALUE}).")
-    private String problem = "all";
+    private String problem;
 
     @Option(names = "--solvers", paramLabel = "NAMES", defaultValue = "all",
             description = "Solvers, separated by commas (default: ${DEFAULT-VALUE}).")
-    private String solvers = "all";
+    private String solvers;
 
     private List<SolverChoice> choices;
     private List<String> names;

@@ -1,6 +1,7 @@
 package particles.experiments.runs;
 
 import deSolvers.DESolverException;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
 import particles.Motion;
@@ -8,6 +9,7 @@ import particles.Observer;
 import particles.SimulationException;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
+import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SolverDescription;
 import particles.scene.format.Tolerances;
@@ -39,6 +41,11 @@ public final class SceneRun {
      */
     public record Outcome(double endTime, long steps, long evaluations, double seconds, double busy,
                           Optional<String> failure) {
+    }
+
+    /** @return the scene with this text, named like this in messages */
+    public static Scene of(String name, String yaml) {
+        return SceneBuilder.build(SceneReader.read(name, yaml.getBytes(StandardCharsets.UTF_8)));
     }
 
     /**

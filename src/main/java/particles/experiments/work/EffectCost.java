@@ -3,7 +3,6 @@ package particles.experiments.work;
 import static particles.view.DataTable.column;
 
 import deSolvers.RK4Solver;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -12,9 +11,8 @@ import java.util.Locale;
 import java.util.function.LongSupplier;
 import particles.Simulation;
 import particles.experiments.runs.ProgressListener;
+import particles.experiments.runs.SceneRun;
 import particles.scene.Scene;
-import particles.scene.SceneBuilder;
-import particles.scene.SceneReader;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
@@ -131,7 +129,7 @@ public final class EffectCost {
     static Scene scene(int columns, int steps, String addition) {
         double side = SPACING * (columns - 1);
         String text = String.format(Locale.ROOT, CLOTH, DELTA_T, steps * DELTA_T, side, side, columns, columns);
-        return SceneBuilder.build(SceneReader.read("a cloth", (text + addition).getBytes(StandardCharsets.UTF_8)));
+        return SceneRun.of("a cloth", text + addition);
     }
 
     /**

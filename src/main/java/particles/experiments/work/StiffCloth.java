@@ -7,7 +7,6 @@ import deSolvers.RK4Solver;
 import deSolvers.implicit.BackwardEulerSolver;
 import deSolvers.implicit.ImplicitWork;
 import deSolvers.implicit.LinearisedEulerSolver;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -15,10 +14,9 @@ import java.util.Locale;
 import particles.ParticleSystem;
 import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.ProgressListener;
+import particles.experiments.runs.SceneRun;
 import particles.experiments.spectrum.Spectrum;
 import particles.law.Particles;
-import particles.scene.SceneBuilder;
-import particles.scene.SceneReader;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
@@ -77,8 +75,8 @@ public final class StiffCloth {
 
     /** A cloth that hangs from two corners, slightly crumpled. */
     private static ParticleSystem cloth(double stiffness) {
-        byte[] yaml = String.format(Locale.ROOT, CLOTH, FRAME, stiffness).getBytes(StandardCharsets.UTF_8);
-        ParticleSystem system = SceneBuilder.build(SceneReader.read("stiff cloth", yaml)).system();
+        ParticleSystem system = SceneRun.of("stiff cloth",
+                String.format(Locale.ROOT, CLOTH, FRAME, stiffness)).system();
         for (int n = 0; n < EDGE * EDGE; n++) {
             system.getOwnState()[Particles.STRIDE * n + 2] = 0.01 * ((7 * (n / EDGE) + 13 * (n % EDGE)) % 5);
         }

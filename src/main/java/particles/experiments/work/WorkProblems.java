@@ -14,10 +14,8 @@ import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.function.Supplier;
 import particles.ParticleSystem;
-import particles.effects.Gravity;
-import particles.effects.LinearDrag;
-import particles.effects.Wind;
 import particles.effects.springs.SpringForce;
+import particles.experiments.runs.SceneRun;
 import particles.experiments.work.WorkProblem.Budget;
 import particles.experiments.work.WorkProblem.Stiff;
 import particles.law.Vector3;
@@ -124,27 +122,17 @@ public final class WorkProblems {
 
     /** Level at first and held at two corners: structural, shear and bend springs, gravity and drag in still air. */
     private static ParticleSystem cloth() {
-        ParticleSystem system = new ParticleSystem();
-        SpringForce springs = new SpringForce(system.getParticles());
-        int n = 6;
-        for (int i = 0; i < n * n; i++) {
-            system.addParticle("p" + i, 0.01, new Vector3(0.1 * (i % n), 0, 0.1 * (i / n)), Vector3.ZERO, i == 0
-                    || i == n - 1);
-        }
-        int[][] families = {{1, 0, 60}, {0, 1, 60}, {1, 1, 20}, {-1, 1, 20}, {2, 0, 5}, {0, 2, 5}};
-        for (int i = 0; i < n * n; i++) {
-            for (int[] family : families) {
-                int column = i % n + family[0];
-                int row = i / n + family[1];
-                if (column >= 0 && column < n && row < n) {
-                    springs.addSpring(i, row * n + column, family[2],
-                            0.1 * Math.sqrt(family[0] * family[0] + family[1] * family[1]), 0.02);
-                }
-            }
-        }
-        system.addEffect(springs);
-        system.addEffect(new Gravity(system.getParticles(), new Vector3(0, -9.81, 0)));
-        system.addEffect(new LinearDrag(system.getParticles(), 0.002, Wind.STILL));
-        return system;
+        return SceneRun.of("a cloth", """
+                title: A cloth that falls
+                teaches: What precision costs.
+                solver: rk4
+                deltaT: 0.01
+                duration: 1
+                shapes:
+                  - cloth: {corner: [0, 0, 0], across: [0.5, 0, 0], down: [0, 0, 0.5], columns: 6, rows: 6, mass: 0.01,
+                      fixed: [top-left, top-right], structural: {stiffness: 60, damping: 0.02},
+                      shear: {stiffness: 20, damping: 0.02}, bend: {stiffness: 5, damping: 0.02}}
+                effects: [gravity, drag: {coefficient: 0.002}]
+                """).system();
     }
 }

@@ -40,44 +40,33 @@ public final class RunSummaryWriter {
 
     private static void write(JsonGenerator json, RunSummary run) throws IOException {
         json.writeStartObject();
-        json.writeStringField("version", run.version());
-        json.writeStringField("scene", run.scene());
-        json.writeStringField("sceneSha256", run.sceneHash());
-        json.writeStringField("solver", run.solver());
-        number(json, "deltaT", run.deltaT());
-        number(json, "duration", run.duration());
-        number(json, "endTime", run.endTime());
-        json.writeNumberField("steps", run.steps());
-        json.writeNumberField("evaluations", run.evaluations());
-        number(json, "secondsTaken", run.secondsTaken());
+        fields(json, "version", run.version(), "scene", run.scene(), "sceneSha256", run.sceneHash(),
+                "solver", run.solver(), "deltaT", run.deltaT(), "duration", run.duration(), "endTime", run.endTime(),
+                "steps", run.steps(), "evaluations", run.evaluations(), "secondsTaken", run.secondsTaken());
         json.writeObjectFieldStart("energy");
-        number(json, "start", run.startEnergy());
-        number(json, "end", run.endEnergy());
-        number(json, "scale", run.energyScale());
-        number(json, "relativeDrift", run.relativeDrift());
-        number(json, "largestRelativeDrift", run.largestRelativeDrift());
-        number(json, "numericalError", run.numericalError());
-        number(json, "relativeNumericalError", run.relativeNumericalError());
-        number(json, "largestRelativeNumericalError", run.largestRelativeNumericalError());
+        fields(json, "start", run.startEnergy(), "end", run.endEnergy(), "scale", run.energyScale(),
+                "relativeDrift", run.relativeDrift(), "largestRelativeDrift", run.largestRelativeDrift(),
+                "numericalError", run.numericalError(), "relativeNumericalError", run.relativeNumericalError(),
+                "largestRelativeNumericalError", run.largestRelativeNumericalError());
         json.writeObjectFieldStart("work");
         for (Map.Entry<String, Double> kind : run.work().entrySet()) {
-            number(json, kind.getKey(), kind.getValue());
+            fields(json, kind.getKey(), kind.getValue());
         }
         json.writeEndObject();
         json.writeEndObject();
         json.writeObjectFieldStart("java");
-        json.writeStringField("version", Runtime.version().toString());
-        json.writeStringField("vendor", System.getProperty("java.vendor", ""));
-        json.writeStringField("machine", System.getProperty("java.vm.name", ""));
+        fields(json, "version", Runtime.version().toString(), "vendor", System.getProperty("java.vendor", ""),
+                "machine", System.getProperty("java.vm.name", ""));
         json.writeEndObject();
         json.writeEndObject();
     }
 
-    private static void number(JsonGenerator json, String name, double value) throws IOException {
-        if (Double.isFinite(value)) {
-            json.writeNumberField(name, value);
-        } else {
-            json.writeNullField(name);
+    /** Writes names and values in turn; NaN and infinity are null. */
+    private static void fields(JsonGenerator json, Object... namesAndValues) throws IOException {
+        for (int k = 0; k < namesAndValues.length; k += 2) {
+            Object value = namesAndValues[k + 1];
+            json.writeFieldName((String) namesAndValues[k]);
+            json.writeObject(value instanceof Double number && !Double.isFinite(number) ? null : value);
         }
     }
 }

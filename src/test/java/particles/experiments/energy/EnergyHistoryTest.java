@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.rk4;
 
 import deSolvers.DESolver;
 import deSolvers.EulerSolver;
@@ -45,7 +46,7 @@ class EnergyHistoryTest {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("ball", 2, new Vector3(0, height, 0), Vector3.ZERO, false);
         system.addEffect(new Gravity(system.getParticles(), new Vector3(0, -G, 0)));
-        Simulation simulation = new Simulation(system, new RK4Solver(), 0.125, 1, Double.POSITIVE_INFINITY);
+        Simulation simulation = rk4(system, 0.125, 1);
         simulation.addRule(new Rule() {
             @Override
             public String getName() {
@@ -138,7 +139,7 @@ class EnergyHistoryTest {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("planet", 1, new Vector3(1, 0, 0), new Vector3(0, 1, 0), false);
         system.addEffect(new PointAttraction(system.getParticles(), Vector3.ZERO, 1, 0));
-        EnergyHistory energy = observe(new Simulation(system, new RK4Solver(), 0.01, 1, Double.POSITIVE_INFINITY), 1);
+        EnergyHistory energy = observe(rk4(system, 0.01, 1), 1);
         assertEquals(-0.5, energy.getStart(), 1e-15);
         Series total = series(energy.chart(""), "total");
         assertEquals(-0.5, total.y()[total.y().length - 1], 1e-8);
@@ -152,7 +153,7 @@ class EnergyHistoryTest {
         system.addParticle("low", 2, Vector3.ZERO, Vector3.ZERO, false);
         system.addParticle("high", 1, new Vector3(5, 3, 0), Vector3.ZERO, true);
         system.addEffect(new Gravity(system.getParticles(), new Vector3(0, -G, 0)));
-        EnergyHistory energy = observe(new Simulation(system, new RK4Solver(), 0.1, 0, Double.POSITIVE_INFINITY), 1);
+        EnergyHistory energy = observe(rk4(system, 0.1, 0), 1);
         assertEquals(2 * G * 3, energy.getScale(), 1e-14);          // measured 0
         assertEquals(0, energy.getLargestDrift());
     }
@@ -223,7 +224,7 @@ class EnergyHistoryTest {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("ball", 1, Vector3.ZERO, Vector3.ZERO, false);
         system.addEffect(new Gravity(system.getParticles(), new Vector3(0, -G, 0)));
-        assertFalse(observe(new Simulation(system, new RK4Solver(), 1e-4, 1, Double.POSITIVE_INFINITY), 1)
+        assertFalse(observe(rk4(system, 1e-4, 1), 1)
                 .chart("falling").yLog());
     }
 

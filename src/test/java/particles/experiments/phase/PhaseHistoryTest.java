@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.rk4;
 
-import deSolvers.RK4Solver;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
@@ -29,7 +29,7 @@ class PhaseHistoryTest {
         SpringForce springs = new SpringForce(system.getParticles());
         springs.addSpring(0, 1, 2, 3, 0);
         system.addEffect(springs);
-        return new Simulation(system, new RK4Solver(), deltaT, duration, Double.POSITIVE_INFINITY);
+        return rk4(system, deltaT, duration);
     }
 
     private static PhaseHistory observe(Simulation simulation) {
@@ -67,7 +67,7 @@ class PhaseHistoryTest {
         SpringForce springs = new SpringForce(system.getParticles());
         springs.addSpring(0, 1, 4, 0, 0);
         system.addEffect(springs);
-        Simulation simulation = new Simulation(system, new RK4Solver(), 1.0 / 64, 10, Double.POSITIVE_INFINITY);
+        Simulation simulation = rk4(system, 1.0 / 64, 10);
         PhaseHistory phase = new PhaseHistory("bob", Optional.of("hub"));
         simulation.addObserver(phase);
         simulation.run();

@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.rk4;
 
-import deSolvers.RK4Solver;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -36,7 +36,7 @@ class TrajectoryWriterTest {
         system.addParticle("a", 1, new Vector3(0, 1, 0), new Vector3(0.3, 0, -0.0), false);
         system.addParticle("b, \"the\" second", 2, new Vector3(1.0 / 3, 2, 0), Vector3.ZERO, false);
         system.addEffect(TestEffects.gravity(system, 9.81));
-        Simulation simulation = new Simulation(system, new RK4Solver(), 0.1, duration, Double.POSITIVE_INFINITY);
+        Simulation simulation = rk4(system, 0.1, duration);
         if (jump) {
             simulation.addRule(new Rule() {
                 private int steps;
@@ -76,7 +76,7 @@ class TrajectoryWriterTest {
     void theFileStaysBelowItsLimitWhenParticlesAreBorn() throws IOException {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("p0", 1, Vector3.ZERO, new Vector3(1, 0, 0), false);
-        Simulation simulation = new Simulation(system, new RK4Solver(), 0.125, 125, Double.POSITIVE_INFINITY);
+        Simulation simulation = rk4(system, 0.125, 125);
         simulation.addRule(new Rule() {
             @Override
             public String getName() {

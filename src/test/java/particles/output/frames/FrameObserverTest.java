@@ -5,10 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.rk4;
 import static particles.output.SmallPictures.FRONT;
 import static particles.output.SmallPictures.plain;
 
-import deSolvers.RK4Solver;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -88,7 +88,7 @@ class FrameObserverTest {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("ball", 1, new Vector3(0, -4, 0), new Vector3(0, 8, 0), false);
         system.addEffect(TestEffects.gravity(system, 8));
-        return new Simulation(system, new RK4Solver(), deltaT, duration, Double.POSITIVE_INFINITY);
+        return rk4(system, deltaT, duration);
     }
 
     private static Notes watch(Simulation simulation, double fps) {
@@ -124,7 +124,7 @@ class FrameObserverTest {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("ball", 1, new Vector3(-0.5, 3.24, 0), new Vector3(1, 0, 0), false);
         system.addEffect(TestEffects.gravity(system, 8));
-        Simulation simulation = new Simulation(system, new RK4Solver(), 0.1, 1, Double.POSITIVE_INFINITY);
+        Simulation simulation = rk4(system, 0.1, 1);
         simulation.addRule(new Rule() {
             @Override
             public String getName() {

@@ -4,10 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.rk4;
 import static particles.output.SmallPictures.FRONT;
 import static particles.output.SmallPictures.plain;
 
-import deSolvers.RK4Solver;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -50,7 +50,7 @@ class RaceFilmTest {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("ball", 1, new Vector3(0, 3, 0), new Vector3(0, 0, 0), false);
         system.addEffect(TestEffects.gravity(system, 8));
-        Simulation simulation = new Simulation(system, new RK4Solver(), deltaT, 1, Double.POSITIVE_INFINITY);
+        Simulation simulation = rk4(system, deltaT, 1);
         simulation.addObserver(observer);
         return simulation;
     }

@@ -3,8 +3,8 @@ package particles.output.text;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
+import static particles.Systems.rk4;
 
-import deSolvers.RK4Solver;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -45,7 +45,7 @@ class FontCheckTest {
                 FrameRenderer renderer = new FrameRenderer(new FrameSetup(
                         CameraFraming.around(Vector3.ZERO, Vector3.ZERO, 1.5), RenderOptions.STANDARD,
                         Scenery.NONE, "title", "caption"), 90, 60, 2);
-                Simulation simulation = new Simulation(system, new RK4Solver(), 0.1, 0, Double.POSITIVE_INFINITY);
+                Simulation simulation = rk4(system, 0.1, 0);
                 try (FrameObserver frames = new FrameObserver(renderer, 25, List.of(new PngFrames(folder, 90, 60)))) {
                     simulation.addObserver(frames);
                     simulation.run();
