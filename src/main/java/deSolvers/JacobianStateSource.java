@@ -41,7 +41,7 @@ public interface JacobianStateSource extends DEStateSource {
      *
      * @param blocks receives them
      */
-    default void addJacobianBlocks(JacobianBlocks blocks) {
+    default void addJacobianBlocks(ForceDerivatives blocks) {
     }
 
     /**

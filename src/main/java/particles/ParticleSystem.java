@@ -1,7 +1,7 @@
 package particles;
 
 import deSolvers.ArrayStateSource;
-import deSolvers.JacobianBlocks;
+import deSolvers.ForceDerivatives;
 import deSolvers.JacobianStateSource;
 import deSolvers.SecondOrderStateSource;
 import java.util.ArrayList;
@@ -13,7 +13,6 @@ import particles.engine.ForceSum;
 import particles.engine.ParticleJacobian;
 import particles.law.AnchorMotion;
 import particles.law.Effect;
-import particles.law.IndexedEffect;
 import particles.law.Particles;
 import particles.law.Reaction;
 import particles.law.Vector3;
@@ -94,11 +93,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         }
         particles.shrinkTo(stay);
         anchors.reindex(newIndex);
-        for (Effect effect : effects) {
-            if (effect instanceof IndexedEffect indexed) {
-                indexed.reindex(newIndex);
-            }
-        }
+        effects.forEach(effect -> effect.reindex(newIndex));
         reactions.forEach(reaction -> reaction.reindex(newIndex));
         return newIndex;
     }
@@ -183,10 +178,12 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     /**
      * Returns the state array itself, for rules and observers.
      *
-     * @return 6 doubles for each of the {@link #getStateSize()} / 6 particles; the array may be longer. Keep no
-     *         reference
+     * @return s with the moving anchors at their places, {@link #getStateSize()} long; keep no reference
      */
     public double[] getOwnState() {
+        if (state.length != getStateSize()) {           // addParticle leaves room for more
+            state = Arrays.copyOf(state, getStateSize());
+        }
         return state;
     }
 
@@ -213,14 +210,13 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
 
     @Override
     public void getState(double[] state) {
-        System.arraycopy(this.state, 0, state, 0, getStateSize());
+        System.arraycopy(this.state, 0, state, 0, state.length);
         anchors.hide(state);
     }
 
     @Override
     public void setState(double[] state) {
-        trim();
-        System.arraycopy(state, 0, this.state, 0, getStateSize());
+        System.arraycopy(state, 0, getOwnState(), 0, state.length);
         anchors.put(time, this.state);
     }
 
@@ -242,33 +238,25 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
 
     @Override
     public void getStateDerivative(double[] dSdt) {
-        getStateDerivative(state, dSdt);
+        getStateDerivative(getOwnState(), dSdt);
     }
 
     @Override
     public void getStateDerivative(double[] state, double[] dSdt) {
         evaluations++;
-        forces.derivative(anchors.shownIn(state, time, getStateSize()), time, dSdt);
+        forces.derivative(anchors.shownIn(state, time), time, dSdt);
         anchors.hide(dSdt);
     }
 
-    /** The state array itself; with moving anchors a copy, in which their places are 0. */
+    /** The state array itself, for solvers; with moving anchors a copy, in which their places are 0. */
     @Override
     public double[] getStateArray() {
-        trim();
-        return anchors.hiddenIn(state, state.length);
-    }
-
-    /** addParticle leaves room for more particles; in a large system a step needs that memory. */
-    private void trim() {
-        if (state.length != getStateSize()) {
-            state = Arrays.copyOf(state, getStateSize());
-        }
+        return anchors.hiddenIn(getOwnState());
     }
 
     @Override
     public void getJacobianProduct(double[] direction, double[] product) {
-        jacobian.multiply(state, time, anchors.freePartOf(direction, getStateSize()), product);
+        jacobian.multiply(state, time, anchors.freePartOf(direction), product);
         anchors.hide(product);
     }
 
@@ -278,7 +266,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     }
 
     @Override
-    public void addJacobianBlocks(JacobianBlocks blocks) {
+    public void addJacobianBlocks(ForceDerivatives blocks) {
         jacobian.addBlocks(state, time, blocks);
     }
 

@@ -35,7 +35,7 @@ class ArchitectureTest {
             deSolvers:
             deSolvers.adaptive:            deSolvers deSolvers.rungeKutta
             deSolvers.catalog:             deSolvers deSolvers.adaptive deSolvers.extrapolation deSolvers.implicit
-                                           deSolvers.multistep deSolvers.symplectic
+                                           deSolvers.multistep deSolvers.symplectic deSolvers.text
             deSolvers.extrapolation:       deSolvers deSolvers.adaptive
             deSolvers.implicit:            deSolvers deSolvers.adaptive deSolvers.linear deSolvers.text
             deSolvers.linear:              deSolvers org.ejml
@@ -47,7 +47,7 @@ class ArchitectureTest {
             particles:                     deSolvers deSolvers.text particles.engine particles.law
             particles.app:                 particles.app.cli particles.app.experiments particles.app.run
                                            particles.app.student particles.output.files particles.output.report
-            particles.app.cli:             deSolvers deSolvers.catalog particles particles.experiments.runs
+            particles.app.cli:             deSolvers deSolvers.text particles particles.experiments.runs
                                            particles.output.charts particles.output.files particles.scene picocli
             particles.app.experiments:     deSolvers.catalog deSolvers.text particles particles.app.cli
                                            particles.app.student particles.experiments.energy
@@ -73,8 +73,8 @@ class ArchitectureTest {
                                            particles.teaching.exercises particles.teaching.figures
                                            particles.teaching.marking particles.teaching.solvers particles.view
                                            javax.tools picocli
-            particles.effects:             particles.law particles.spec
-            particles.effects.springs:     particles.law particles.view
+            particles.effects:             deSolvers particles.law particles.spec
+            particles.effects.springs:     deSolvers particles.law particles.view
             particles.engine:              deSolvers particles.law
             particles.experiments.energy:  deSolvers.text particles particles.experiments.runs particles.law
                                            particles.scene particles.scene.format particles.view
@@ -90,17 +90,18 @@ class ArchitectureTest {
             particles.experiments.stability: deSolvers deSolvers.catalog deSolvers.problems particles
                                            particles.experiments.runs particles.experiments.spectrum particles.law
                                            particles.scene particles.scene.format particles.view
-            particles.experiments.work:    deSolvers deSolvers.catalog deSolvers.implicit deSolvers.problems particles
-                                           particles.effects.springs particles.experiments.runs
-                                           particles.experiments.spectrum particles.law particles.scene particles.view
+            particles.experiments.work:    deSolvers deSolvers.catalog deSolvers.implicit deSolvers.problems
+                                           deSolvers.text particles particles.effects.springs
+                                           particles.experiments.runs particles.experiments.spectrum particles.law
+                                           particles.scene particles.view
             particles.javac:               javax.tools
-            particles.lab:                 deSolvers.catalog particles particles.effects.springs
+            particles.lab:                 deSolvers deSolvers.catalog particles particles.effects.springs
                                            particles.experiments.energy particles.law
                                            particles.messages particles.scene particles.scene.format particles.spec
                                            particles.view
             particles.lab.browser:         deSolvers particles.effects particles.lab particles.spec org.teavm
             particles.lab.compile:         particles.javac particles.lab org.teavm
-            particles.law:
+            particles.law:                 deSolvers
             particles.messages:            deSolvers deSolvers.catalog deSolvers.text particles particles.effects
                                            particles.effects.springs particles.law particles.reactions
                                            particles.scene particles.scene.format particles.spec
@@ -120,14 +121,15 @@ class ArchitectureTest {
             particles.output.report:       particles.output.charts particles.output.files particles.output.text
                                            particles.view java.awt javax.imageio javax.xml
             particles.output.text:         deSolvers.text particles.output.files particles.view java.awt org.jfree
-            particles.reactions:           deSolvers.text particles particles.law particles.reactions.algebra
-                                           particles.reactions.contact particles.reactions.wires particles.view
+            particles.reactions:           deSolvers deSolvers.text particles particles.law
+                                           particles.reactions.algebra particles.reactions.contact
+                                           particles.reactions.wires particles.view
             particles.reactions.algebra:   org.ejml
-            particles.reactions.contact:   particles particles.law
+            particles.reactions.contact:   deSolvers particles particles.law
             particles.reactions.wires:     particles.law particles.view
             particles.rules:               particles particles.effects particles.effects.springs particles.law
                                            particles.reactions particles.reactions.contact particles.view
-            particles.scene:               deSolvers deSolvers.catalog particles particles.effects
+            particles.scene:               deSolvers deSolvers.text particles particles.effects
                                            particles.effects.springs particles.law particles.reactions particles.rules
                                            particles.scene.checks particles.scene.format particles.scene.parts
                                            particles.spec particles.spec.messages particles.view
@@ -140,14 +142,13 @@ class ArchitectureTest {
             particles.scene.parts:         particles particles.effects particles.effects.springs particles.law
                                            particles.reactions particles.reactions.contact particles.reactions.wires
                                            particles.rules particles.spec particles.spec.messages particles.view
-            particles.spec:                deSolvers.catalog deSolvers.text particles.law particles.spec.messages
-                                           org.snakeyaml
+            particles.spec:                deSolvers.text particles.law particles.spec.messages org.snakeyaml
             particles.spec.documents:      deSolvers.text particles.spec com.fasterxml.jackson
-            particles.spec.messages:       deSolvers.catalog org.snakeyaml
+            particles.spec.messages:       deSolvers.text org.snakeyaml
             particles.teaching:
             particles.teaching.contract:   deSolvers particles.teaching particles.teaching.sources
-            particles.teaching.effects:    deSolvers.catalog particles particles.effects particles.effects.springs
-                                           particles.law particles.spec particles.teaching
+            particles.teaching.effects:    deSolvers deSolvers.text particles particles.effects
+                                           particles.effects.springs particles.law particles.spec particles.teaching
             particles.teaching.exercises:  deSolvers deSolvers.catalog deSolvers.problems particles
                                            particles.effects.springs particles.experiments.energy
                                            particles.experiments.runs particles.law particles.scene

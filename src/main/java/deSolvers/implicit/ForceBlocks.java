@@ -1,6 +1,6 @@
 package deSolvers.implicit;
 
-import deSolvers.JacobianBlocks;
+import deSolvers.ForceDerivatives;
 import deSolvers.JacobianStateSource;
 import deSolvers.linear.BlockMatrix;
 import deSolvers.linear.BlockPattern;
@@ -12,7 +12,7 @@ import java.util.Arrays;
  * one, in the same order every time; where it names others than before, the pattern is found anew. The mass of a held
  * particle counts as 1, and its rows are 0, so that nothing moves it.
  */
-final class ForceBlocks implements JacobianBlocks {
+final class ForceBlocks implements ForceDerivatives {
     private final LinearWork work;
     private final NegativeSemidefinitePart projection = new NegativeSemidefinitePart();
     private final double[] projected = new double[9];

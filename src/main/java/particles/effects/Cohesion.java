@@ -1,8 +1,8 @@
 package particles.effects;
 
+import deSolvers.ForceDerivatives;
 import java.util.Set;
 import particles.law.DifferentiableEffect;
-import particles.law.ForceDerivatives;
 import particles.law.Particles;
 import particles.spec.Key;
 import particles.spec.NumberType;

@@ -50,11 +50,11 @@ public final class Anchors {
      * Returns the state with the anchors at their positions at a time: the array itself without anchors, otherwise a
      * copy, valid until the next call.
      */
-    public double[] shownIn(double[] state, double time, int n) {
+    public double[] shownIn(double[] state, double time) {
         if (anchors.isEmpty()) {
             return state;
         }
-        shown = copy(state, n, shown);
+        shown = copy(state, shown);
         put(time, shown);
         return shown;
     }
@@ -63,28 +63,28 @@ public final class Anchors {
      * Returns a solver's view of a state: the array itself without anchors, otherwise a copy, valid until the next
      * call.
      */
-    public double[] hiddenIn(double[] state, int n) {
+    public double[] hiddenIn(double[] state) {
         if (anchors.isEmpty()) {
             return state;
         }
-        hidden = copy(state, n, hidden);
+        hidden = copy(state, hidden);
         hide(hidden);
         return hidden;
     }
 
     /** As {@link #hiddenIn}, in a second copy, for a direction while the first copy is in use. */
-    public double[] freePartOf(double[] direction, int n) {
+    public double[] freePartOf(double[] direction) {
         if (anchors.isEmpty()) {
             return direction;
         }
-        this.direction = copy(direction, n, this.direction);
+        this.direction = copy(direction, this.direction);
         hide(this.direction);
         return this.direction;
     }
 
-    private static double[] copy(double[] vector, int n, double[] used) {
-        double[] copy = used.length == n ? used : new double[n];
-        System.arraycopy(vector, 0, copy, 0, n);
+    private static double[] copy(double[] vector, double[] used) {
+        double[] copy = used.length == vector.length ? used : new double[vector.length];
+        System.arraycopy(vector, 0, copy, 0, vector.length);
         return copy;
     }
 

@@ -1,12 +1,11 @@
 package particles.engine;
 
 import deSolvers.DEStateSource;
-import deSolvers.JacobianBlocks;
+import deSolvers.ForceDerivatives;
 import java.util.Arrays;
 import java.util.List;
 import particles.law.DifferentiableEffect;
 import particles.law.Effect;
-import particles.law.ForceDerivatives;
 import particles.law.Particles;
 import particles.law.Reaction;
 
@@ -14,7 +13,7 @@ import particles.law.Reaction;
  * The Jacobian of a particle system: exact where effects and reactions know their derivatives, otherwise by finite
  * differences.
  */
-public final class ParticleJacobian implements ForceDerivatives {
+public final class ParticleJacobian {
     private static final int STRIDE = Particles.STRIDE;
     /** Relative step of a forward difference: balances round-off against truncation error. */
     private static final double ROOT_EPSILON = Math.sqrt(Math.ulp(1.0));
@@ -27,7 +26,6 @@ public final class ParticleJacobian implements ForceDerivatives {
     private double[] force = {};
     private double[] varied = {};
     private final Product productBlocks = new Product();
-    private JacobianBlocks target = productBlocks;
     private double[] direction = {};
     private double[] product = {};
 
@@ -57,11 +55,10 @@ public final class ParticleJacobian implements ForceDerivatives {
     }
 
     /** Adds the blocks of all effects and reactions that know their derivatives. */
-    public void addBlocks(double[] state, double time, JacobianBlocks blocks) {
-        target = blocks;
+    public void addBlocks(double[] state, double time, ForceDerivatives blocks) {
         for (int e = 0; e < effects.size(); e++) {
             if (effects.get(e) instanceof DifferentiableEffect effect) {
-                effect.addForceDerivatives(state, time, this);
+                effect.addForceDerivatives(state, time, blocks);
             }
         }
         boolean forceKnown = false;
@@ -76,7 +73,7 @@ public final class ParticleJacobian implements ForceDerivatives {
                 forceKnown = true;
             }
             if (reaction.hasForceDerivatives()) {
-                reaction.addForceDerivatives(state, time, force, this);
+                reaction.addForceDerivatives(state, time, force, blocks);
             }
             reaction.addForces(state, time, force);
         }
@@ -139,23 +136,8 @@ public final class ParticleJacobian implements ForceDerivatives {
         }
     }
 
-    @Override
-    public void add(int i, int j, double[] dFdX, double[] dFdV) {
-        target.add(i, j, dFdX, dFdV);
-    }
-
-    @Override
-    public void addPair(int i, int j, double[] dFdX, double[] dFdV) {
-        target.addPair(i, j, dFdX, dFdV);
-    }
-
-    @Override
-    public void transformRow(int i, double[] matrix) {
-        target.transformRow(i, matrix);
-    }
-
     /** Multiplies each block by the direction as it is added. */
-    private final class Product implements JacobianBlocks {
+    private final class Product implements ForceDerivatives {
         @Override
         public void add(int i, int j, double[] dFdX, double[] dFdV) {
             apply(i, j, dFdX, dFdV, 1);

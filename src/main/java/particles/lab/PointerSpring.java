@@ -1,11 +1,10 @@
 package particles.lab;
 
+import deSolvers.ForceDerivatives;
 import java.util.Set;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.law.DifferentiableEffect;
-import particles.law.ForceDerivatives;
-import particles.law.IndexedEffect;
 import particles.law.Particles;
 import particles.law.Vector3;
 
@@ -13,7 +12,7 @@ import particles.law.Vector3;
  * The spring by which somebody drags a particle: from the particle to the pointer, half critically damped. Its whole
  * force counts as work from outside. While nobody drags, it changes no bit of a run.
  */
-final class PointerSpring implements IndexedEffect, DifferentiableEffect, Rule {
+final class PointerSpring implements DifferentiableEffect, Rule {
     /** How fast a particle follows (rad/s), if all other particles hang on it. */
     private static final double QUICKNESS = 12;
 

@@ -1,5 +1,7 @@
 package particles.law;
 
+import deSolvers.ForceDerivatives;
+
 /** An effect that knows the derivatives of its forces, which implicit solvers use instead of finite differences. */
 public interface DifferentiableEffect extends Effect {
 

@@ -11,7 +11,7 @@ import java.util.Set;
  *
  * <p>To compute the force on one particle at a time, extend {@link ParticleForce}. A law may add interfaces:
  * {@link PerParticleEffect} and {@link DivisibleEffect} for several threads, {@link DifferentiableEffect} for the exact
- * derivatives that implicit solvers use, {@link IndexedEffect} if it keeps indices of particles.
+ * derivatives that implicit solvers use.
  */
 public interface Effect {
 
@@ -104,5 +104,13 @@ public interface Effect {
      */
     default double getDrivenPower(double[] state, double time) {
         return 0;
+    }
+
+    /**
+     * Called after particles were removed from the system; for laws that keep indices of particles.
+     *
+     * @param newIndex for each old index, the new one, or -1 if the particle was removed
+     */
+    default void reindex(int[] newIndex) {
     }
 }

@@ -1,5 +1,7 @@
 package particles.law;
 
+import deSolvers.ForceDerivatives;
+
 /**
  * A force that depends on the sum of all other forces, such as the normal force of a contact, static friction, or the
  * tension of a rod. Reactions are added after all effects.

@@ -6,7 +6,7 @@
  *
  * <p>To write a force law, read {@link particles.law.ParticleForce} or {@link particles.law.Effect}; nothing else is
  * needed. The optional interfaces ({@link particles.law.PerParticleEffect}, {@link particles.law.DivisibleEffect},
- * {@link particles.law.DifferentiableEffect}, {@link particles.law.IndexedEffect}) make a law faster, give implicit
- * solvers exact derivatives, or update indices when particles are removed. A law without them works too.
+ * {@link particles.law.DifferentiableEffect}) make a law faster or give implicit solvers exact derivatives. A law
+ * without them works too.
  */
 package particles.law;

@@ -1,10 +1,10 @@
 package particles.reactions;
 
+import deSolvers.ForceDerivatives;
 import deSolvers.text.Digits;
 import java.util.List;
 import java.util.Optional;
 import particles.ParticleSystem;
-import particles.law.ForceDerivatives;
 import particles.law.Obstacle;
 import particles.law.Particles;
 import particles.law.Reaction;

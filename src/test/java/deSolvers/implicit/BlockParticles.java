@@ -1,6 +1,6 @@
 package deSolvers.implicit;
 
-import deSolvers.JacobianBlocks;
+import deSolvers.ForceDerivatives;
 import deSolvers.JacobianStateSource;
 import deSolvers.problems.SecondOrderProblem;
 import java.util.ArrayList;
@@ -141,7 +141,7 @@ final class BlockParticles extends SecondOrderProblem implements JacobianStateSo
     }
 
     @Override
-    public void addJacobianBlocks(JacobianBlocks receiver) {
+    public void addJacobianBlocks(ForceDerivatives receiver) {
         double part = blocks == Blocks.EXACT ? -1 : -0.9;
         double[] k = new double[9];
         double[] c = new double[9];

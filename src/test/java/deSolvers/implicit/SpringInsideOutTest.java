@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import deSolvers.DESolver;
-import deSolvers.JacobianBlocks;
+import deSolvers.ForceDerivatives;
 import deSolvers.JacobianStateSource;
 import deSolvers.problems.SecondOrderProblem;
 import org.junit.jupiter.api.Test;
@@ -49,7 +49,7 @@ class SpringInsideOutTest {
         }
 
         @Override
-        public void addJacobianBlocks(JacobianBlocks blocks) {
+        public void addJacobianBlocks(ForceDerivatives blocks) {
             double[] dFdX = new double[9];
             for (int e = 0; e < 9; e++) {
                 dFdX[e] = derivative(state(), e);

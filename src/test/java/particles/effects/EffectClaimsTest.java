@@ -3,6 +3,7 @@ package particles.effects;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
+import deSolvers.ForceDerivatives;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Function;
@@ -13,7 +14,6 @@ import particles.ParticleSystem;
 import particles.effects.springs.SpringForce;
 import particles.law.DifferentiableEffect;
 import particles.law.Effect;
-import particles.law.ForceDerivatives;
 import particles.law.Particles;
 import particles.law.Plane;
 import particles.law.Sphere;

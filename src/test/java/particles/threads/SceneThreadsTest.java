@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import deSolvers.ForceDerivatives;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -12,7 +13,6 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import particles.law.DifferentiableEffect;
-import particles.law.ForceDerivatives;
 import particles.law.PerParticleEffect;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;

@@ -1,10 +1,9 @@
 package particles.effects.springs;
 
+import deSolvers.ForceDerivatives;
 import java.util.Set;
 import particles.law.DifferentiableEffect;
 import particles.law.DivisibleEffect;
-import particles.law.ForceDerivatives;
-import particles.law.IndexedEffect;
 import particles.law.Particles;
 import particles.law.Vector3;
 import particles.view.SpringView;
@@ -26,7 +25,7 @@ import particles.view.SpringView;
  * <p>Potential energy k (|r| - l)&sup2; / 2, dissipated power k_d (d|r|/dt)&sup2;. Source: COMPSCI 715 (2003), slides
  * "Spring Force" and "Damped Spring Force".
  */
-public final class SpringForce implements DivisibleEffect, DifferentiableEffect, IndexedEffect, SpringView {
+public final class SpringForce implements DivisibleEffect, DifferentiableEffect, SpringView {
     private final Particles particles;
     private final SpringTable table = new SpringTable();
     private boolean damped;

@@ -1,6 +1,6 @@
 package particles.effects.springs;
 
-import particles.law.ForceDerivatives;
+import deSolvers.ForceDerivatives;
 import particles.law.Particles;
 
 /**

@@ -1,7 +1,7 @@
 package particles.reactions.contact;
 
+import deSolvers.ForceDerivatives;
 import java.util.List;
-import particles.law.ForceDerivatives;
 import particles.law.Particles;
 import particles.law.Vector3;
 

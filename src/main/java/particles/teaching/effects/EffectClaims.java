@@ -1,5 +1,6 @@
 package particles.teaching.effects;
 
+import deSolvers.ForceDerivatives;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -8,7 +9,6 @@ import particles.ParticleSystem;
 import particles.law.DifferentiableEffect;
 import particles.law.Effect;
 import particles.law.Effect.Trait;
-import particles.law.ForceDerivatives;
 import particles.teaching.Formula;
 
 /** Tests the properties that an effect declares, on random states of a system. */

@@ -1,10 +1,10 @@
-package particles.law;
+package deSolvers;
 
 /**
- * Collects the derivatives of forces with respect to positions and velocities, for implicit solvers. Effects and
- * reactions add 3 x 3 blocks in any order; blocks for the same pair are summed. A block is 9 doubles, row by row: entry
- * 3 a + b is the derivative of component a of the force with respect to component b of the position or velocity. The
- * values are copied, so the caller may reuse its arrays.
+ * Collects the derivatives of forces with respect to positions and velocities, for implicit solvers. A {@link
+ * SecondOrderStateSource}, or each of its effects and reactions, adds 3 x 3 blocks in any order; blocks for the same
+ * pair are summed. A block is 9 doubles, row by row: entry 3 a + b is the derivative of component a of the force with
+ * respect to component b of the position or velocity. The values are copied, so the caller may reuse its arrays.
  */
 public interface ForceDerivatives {
 
