@@ -166,7 +166,7 @@ public final class EnergyDrift {
     /** The largest kinetic plus stored energy of a very accurate run. */
     private static double scale(SceneDescription scene) {
         EnergyHistory history = new EnergyHistory();
-        Setting setting = new Setting(SolverChoice.of("dormand-prince"), scene.deltaT(),
+        Setting setting = new Setting(SolverChoice.ACCURATE, scene.deltaT(),
                 Optional.of(REFERENCE_TOLERANCE));
         Scene reference = SceneRun.build(scene, setting, scene.duration());
         Outcome outcome = SceneRun.run(reference, MOST_EVALUATIONS, List.of(history));

@@ -69,7 +69,7 @@ public final class PhasePortraits {
     public static Portraits compare(SceneDescription scene, List<SolverChoice> solvers, List<String> particles,
             List<Axis> axes, Optional<String> about, ProgressListener progress) {
         progress.reached(0, "the reference");
-        Setting tight = new Setting(SolverChoice.of("dormand-prince"), scene.deltaT(),
+        Setting tight = new Setting(SolverChoice.ACCURATE, scene.deltaT(),
                 Optional.of(REFERENCE_TOLERANCE));
         Run reference = run(scene, tight, REFERENCE, particles, about);
         List<Run> runs = new ArrayList<>();

@@ -146,7 +146,7 @@ public final class Race {
      */
     private Setting tight() {
         double frame = scene.duration() / frames;
-        return new Setting(SolverChoice.of("dormand-prince"), frame / Math.ceil(frame / scene.deltaT()),
+        return new Setting(SolverChoice.ACCURATE, frame / Math.ceil(frame / scene.deltaT()),
                 Optional.of(REFERENCE_TOLERANCE));
     }
 

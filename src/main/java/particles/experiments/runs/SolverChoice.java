@@ -16,6 +16,10 @@ import particles.scene.format.Tolerances;
  * @param info its catalogue entry; empty for a class of one's own
  */
 public record SolverChoice(String name, Optional<SolverInfo> info) {
+    /** The solver for whatever is only to be accurate enough. */
+    public static final SolverChoice RK4 = of("rk4");
+    /** The solver that makes references. */
+    public static final SolverChoice ACCURATE = of("dormand-prince");
 
     /**
      * @param name a catalogue name, or a fully-qualified class name

@@ -116,7 +116,7 @@ public final class SceneStability {
     }
 
     private static ParticleSystem atStart(SceneDescription scene) {
-        return SceneRun.build(scene, setting(SolverChoice.of("rk4"), scene.deltaT()), scene.deltaT()).system();
+        return SceneRun.build(scene, setting(SolverChoice.RK4, scene.deltaT()), scene.deltaT()).system();
     }
 
     private Limit limit(SolverChoice solver) {
@@ -189,7 +189,7 @@ public final class SceneStability {
         Twins known = fine.get(mode);
         if (known == null || known.duration() < duration) {
             double deltaT = FINE * RK4 / spectrum.modes().get(0).size();
-            known = twins.run(setting(SolverChoice.of("rk4"), deltaT), mode,
+            known = twins.run(setting(SolverChoice.RK4, deltaT), mode,
                     (int) Math.ceil(BRACKET * duration / deltaT));
             fine.put(mode, known);
         }
@@ -199,7 +199,7 @@ public final class SceneStability {
     /** Accurate twins in steps of rk4 that divide the scene's step, at the same times as a solver's. */
     private Twins motion(Mode mode) {
         int parts = (int) Math.ceil(scene.deltaT() * spectrum.modes().get(0).size() / EXACT);
-        return twins.run(setting(SolverChoice.of("rk4"), scene.deltaT() / parts), mode,
+        return twins.run(setting(SolverChoice.RK4, scene.deltaT() / parts), mode,
                 PerturbationGrowth.STEPS, parts);
     }
 

@@ -51,7 +51,7 @@ public final class StabilityLimits {
         String real = real(info).text();
         String what = springs ? "springs" : info.adaptive() ? "one sub-step" : "a step";
         return List.of(info.name(), StabilityLimit.text(info.realLimit(), Double.NaN), springs ? NOTHING : real,
-                StabilityLimit.text(info.imaginaryLimit(), theoreticalGrowth(info.name())), imaginary(info).text(),
+                StabilityLimit.text(info.imaginaryLimit(), theoreticalGrowth(info)), imaginary(info).text(),
                 springs ? StabilityLimit.text(info.dampedLimit(), Double.NaN) : NOTHING,
                 springs ? real : NOTHING, what);
     }
@@ -71,8 +71,9 @@ public final class StabilityLimits {
     }
 
     /** @return the growth at 0.1 i by the theory, or NaN if it is 0 or not known */
-    private static double theoreticalGrowth(String solver) {
-        return solver.equals("adams") ? ADAMS_GROWTH
-                : StabilityPolynomial.of(solver, StabilityLimit.SMALL).map(r -> r.amplitude(1) - 1).orElse(Double.NaN);
+    private static double theoreticalGrowth(SolverInfo info) {
+        return info.family().equals("multistep") ? ADAMS_GROWTH
+                : StabilityPolynomial.of(info.name(), StabilityLimit.SMALL).map(r -> r.amplitude(1) - 1)
+                .orElse(Double.NaN);
     }
 }
