@@ -1,7 +1,7 @@
 package hunts;
 
 import deSolvers.DESolver;
-import deSolvers.catalog.DidYouMean;
+import deSolvers.text.DidYouMean;
 import java.io.File;
 import java.io.IOException;
 import java.net.URISyntaxException;

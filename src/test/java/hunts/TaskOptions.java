@@ -1,6 +1,6 @@
 package hunts;
 
-import deSolvers.catalog.DidYouMean;
+import deSolvers.text.DidYouMean;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;

@@ -15,6 +15,7 @@ import deSolvers.multistep.AdamsBashforthMoultonSolver;
 import deSolvers.symplectic.SymplecticEulerSolver;
 import deSolvers.symplectic.VelocityVerletSolver;
 import deSolvers.symplectic.Yoshida4Solver;
+import deSolvers.text.DidYouMean;
 import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -1,2 +1,2 @@
-/** Numbers as people read them. */
+/** Numbers as people read them, and the name that was probably meant. */
 package deSolvers.text;

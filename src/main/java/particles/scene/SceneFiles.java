@@ -1,6 +1,6 @@
 package particles.scene;
 
-import deSolvers.catalog.DidYouMean;
+import deSolvers.text.DidYouMean;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;

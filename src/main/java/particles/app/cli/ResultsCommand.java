@@ -1,6 +1,6 @@
 package particles.app.cli;
 
-import deSolvers.catalog.DidYouMean;
+import deSolvers.text.DidYouMean;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;

@@ -1,6 +1,6 @@
 package particles.app.cli;
 
-import deSolvers.catalog.DidYouMean;
+import deSolvers.text.DidYouMean;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;

@@ -1,6 +1,6 @@
 package particles.app.experiments;
 
-import deSolvers.catalog.DidYouMean;
+import deSolvers.text.DidYouMean;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;

@@ -1,13 +1,13 @@
 package particles.experiments.work;
 
 import deSolvers.DEStateSource;
-import deSolvers.catalog.DidYouMean;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.Kepler;
 import deSolvers.problems.Oscillator;
 import deSolvers.problems.Pendulum;
 import deSolvers.problems.ReferenceProblem;
 import deSolvers.problems.ShakenChain;
+import deSolvers.text.DidYouMean;
 import java.util.List;
 import java.util.Map;
 import java.util.NoSuchElementException;

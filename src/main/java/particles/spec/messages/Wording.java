@@ -1,6 +1,6 @@
 package particles.spec.messages;
 
-import deSolvers.catalog.DidYouMean;
+import deSolvers.text.DidYouMean;
 import java.util.Collection;
 import java.util.List;
 import java.util.Locale;

@@ -1,6 +1,6 @@
 package particles.teaching.effects;
 
-import deSolvers.catalog.DidYouMean;
+import deSolvers.text.DidYouMean;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.NoSuchElementException;

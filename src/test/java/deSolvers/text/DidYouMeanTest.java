@@ -1,7 +1,8 @@
-package deSolvers.catalog;
+package deSolvers.text;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import deSolvers.catalog.SolverCatalog;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;

@@ -1,4 +1,4 @@
-package deSolvers.catalog;
+package deSolvers.text;
 
 import java.util.Collection;
 import java.util.Comparator;
