@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.function.BinaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.Finding;
@@ -13,58 +12,14 @@ import particles.teaching.Formula;
 /** A step that was read, compared with a known method: what differs, each in a sentence. */
 final class Comparison {
     private static final double FLOAT_ROUNDING = 1e-6;
+    private static final double SAME = 1e-9;
     /** A method is nearest to a known one where no more stages, times and weights differ. */
     private static final int FEW = 2;
     private static final Comparator<Comparison> NEAREST = Comparator.<Comparison>comparingInt(c -> c.distance)
             .thenComparingInt(c -> c.wrongWeights);
 
-    /** What becomes of a row of weights by a mistake: from the right row and that of the evaluation before. */
-    private enum Slip {
-        FLOAT((right, before) -> right, FLOAT_ROUNDING, ": only the first seven digits are right, as in float"
-                + " arithmetic; all numbers have to be double"),
-        SIGN((right, before) -> times(-1, right), ": the sign is wrong"),
-        DOUBLE((right, before) -> times(2, right), ": the half is missing"),
-        HALF((right, before) -> times(0.5, right), ": it is halved once too often"),
-        DOUBLE_BACK((right, before) -> times(-2, right), ": the sign is wrong"),
-        NOT_BACK((right, before) -> Combination.sum(before) == 0 ? before : Combination.plus(right, 1, before),
-                ": go back to the start s before adding (double[] trial = s makes no copy; s.clone() does)"),
-        ONE_ARRAY((right, before) -> right.length < 3 ? times(0, right) : last(right), ": only the last derivative is"
-                + " in it, as if all of them were one array, which each evaluation writes over"),
-        ORDER((right, before) -> reversed(right), ": they are the other way round");
-
-        private final BinaryOperator<double[]> change;
-        private final double tolerance;
-        private final String text;
-
-        Slip(BinaryOperator<double[]> change, String text) {
-            this(change, 1e-9, text);
-        }
-
-        Slip(BinaryOperator<double[]> change, double tolerance, String text) {
-            this.change = change;
-            this.tolerance = tolerance;
-            this.text = text;
-        }
-
-        boolean makes(double[] found, double[] right, double[] before) {
-            return Arrays.stream(Combination.plus(change.apply(right, before), -1, found)).allMatch(off ->
-                    Math.abs(off) <= tolerance);
-        }
-
-        private static double[] times(double factor, double[] row) {
-            return Arrays.stream(row).map(x -> factor * x).toArray();
-        }
-
-        private static double[] last(double[] row) {
-            double[] last = new double[row.length];
-            last[row.length - 1] = Combination.sum(row);
-            return last;
-        }
-
-        private static double[] reversed(double[] row) {
-            return IntStream.range(0, row.length).mapToDouble(j -> row[row.length - 1 - j]).toArray();
-        }
-    }
+    private static final String FLOAT = ": only the first seven digits are right, as in float arithmetic; all numbers"
+            + " have to be double";
 
     private final Scheme known;
     private final Scheme found;
@@ -160,13 +115,14 @@ final class Comparison {
         }
         String hint = hint(row, right, stage);
         unexplained += hint.isEmpty() ? 1 : 0;
-        rounded += hint.equals(Slip.FLOAT.text) ? 1 : 0;
+        rounded += hint.equals(FLOAT) ? 1 : 0;
         distance += stage == 0 ? 2 : 0;
         wrongWeights += end ? wrong.size() : 0;
-        if (end && hint.isEmpty() && n > 2) {
-            int j = wrong.get(0);
-            hint = ": the weight of " + known.slope(j - 1) + " is " + Formula.number(row.weight(j)) + " instead of "
-                    + Formula.number(right.weight(j));
+        int first = row.names().get(0).equals("x") ? 2 : 1;
+        int worst = wrong.stream().filter(j -> j >= first).findFirst().orElse(0);
+        if (end && hint.isEmpty() && n > 2 && worst > 0) {
+            hint = ": the weight of " + known.slope(worst - first) + " is " + Formula.number(row.weight(worst))
+                    + " instead of " + Formula.number(right.weight(worst));
         }
         wrong(Phrase.DIFFERS, row.what(), row.formula(), known.source(), right.formula(), hint);
     }
@@ -191,14 +147,30 @@ final class Comparison {
         if (n > 0 && Combination.same(weights, new double[n]) && Combination.sum(expected) != 0) {
             return nothing(end || position ? "was left out" : "was not added to the state that is set", right);
         }
-        for (Slip slip : Slip.values()) {
-            if (slip.makes(weights, expected, before)) {
-                return slip.text;
-            }
-        }
         double total = Combination.sum(weights) / Combination.sum(expected);
-        return end && n > 1 && Math.abs(total) > 0 && Combination.same(weights, Slip.times(total, expected))
-                ? ": all of it is " + Formula.number(total) + " times what it should be" : "";
+        double[] last = new double[n];
+        last[n - 1] = Combination.sum(expected);
+        boolean all = end && n > 1 && Math.abs(total) > 0;
+        return isNear(weights, expected, FLOAT_ROUNDING) ? FLOAT
+                : isTimes(-1, weights, expected) ? ": the sign is wrong"
+                : isTimes(2, weights, expected) ? ": the half is missing"
+                : isTimes(0.5, weights, expected) ? ": it is halved once too often"
+                : isTimes(-2, weights, expected) ? ": the sign is wrong, and the half is missing"
+                : isNear(weights, Combination.sum(before) == 0 ? before : Combination.plus(expected, 1, before), SAME)
+                ? ": go back to the start s before adding (double[] trial = s makes no copy; s.clone() does)"
+                : n > 2 && isNear(weights, last, SAME) ? ": only the last derivative is in it, as if all of them were"
+                + " one array, which each evaluation writes over"
+                : isNear(weights, IntStream.range(0, n).mapToDouble(j -> expected[n - 1 - j]).toArray(), SAME)
+                ? ": they are the other way round" : all && isTimes(total, weights, expected) ? ": all of it is "
+                + Formula.number(total) + " times what it should be" : "";
+    }
+
+    private static boolean isNear(double[] found, double[] right, double tolerance) {
+        return Arrays.stream(Combination.plus(right, -1, found)).allMatch(off -> Math.abs(off) <= tolerance);
+    }
+
+    private static boolean isTimes(double factor, double[] found, double[] right) {
+        return isNear(found, Arrays.stream(right).map(x -> factor * x).toArray(), SAME);
     }
 
     /** Nothing tells a whole-number fraction from a part that was forgotten. */
