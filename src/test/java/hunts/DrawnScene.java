@@ -150,6 +150,9 @@ record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wi
         }
         Map<String, Map<String, Object>> laws = new LinkedHashMap<>();
         effects.forEach(laws::putAll);
+        if (!surfaces.isEmpty()) {
+            laws.putIfAbsent("gravity", Map.of());          // or little would ever touch them
+        }
         if (laws.containsKey("wind")) {
             laws.remove("turbulence");
         }
