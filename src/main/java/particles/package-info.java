@@ -19,11 +19,11 @@
  *         time. The step is repeated up to there, the impact acts, and the rest of the step follows.</li>
  *     </ul></li>
  * <li>{@link particles.Observers} shows the motion to each {@link particles.Observer}: frames, plots, the
- *     {@link particles.EnergyLedger}.</li>
+ *     {@code particles.energy.EnergyLedger}.</li>
  * <li>Each {@link particles.Rule} may change the state, and add or remove particles and springs. Observers are told of
  *     each change. After a change the solver is {@linkplain deSolvers.DESolver#reset reset}.</li>
  * <li>{@link particles.EnergyLimit} ends a run whose kinetic energy has blown up. (An observer,
- *     {@code NumericalErrorLimit}, ends a run whose energy is almost all numerical error.)</li>
+ *     {@code particles.energy.NumericalErrorLimit}, ends a run whose energy is almost all numerical error.)</li>
  * </ol>
  *
  * <p>The program creates only the effects and rules that the scene names. Lengths are in metres, masses in kilograms,

@@ -60,7 +60,7 @@ class ArchitectureTest {
                                            particles.output.text particles.scene particles.scene.format particles.view
                                            picocli
             particles.app.run:             deSolvers.catalog deSolvers.text particles particles.app.cli
-                                           particles.app.student particles.experiments.energy
+                                           particles.app.student particles.energy
                                            particles.experiments.phase particles.experiments.runs particles.lab
                                            particles.law particles.messages particles.output.animation
                                            particles.output.charts particles.output.files particles.output.frames
@@ -75,15 +75,17 @@ class ArchitectureTest {
                                            javax.tools picocli
             particles.effects:             deSolvers particles.law particles.spec
             particles.effects.springs:     deSolvers particles.law particles.view
+            particles.energy:              deSolvers.text particles particles.law particles.view
             particles.engine:              deSolvers particles.law
-            particles.experiments.energy:  deSolvers.text particles particles.experiments.runs particles.law
+            particles.experiments.energy:  deSolvers.text particles particles.energy particles.experiments.runs
                                            particles.scene particles.scene.format particles.view
             particles.experiments.lecture: deSolvers deSolvers.catalog deSolvers.problems deSolvers.text
                                            particles.experiments.runs particles.experiments.stability particles.view
             particles.experiments.phase:   particles particles.experiments.runs particles.law particles.scene
                                            particles.scene.format particles.view
-            particles.experiments.race:    particles particles.experiments.energy particles.experiments.runs
-                                           particles.law particles.scene particles.scene.format particles.view
+            particles.experiments.race:    particles particles.energy particles.experiments.energy
+                                           particles.experiments.runs particles.law particles.scene
+                                           particles.scene.format particles.view
             particles.experiments.runs:    deSolvers deSolvers.catalog particles particles.law particles.scene
                                            particles.scene.format
             particles.experiments.spectrum: particles particles.law org.ejml
@@ -96,9 +98,8 @@ class ArchitectureTest {
                                            particles.scene particles.view
             particles.javac:               javax.tools
             particles.lab:                 deSolvers deSolvers.catalog particles particles.effects.springs
-                                           particles.experiments.energy particles.law
-                                           particles.messages particles.scene particles.scene.format particles.spec
-                                           particles.view
+                                           particles.energy particles.law particles.messages particles.scene
+                                           particles.scene.format particles.spec particles.view
             particles.lab.browser:         deSolvers particles.effects particles.lab particles.spec org.teavm
             particles.lab.compile:         particles.javac particles.lab org.teavm
             particles.law:                 deSolvers
@@ -150,7 +151,7 @@ class ArchitectureTest {
             particles.teaching.effects:    deSolvers deSolvers.text particles particles.effects
                                            particles.effects.springs particles.law particles.spec particles.teaching
             particles.teaching.exercises:  deSolvers deSolvers.catalog deSolvers.problems particles
-                                           particles.effects.springs particles.experiments.energy
+                                           particles.effects.springs particles.energy
                                            particles.experiments.runs particles.law particles.scene
                                            particles.scene.format particles.spec particles.spec.messages
                                            particles.teaching.marking

@@ -29,6 +29,7 @@ import particles.effects.QuadraticDrag;
 import particles.effects.TurbulentWind;
 import particles.effects.Wind;
 import particles.effects.springs.SpringForce;
+import particles.energy.EnergyLedger;
 import particles.law.ParticleForce;
 import particles.law.Plane;
 import particles.law.Vector3;

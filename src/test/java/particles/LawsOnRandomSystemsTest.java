@@ -27,6 +27,7 @@ import particles.effects.Gravity;
 import particles.effects.LinearDrag;
 import particles.effects.Wind;
 import particles.effects.springs.SpringForce;
+import particles.energy.EnergyLedger;
 import particles.law.Particles;
 import particles.law.Vector3;
 

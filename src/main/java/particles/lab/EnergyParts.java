@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
 import particles.ParticleSystem;
-import particles.experiments.energy.EnergyLedgerRecorder;
+import particles.energy.EnergyLedgerRecorder;
 import particles.law.Effect;
 
 /**

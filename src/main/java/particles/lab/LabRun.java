@@ -1,6 +1,7 @@
 package particles.lab;
 
 import deSolvers.catalog.SolverCatalog;
+import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
 import particles.Motion;
@@ -8,9 +9,7 @@ import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.Simulation;
-import particles.experiments.energy.EnergyHistory;
-import particles.experiments.energy.EnergyLedgerRecorder;
-import particles.experiments.energy.NumericalErrorLimit;
+import particles.energy.EnergyRecorder;
 import particles.scene.Scene;
 import particles.scene.format.SceneDescription;
 
@@ -24,7 +23,7 @@ public final class LabRun {
     private final Simulation simulation;
     private final ParticleSystem system;
     private final EnergyParts energies;
-    private final EnergyLedgerRecorder ledger = new EnergyLedgerRecorder(1);
+    private final EnergyRecorder energy;
     private final PointerSpring pointer;
     private final History history = new History(HISTORY_BYTES);
     private Structure structure;
@@ -39,16 +38,13 @@ public final class LabRun {
         this.scene = scene;
         simulation = scene.simulation();
         system = scene.system();
-        EnergyHistory history = new EnergyHistory();
-        energies = new EnergyParts(system, ledger);
+        energy = new EnergyRecorder(simulation, scene.energyEstimate(), 1);
+        energies = new EnergyParts(system, energy.getLedger());
         pointer = new PointerSpring(system.getParticles(), mostOmega(scene.description()));
         system.addEffect(pointer);
         simulation.addRule(pointer);
         structure = Structure.of(system);
-        simulation.addObserver(history);
-        simulation.addObserver(ledger);
-        simulation.addObserver(new Recorder());
-        simulation.addObserver(new NumericalErrorLimit(history, ledger, scene.energyEstimate()));
+        energy.attachTo(simulation, List.of(new Recorder()));
         simulation.start();
     }
 
@@ -163,7 +159,7 @@ public final class LabRun {
 
     /** The work done on the system so far, by name (J). */
     Map<String, Double> work() {
-        return ledger.getWork();
+        return energy.getLedger().getWork();
     }
 
     Frame shown() {

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -18,9 +19,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import particles.Simulation;
 import particles.SimulationException;
 import particles.app.student.StudentClasses;
-import particles.experiments.energy.EnergyHistory;
-import particles.experiments.energy.EnergyLedgerRecorder;
-import particles.experiments.energy.NumericalErrorLimit;
+import particles.energy.EnergyRecorder;
 import particles.messages.Advice;
 import particles.messages.BlowUpMessage;
 import particles.scene.Scene;
@@ -54,17 +53,20 @@ class EverySolverOnEverySceneTest {
     /** Or this many evaluations times particles: that took 0.8 s on rods and on a cloth. */
     private static final double LITTLE = 1e7;
 
+    private static final String LONG_STEPS = ", deltaT x 12";
+
     private static final Map<String, SceneDescription> SCENES = scenes();
     private static final List<String> TABLE = new ArrayList<>();
 
     /**
      * The end of a run.
      *
-     * @param scene   after the run
-     * @param whole   whether it came to its end
-     * @param failure why it did not
+     * @param scene     after the run
+     * @param whole     whether it came to its end
+     * @param failure   why it did not
+     * @param tooCoarse whether a visible vibration was not resolved
      */
-    private record End(Scene scene, boolean whole, Optional<BlowUpMessage> failure) {
+    private record End(Scene scene, boolean whole, Optional<BlowUpMessage> failure, boolean tooCoarse) {
         double evaluations() {
             return scene.system().getEvaluations();
         }
@@ -89,7 +91,7 @@ class EverySolverOnEverySceneTest {
             Scene scene = SceneBuilder.build(described);
             if (scene.system().getParticles().count() <= FEW_PARTICLES && scene.springs().springCount() > 0
                     && !SolverCatalog.info(described.solver()).adaptive()) {
-                scenes.put(name + ", deltaT x 12", described.withDeltaT(TOO_LONG * described.deltaT())
+                scenes.put(name + LONG_STEPS, described.withDeltaT(TOO_LONG * described.deltaT())
                         .withDuration(Math.min(MOST_SECONDS, described.duration())));
             }
         }
@@ -103,9 +105,13 @@ class EverySolverOnEverySceneTest {
     void eachRunWorksOrSaysWhatDoes(String solver) {
         List<String> stopped = new ArrayList<>();
         List<String> wrong = new ArrayList<>();
-        Map<String, End> followed = new TreeMap<>();
+        List<String> coarse = new ArrayList<>();
         SCENES.forEach((name, described) -> {
             End end = run(described.withSolver(solver), MOST_PARTICLE_EVALUATIONS);
+            SolverInfo info = SolverCatalog.info(solver);
+            if (end.tooCoarse() && end.failure().isEmpty() && !info.adaptive() && !info.damping()) {
+                coarse.add(name);
+            }
             end.failure().ifPresent(message -> {
                 String lines = message.lines(option -> "--" + option);
                 assertTrue(lines.startsWith(solver + " stopped at t = ") || lines.startsWith("from t = "), lines);
@@ -125,6 +131,8 @@ class EverySolverOnEverySceneTest {
             });
         });
         TABLE.addAll(stopped);
+        coarse.forEach(name -> TABLE.add(name + " | " + solver + " | not resolved"));
+        assertEquals(notResolved(solver), coarse.stream().filter(name -> !name.endsWith(LONG_STEPS)).toList(), solver);
         assertTrue(SCENES.size() >= 75, SCENES.size() + " scenes");
         assertEquals(List.of(), wrong, String.join("\n", wrong));
         assertTrue(stopped.size() <= mostStopped(solver), solver + " is stopped in " + stopped.size() + " scenes:\n"
@@ -135,6 +143,21 @@ class EverySolverOnEverySceneTest {
     static void printTheTable() {
         System.out.println("scene | solver | advice | evaluations estimated | evaluations as advised | end\n"
                 + String.join("\n", TABLE));
+    }
+
+    /**
+     * The scenes whose own steps are too long for what vibrates. The rope is whipped: its shortest waves have omega
+     * deltaT = 1.6, and these solvers damp none of them. The curtain's have 547; implicit-midpoint keeps whatever
+     * excites them. The cloth's have 2.3, which midpoint and yoshida4 let grow.
+     */
+    private static List<String> notResolved(String solver) {
+        return switch (solver) {
+            case "symplectic-euler", "verlet" -> List.of("rope shaken on rough ground");
+            case "yoshida4" -> List.of("cloth on ground, clamp");
+            case "implicit-midpoint" -> List.of("17-stiff-curtain");
+            case "midpoint" -> List.of("cloth on ground, exact");
+            default -> List.of();
+        };
     }
 
     /**
@@ -156,12 +179,9 @@ class EverySolverOnEverySceneTest {
     /** @param most the evaluations times particles after which the run is left */
     private static End run(SceneDescription described, double most) {
         Scene scene = SceneBuilder.build(described);
-        EnergyHistory energy = new EnergyHistory();
-        EnergyLedgerRecorder books = new EnergyLedgerRecorder(1);
         Simulation simulation = scene.simulation();
-        simulation.addObserver(energy);
-        simulation.addObserver(books);
-        simulation.addObserver(new NumericalErrorLimit(energy, books, scene.energyEstimate()));
+        EnergyRecorder energy = new EnergyRecorder(simulation, scene.energyEstimate(), 1);
+        energy.attachTo(simulation, List.of());
         long before = 0;
         try {
             simulation.start();
@@ -172,10 +192,10 @@ class EverySolverOnEverySceneTest {
             if (simulation.isOver()) {
                 simulation.finish();
             }
-            return new End(scene, simulation.isOver(), Optional.empty());
+            return new End(scene, simulation.isOver(), Optional.empty(), energy.isTooCoarse());
         } catch (SimulationException e) {
             requireFew(scene, before);
-            return new End(scene, false, Optional.of(new BlowUpMessage(scene, e)));
+            return new End(scene, false, Optional.of(new BlowUpMessage(scene, e)), energy.isTooCoarse());
         }
     }
 

@@ -13,8 +13,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.EnergyLedger;
 import particles.ParticleSystem;
+import particles.energy.EnergyLedger;
 import particles.law.Particles;
 import particles.scene.Scene;
 

@@ -14,11 +14,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.NumericalErrorException;
-import particles.Observer;
 import particles.SimulationException;
-import particles.experiments.energy.EnergyHistory;
-import particles.experiments.energy.EnergyLedgerRecorder;
-import particles.experiments.energy.NumericalErrorLimit;
+import particles.energy.EnergyRecorder;
 import particles.law.ParticleForce;
 import particles.law.Vector3;
 import particles.scene.Scene;
@@ -276,12 +273,7 @@ class BlowUpMessageTest {
 
     /** Ends a run as the command does, by its numerical error. */
     private static Scene withLimit(Scene scene) {
-        EnergyHistory energy = new EnergyHistory();
-        EnergyLedgerRecorder ledger = new EnergyLedgerRecorder(1);
-        for (Observer observer : List.of(energy, ledger,
-                new NumericalErrorLimit(energy, ledger, scene.energyEstimate()))) {
-            scene.simulation().addObserver(observer);
-        }
+        new EnergyRecorder(scene.simulation(), scene.energyEstimate(), 1).attachTo(scene.simulation(), List.of());
         return scene;
     }
 

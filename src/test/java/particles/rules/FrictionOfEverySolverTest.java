@@ -7,7 +7,7 @@ import deSolvers.catalog.SolverCatalog;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import particles.EnergyLedger;
+import particles.energy.EnergyLedger;
 import particles.scene.Scene;
 import particles.scene.TestScenes;
 

@@ -1,11 +1,11 @@
 package particles.app.run;
 
-import particles.EnergyLedger;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.SimulationException;
+import particles.energy.EnergyLedger;
 import particles.experiments.runs.Extent;
 import particles.law.Effect;
 import particles.law.Vector3;

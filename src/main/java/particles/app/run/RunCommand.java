@@ -14,7 +14,6 @@ import particles.app.cli.FolderSize;
 import particles.app.cli.Mistakes;
 import particles.app.cli.ResultsCommand;
 import particles.app.student.StudentClasses;
-import particles.experiments.energy.NumericalErrorLimit;
 import particles.messages.BlowUpMessage;
 import particles.output.files.OutputFolder;
 import particles.output.files.RunSummaryWriter;
@@ -137,11 +136,10 @@ public final class RunCommand extends ResultsCommand {
             try (observers) {
                 observers.add(progress);
                 observers.add(new StopObserver(stop));
-                observers.add(new NumericalErrorLimit(observers.energy(), observers.books(), scene.energyEstimate()));
+                observers.attach();
                 early = simulateOrDiscard(scene, folder, observers);
             }
-            Summary summary = new Summary(name, hash, scene, observers.energy(), observers.books(),
-                    progress.seconds());
+            Summary summary = new Summary(name, hash, scene, observers.energy(), progress.seconds());
             RunSummaryWriter.write(folder, summary.record());
             observers.drawCharts(charts.format());
             summary.lines(early.isPresent()).forEach(out::println);

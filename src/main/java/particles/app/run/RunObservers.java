@@ -6,8 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.experiments.energy.EnergyHistory;
-import particles.experiments.energy.EnergyLedgerRecorder;
+import particles.energy.EnergyRecorder;
 import particles.experiments.phase.Axis;
 import particles.experiments.phase.PhaseHistory;
 import particles.experiments.phase.VectorFields;
@@ -46,8 +45,8 @@ final class RunObservers implements AutoCloseable {
     private final Scene scene;
     private final OutputFolder folder;
     private final TrajectoryWriter trajectory;
-    private final EnergyHistory energy;
-    private final EnergyLedgerRecorder books;
+    private final EnergyRecorder energy;
+    private final List<Observer> others = new ArrayList<>();
     private final Optional<PhaseHistory> phase;
     private Optional<FrameObserver> frames = Optional.empty();
     private Optional<LastSteps> lastSteps = Optional.empty();
@@ -89,13 +88,10 @@ final class RunObservers implements AutoCloseable {
         trajectory = output.trajectoryStride().isPresent()
                 ? new TrajectoryWriter(folder, output.trajectoryStride().get())
                 : new TrajectoryWriter(folder, count -> TrajectoryWriter.strideFor(steps, count, MOST_LINES));
-        long energies = TrajectoryWriter.strideFor(steps, 1, MOST_ENERGIES);
-        energy = new EnergyHistory(energies);
-        books = new EnergyLedgerRecorder(energies);
+        energy = new EnergyRecorder(scene.simulation(), scene.energyEstimate(),
+                TrajectoryWriter.strideFor(steps, 1, MOST_ENERGIES));
         phase = output.phase().map(plot -> new PhaseHistory(plot.particle(), plot.about()));
         add(trajectory);
-        add(energy);
-        add(books);
         phase.ifPresent(this::add);
         if (output.frames().drawn()) {
             addFrames(CameraFinder.find(scene.description()), output.frames());
@@ -104,7 +100,12 @@ final class RunObservers implements AutoCloseable {
 
     /** @param observer an observer, called after the earlier ones */
     void add(Observer observer) {
-        scene.simulation().addObserver(observer);
+        others.add(observer);
+    }
+
+    /** Attaches all observers to the run that is about to begin. */
+    void attach() {
+        energy.attachTo(scene.simulation(), others);
     }
 
     /** Adds observers that draw frames and make the animation and film, if wanted. */
@@ -137,12 +138,8 @@ final class RunObservers implements AutoCloseable {
         frames.ifPresent(observer -> observer.replay(scene.system(), lastSteps.orElseThrow(), headline));
     }
 
-    EnergyHistory energy() {
+    EnergyRecorder energy() {
         return energy;
-    }
-
-    EnergyLedgerRecorder books() {
-        return books;
     }
 
     /** Completes the files written during the run, even if it ended early. */
@@ -167,8 +164,8 @@ final class RunObservers implements AutoCloseable {
         ChartWriter writer = new ChartWriter(folder, format);
         String title = scene.description().title() + " (" + caption() + ")";
         if (scene.description().output().energy()) {
-            List<ChartData> charts = new ArrayList<>(List.of(energy.chart(title)));
-            charts.addAll(books.charts(energy.getScale(), energy.hasGrown()));
+            List<ChartData> charts = new ArrayList<>(List.of(energy.getHistory().chart(title)));
+            charts.addAll(energy.getLedger().charts(energy.getHistory().getScale(), energy.getHistory().hasGrown()));
             writer.write(ENERGY, charts);
         }
         phase.ifPresent(history -> drawPhase(writer, history,

@@ -5,10 +5,12 @@ import deSolvers.catalog.SolverInfo;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import particles.Simulation;
 import particles.app.cli.Version;
-import particles.experiments.energy.EnergyHistory;
-import particles.experiments.energy.EnergyLedgerRecorder;
+import particles.energy.EnergyHistory;
+import particles.energy.EnergyLedgerRecorder;
+import particles.energy.EnergyRecorder;
 import particles.law.Violation;
 import particles.output.files.RunSummary;
 import particles.scene.Scene;
@@ -24,17 +26,20 @@ final class Summary {
 
     private final Scene scene;
     private final RunSummary record;
+    private final boolean tooCoarse;
 
     /**
-     * @param name    the name of the scene
+     * @param name     the name of the scene
      * @param hash    the hash of its file
      * @param scene   after its run
-     * @param energy  its recorded energies
-     * @param books   its ledger
+     * @param recorder its recorded energies
      * @param seconds the wall-clock time of the run (s)
      */
-    Summary(String name, String hash, Scene scene, EnergyHistory energy, EnergyLedgerRecorder books, double seconds) {
+    Summary(String name, String hash, Scene scene, EnergyRecorder recorder, double seconds) {
         this.scene = scene;
+        tooCoarse = recorder.isTooCoarse();
+        EnergyHistory energy = recorder.getHistory();
+        EnergyLedgerRecorder books = recorder.getLedger();
         Simulation simulation = scene.simulation();
         record = new RunSummary(name, hash, scene.description().solver(), simulation.getDeltaT(),
                 simulation.getDuration(), scene.system().getTime(), Version.CURRENT, simulation.getSteps(),
@@ -66,8 +71,9 @@ final class Summary {
         lines.add("energy: " + joules(record.startEnergy()) + " at the start, " + joules(record.endEnergy())
                 + " at the end; largest change " + joules(record.largestEnergyDrift()));
         double error = record.largestRelativeNumericalError();
-        boolean damped = SolverCatalog.find(record.solver()).filter(SolverInfo::damping).isPresent()
-                && record.numericalError() < 0;
+        Optional<SolverInfo> solver = SolverCatalog.find(record.solver());
+        boolean damping = solver.filter(SolverInfo::damping).isPresent();
+        boolean damped = damping && record.numericalError() < 0;
         boolean blownUp = failed && error > LARGE_ERROR;        // then the scale is that of the error
         lines.add("numerical error: at most " + joules(record.largestNumericalError()) + (blownUp ? ""
                 : " (" + Digits.few(error) + " of the energy scale, " + joules(record.energyScale()) + ")")
@@ -79,6 +85,10 @@ final class Summary {
         if (error > LARGE_ERROR && damped) {
             lines.add("warning: numerical damping took " + share(error)
                     + " the energy scale; a smaller deltaT loses less.");
+        }
+        if (tooCoarse && !failed && !damping && solver.filter(SolverInfo::adaptive).isEmpty()) {
+            lines.add("warning: not resolved: the fastest visible vibration has fewer than 6 steps per period; try a"
+                    + " smaller deltaT, or a solver that chooses its own sub-steps.");
         }
         Violation violation = scene.simulation().getViolation();
         if (violation.part() > VIOLATION && !failed) {

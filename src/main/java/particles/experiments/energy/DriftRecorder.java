@@ -4,47 +4,44 @@ import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
+import particles.energy.EnergyRecorder;
+import particles.scene.Scene;
 
 /**
  * Records a run's numerical energy error, and the energy that its forces and rules exchanged with the outside. It ends
  * a run that blows up when {@code gradle run} does.
  */
 final class DriftRecorder implements Observer {
-    private final EnergyHistory energy = new EnergyHistory();
-    private final EnergyLedgerRecorder ledger = new EnergyLedgerRecorder(1);
-    private final NumericalErrorLimit limit;
+    private final EnergyRecorder energy;
     private final ErrorCurve curve = new ErrorCurve();
     private double exchanged;
 
-    /** @param energyEstimate the scene's estimated energy (J) */
-    DriftRecorder(double energyEstimate) {
-        limit = new NumericalErrorLimit(energy, ledger, energyEstimate);
+    /** @param scene the scene that is about to run */
+    DriftRecorder(Scene scene) {
+        energy = new EnergyRecorder(scene.simulation(), scene.energyEstimate(), 1);
     }
 
     @Override
     public void started(ParticleSystem system) {
         energy.started(system);
-        ledger.started(system);
-        curve.add(system.getTime(), ledger.getNumericalError());
+        curve.add(system.getTime(), energy.getLedger().getNumericalError());
     }
 
     @Override
     public void moved(Motion motion) {
         energy.moved(motion);
-        ledger.moved(motion);
-        curve.add(motion.getEndTime(), ledger.getNumericalError());
-        for (double joules : ledger.getWork().values()) {
+        curve.add(motion.getEndTime(), energy.getLedger().getNumericalError());
+        for (double joules : energy.getLedger().getWork().values()) {
             if (Math.abs(joules) > exchanged) {
                 exchanged = Math.abs(joules);
             }
         }
-        limit.moved(motion);
+        energy.getLimit().moved(motion);
     }
 
     @Override
     public void changed(ParticleSystem system, Rule rule) {
         energy.changed(system, rule);
-        ledger.changed(system, rule);
     }
 
     ErrorCurve curve() {

@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import particles.Observer;
+import particles.energy.EnergyHistory;
 import particles.experiments.runs.EqualWork;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SceneRun;
@@ -125,7 +126,7 @@ public final class EnergyDrift {
 
     /** @param beside a further observer, which is called first */
     public static Drift measure(Scene built, Setting setting, double scale, List<? extends Observer> beside) {
-        DriftRecorder recorder = new DriftRecorder(built.energyEstimate());
+        DriftRecorder recorder = new DriftRecorder(built);
         List<Observer> observers = new ArrayList<>(beside);
         observers.add(recorder);
         Outcome outcome = SceneRun.run(built, MOST_EVALUATIONS, observers);
@@ -170,7 +171,7 @@ public final class EnergyDrift {
                 Optional.of(REFERENCE_TOLERANCE));
         Scene reference = SceneRun.build(scene, setting, scene.duration());
         Outcome outcome = SceneRun.run(reference, MOST_EVALUATIONS, List.of(history));
-        double scale = history.getScale();
-        return outcome.failure().isEmpty() && scale > 0 ? scale : reference.energyEstimate();
+        return outcome.failure().isEmpty() ? history.getScaleOr(reference.energyEstimate())
+                : reference.energyEstimate();
     }
 }

@@ -1,6 +1,6 @@
 package particles.experiments.energy;
 
-import particles.experiments.runs.MinMaxThinning;
+import particles.energy.MinMaxThinning;
 
 /**
  * An energy error over time, and the straight line that fits it best. It keeps running sums, so that every value counts

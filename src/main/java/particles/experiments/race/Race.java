@@ -10,9 +10,9 @@ import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.SimulationException;
+import particles.energy.EnergyHistory;
 import particles.experiments.energy.EnergyDrift;
 import particles.experiments.energy.EnergyDrift.Drift;
-import particles.experiments.energy.EnergyHistory;
 import particles.experiments.runs.EqualTime;
 import particles.experiments.runs.EqualWork;
 import particles.experiments.runs.EqualWork.Match;
@@ -159,7 +159,7 @@ public final class Race {
             throw new SimulationException(outcome.endTime(), -1, "no race without a reference (" + REFERENCE + "): "
                     + outcome.failure().get(), null);
         }
-        return energy.getScale() > 0 ? energy.getScale() : built.energyEstimate();
+        return energy.getScaleOr(built.energyEstimate());
     }
 
     private Lane lane(Match match, double rate, double scale, List<double[]> reference, Extent extent,

@@ -1,4 +1,4 @@
-package particles.experiments.energy;
+package particles.energy;
 
 import particles.ParticleSystem;
 import particles.law.Particles;

@@ -1,4 +1,4 @@
-package particles.experiments.energy;
+package particles.energy;
 
 import deSolvers.text.Digits;
 import particles.Motion;

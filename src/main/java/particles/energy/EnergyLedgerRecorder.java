@@ -1,15 +1,13 @@
-package particles.experiments.energy;
+package particles.energy;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import particles.EnergyLedger;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
-import particles.experiments.runs.MinMaxThinning;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;

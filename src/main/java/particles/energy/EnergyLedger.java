@@ -1,4 +1,4 @@
-package particles;
+package particles.energy;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -6,6 +6,10 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import particles.Motion;
+import particles.Observer;
+import particles.ParticleSystem;
+import particles.Rule;
 import particles.law.Effect;
 import particles.law.Effect.Trait;
 import particles.law.Particles;

@@ -1,4 +1,4 @@
-package particles.experiments.energy;
+package particles.energy;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;

@@ -1,4 +1,4 @@
-package particles.experiments.energy;
+package particles.energy;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -8,7 +8,6 @@ import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
-import particles.experiments.runs.MinMaxThinning;
 import particles.law.Effect;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
@@ -158,6 +157,14 @@ public final class EnergyHistory implements Observer {
     public double getScale() {
         double largest = largestInternal - lowestInternal;
         return largest > AT_REST * restScale ? largest : restScale;
+    }
+
+    /**
+     * @param estimate the scene's estimated energy (J)
+     * @return the energy scale; the estimate if that is 0
+     */
+    public double getScaleOr(double estimate) {
+        return getScale() > 0 ? getScale() : estimate;
     }
 
     /** The latest kinetic plus stored energy, counted as in the energy scale (J). */

@@ -1,4 +1,4 @@
-package particles.experiments.runs;
+package particles.energy;
 
 import java.util.ArrayList;
 import java.util.Arrays;

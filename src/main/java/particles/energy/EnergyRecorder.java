@@ -1,0 +1,84 @@
+package particles.energy;
+
+import particles.Motion;
+import particles.Observer;
+import particles.ParticleSystem;
+import particles.Rule;
+import particles.Simulation;
+
+/** Records all that a run's energy says: its history, its ledger, and whether the steps resolve what vibrates. */
+public final class EnergyRecorder implements Observer {
+    private final EnergyHistory history;
+    private final EnergyLedgerRecorder ledger;
+    private final Resolution resolution;
+    private final NumericalErrorLimit limit;
+
+    /**
+     * @param simulation     the run
+     * @param energyEstimate the scene's estimated energy (J)
+     * @param stride         the number of steps from one record to the next, 1 or more
+     */
+    public EnergyRecorder(Simulation simulation, double energyEstimate, long stride) {
+        history = new EnergyHistory(stride);
+        ledger = new EnergyLedgerRecorder(stride);
+        resolution = new Resolution(simulation.getDeltaT(), simulation.getDuration());
+        limit = new NumericalErrorLimit(history, ledger, energyEstimate);
+    }
+
+    /**
+     * Observes a run, and ends it when its motion is mostly numerical error.
+     *
+     * @param simulation the run
+     * @param others     observers that see each step after it was recorded, also the one that ends the run
+     */
+    public void attachTo(Simulation simulation, Iterable<? extends Observer> others) {
+        simulation.addObserver(this);
+        others.forEach(simulation::addObserver);
+        simulation.addObserver(limit);
+    }
+
+    @Override
+    public void started(ParticleSystem system) {
+        history.started(system);
+        ledger.started(system);
+    }
+
+    @Override
+    public void moved(Motion motion) {
+        history.moved(motion);
+        ledger.moved(motion);
+        resolution.moved(motion);
+    }
+
+    @Override
+    public void changed(ParticleSystem system, Rule rule) {
+        history.changed(system, rule);
+        ledger.changed(system, rule);
+    }
+
+    @Override
+    public void finished(ParticleSystem system) {
+        history.finished(system);
+        ledger.finished(system);
+    }
+
+    /** @return the energies over time, and the energy scale */
+    public EnergyHistory getHistory() {
+        return history;
+    }
+
+    /** @return the work of each kind, and the numerical error */
+    public EnergyLedgerRecorder getLedger() {
+        return ledger;
+    }
+
+    /** @return whether a visible vibration has fewer than {@value Resolution#STEPS} steps per period */
+    public boolean isTooCoarse() {
+        return resolution.isTooCoarse(history.getScale());
+    }
+
+    /** @return the observer that ends a run whose motion is mostly numerical error, to be called last */
+    public Observer getLimit() {
+        return limit;
+    }
+}
