@@ -146,7 +146,8 @@ final class Judge {
                     + near + ", " + fine.distance(exact) : find;
         } else if (whole.ledger() < CLOSED && exact.ledger() > Math.max(ROUND_OFF, NEARER * whole.ledger())) {
             Trial fine = run(exactly.withDeltaT(h / 64).withSolver(REFERENCE));
-            find = fine.isWhole() && fine.ledger() > NEARER * whole.ledger() ? "the ledger does not close: "
+            find = fine.isWhole() && fine.ledger() > Math.max(ROUND_OFF, NEARER * whole.ledger())
+                    ? "the ledger does not close: "
                     + whole.ledger() + ", " + exact.ledger() + ", " + fine.ledger() : find;
         }
         return new Verdict(find, solver.name() + (!struck ? "" : clamped ? ", clamp" : ", exact"),

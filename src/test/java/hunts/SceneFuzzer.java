@@ -68,10 +68,10 @@ final class SceneFuzzer {
     /** Returns the number of finds. */
     int run(long mostExecutions, double seconds) {
         JqwikSession.run(() -> {
-            long end = System.nanoTime() + (long) (seconds * 1e9);
+            long begin = System.nanoTime();
             RandomGenerator<BrokenText.Draw> text = texts.any().generator(GENERATOR_SIZE);
             RandomGenerator<DrawnScene> scene = DrawnScene.any().generator(GENERATOR_SIZE);
-            while (executions < mostExecutions && System.nanoTime() < end && finds < MOST_FINDS) {
+            while (executions < mostExecutions && System.nanoTime() - begin < seconds * 1e9 && finds < MOST_FINDS) {
                 List<Input> batch = new ArrayList<>();
                 for (; batch.size() < BATCH && executions < mostExecutions; executions++) {
                     batch.add(new Input((executions % SCENE_EVERY == 0 ? scene : text).next(random)));

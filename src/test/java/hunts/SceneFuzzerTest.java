@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A short hunt, and hunts for mistakes that are planted. */
+/** A short hunt. */
 class SceneFuzzerTest {
     private static final long SEED = 7;
     private static final int EXECUTIONS = 30_000;
