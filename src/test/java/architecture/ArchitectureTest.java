@@ -155,7 +155,7 @@ class ArchitectureTest {
                                            particles.experiments.runs particles.law particles.scene
                                            particles.scene.format particles.spec particles.spec.messages
                                            particles.teaching.marking
-            particles.teaching.figures:    deSolvers deSolvers.catalog deSolvers.problems
+            particles.teaching.figures:    deSolvers deSolvers.catalog deSolvers.problems deSolvers.text
                                            particles.experiments.stability particles.teaching
                                            particles.teaching.solvers particles.teaching.sources particles.view
             particles.teaching.marking:    particles.law

@@ -4,6 +4,7 @@ import deSolvers.DESolver;
 import deSolvers.DEStateSource;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.StepMatrix;
+import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -71,8 +72,8 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
                         "error after 2 s", true, true,
                         List.of(series(name, Mark.LINE_AND_POINTS, order.points()))), stability.region(),
                 stability.growth(),
-                new ChartData(String.format(Locale.ROOT, "Energy of a spring, deltaT = 0.1 s: off by up to %.2g of it",
-                        largest(energy)),
+                new ChartData("The energy of a spring is off by up to " + Digits.few(largest(energy))
+                        + " of its first value, with deltaT = 0.1 s",
                         "time (s)", "|energy / first energy - 1|", false, true, energies),
                 new ChartData("Error against work", "evaluations of the derivative", "error after 8 s", true, true,
                         work));
