@@ -12,6 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.ParticleSystem;
 import particles.Simulation;
+import particles.energy.EnergyLedger;
 import particles.law.Vector3;
 import particles.reactions.contact.ContactModes.Mode;
 import particles.reactions.contact.Friction;
@@ -131,6 +132,22 @@ class JointContactsTest {
         assertEquals(2 * G * ROOT, groove.contacts.pressure(0, 0, state, groove.effects()), 1e-9);
         assertEquals(2 * G * ROOT, groove.contacts.pressure(1, 0, state, groove.effects()), 1e-9);
         assertEquals(1, groove.at(1, 1), 1e-12, "it stays upright, since nothing tips it");
+    }
+
+    /** One rod topples about its foot on rough ground; another lies there, and nothing about it can move. */
+    @Test
+    void aRodIsHeldAtBothEndsBesideOneThatFalls() {
+        JointCase rods = new JointCase(List.of(plane(0, 1, coulomb(1))), at(0, 0, 0.5, 1, 2, 0, 3, 0),
+                at(0, 0, 0, 0, 0, 0, 0, 0), new int[] {0, 1}, new int[] {2, 3});
+        EnergyLedger ledger = new EnergyLedger();
+        Simulation simulation = rods.clamped(0.01, 0.1);
+        simulation.addObserver(ledger);
+        simulation.run();
+        assertTrue(rods.at(1, 4) < -0.1, "it topples");
+        for (int i : new int[] {0, 2, 3}) {
+            assertTrue(rods.contacts.getModes().isSticking(i), "end " + i);
+        }
+        assertEquals(0, ledger.getWork().get("rods"), "exactly");
     }
 
     /** In a rough groove, both ends of a rod stay bit for bit for a minute. */

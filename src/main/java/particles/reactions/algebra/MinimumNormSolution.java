@@ -1,6 +1,7 @@
 package particles.reactions.algebra;
 
 import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.MatrixFeatures_DDRM;
 import org.ejml.dense.row.decomposition.qr.QRColPivDecompositionHouseholderColumn_DDRM;
 import org.ejml.dense.row.linsol.qr.SolvePseudoInverseQrp_DDRM;
 
@@ -53,6 +54,9 @@ public final class MinimumNormSolution {
 
     /** Factorises the matrix, which may be overwritten. */
     public void factorise() {
+        if (MatrixFeatures_DDRM.isZeros(matrix, 0)) {   // the library keeps the rank of the matrix before
+            renew();
+        }
         decomposed.setTo(matrix);
         solver.setA(decomposed);
     }
