@@ -45,6 +45,10 @@ public final class NumericalErrorLimit implements Observer {
     @Override
     public void moved(Motion motion) {
         double error = books.getLatestNumericalError();
+        if (!Double.isFinite(error)) {
+            find(motion);
+            fail(motion.getEndTime(), error);
+        }
         largest = Math.max(largest, error);
         explained = Math.max(explained, energy.getLatest() - Math.max(0, error));
         double expected = Math.max(explained, energy.getRestScale());
@@ -61,11 +65,19 @@ public final class NumericalErrorLimit implements Observer {
 
     @Override
     public void finished(ParticleSystem system) {
+        if (!Double.isFinite(books.getLatestNumericalError())) {
+            fail(system.getTime(), books.getLatestNumericalError());
+        }
         if (isAboveScale(largest)) {
             throw new NumericalErrorException(passed, fastest, "the numerical error of " + Digits.few(largest)
                     + " J is larger than the energy scale" + (putIn() > 0 ? " and the work put in" : "") + ", "
                     + Digits.few(energy.getScale() + putIn()) + " J", false);
         }
+    }
+
+    private void fail(double time, double error) {
+        throw new NumericalErrorException(time, fastest, "the numerical error of its energy is "
+                + Digits.few(error) + (Double.isNaN(error) ? "" : " J"), true);
     }
 
     /** After its first Euler step, all energy of a falling body is error; that does not count as above. */

@@ -11,6 +11,7 @@ import deSolvers.RK4Solver;
 import deSolvers.implicit.BackwardEulerSolver;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.NumericalErrorException;
 import particles.ParticleSystem;
@@ -19,6 +20,7 @@ import particles.effects.Gravity;
 import particles.effects.LinearDrag;
 import particles.effects.Wind;
 import particles.effects.springs.SpringForce;
+import particles.law.ParticleForce;
 import particles.law.Vector3;
 import particles.scene.Scene;
 import particles.scene.TestScenes;
@@ -27,8 +29,12 @@ import particles.scene.TestScenes;
 class NumericalErrorLimitTest {
 
     private static void run(Simulation simulation, double energyScale) {
-        EnergyHistory energy = new EnergyHistory();
-        EnergyLedgerRecorder books = new EnergyLedgerRecorder(1);
+        run(simulation, energyScale, 1);
+    }
+
+    private static void run(Simulation simulation, double energyScale, long stride) {
+        EnergyHistory energy = new EnergyHistory(stride);
+        EnergyLedgerRecorder books = new EnergyLedgerRecorder(stride);
         simulation.addObserver(energy);
         simulation.addObserver(books);
         simulation.addObserver(new NumericalErrorLimit(energy, books, energyScale));
@@ -90,6 +96,34 @@ class NumericalErrorLimitTest {
         ParticleSystem system = oscillator();
         system.addEffect(new LinearDrag(system.getParticles(), 0.1, Wind.STILL));
         return system;
+    }
+
+    /** A student's energy of sqrt(1 - x) is not a number beyond x = 1, where the particle is after five steps. */
+    @ParameterizedTest
+    @CsvSource({"1, 1.25", "100, 2"})
+    void anEnergyThatIsNotANumberFailsTheRun(long stride, double end) {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("a", 1, Vector3.ZERO, new Vector3(1, 0, 0), false);
+        system.addEffect(new ParticleForce(system.getParticles()) {
+            @Override
+            public String getName() {
+                return "own";
+            }
+
+            @Override
+            protected Vector3 getForce(Vector3 position, Vector3 velocity, double mass, double time) {
+                return Vector3.ZERO;
+            }
+
+            @Override
+            protected double getPotentialEnergy(Vector3 position, double mass, double time) {
+                return Math.sqrt(1 - position.x());
+            }
+        });
+        NumericalErrorException e = assertThrows(NumericalErrorException.class,
+                () -> run(of(system, new EulerSolver(), 0.25, 2), 0.5, stride));
+        assertEquals(end, e.getTime());
+        assertEquals("the numerical error of its energy is not a number", e.getMessage());
     }
 
     /** Backward Euler loses (1 + h^2) a step, all energy in the end: it damps, and invents nothing. */

@@ -74,8 +74,9 @@ final class Summary {
         Optional<SolverInfo> solver = SolverCatalog.find(record.solver());
         boolean damping = solver.filter(SolverInfo::damping).isPresent();
         boolean damped = damping && record.numericalError() < 0;
-        boolean blownUp = failed && error > LARGE_ERROR;        // then the scale is that of the error
-        lines.add("numerical error: at most " + joules(record.largestNumericalError()) + (blownUp ? ""
+        boolean blownUp = failed && !(error <= LARGE_ERROR);    // then the scale is that of the error
+        lines.add("numerical error: " + (Double.isNaN(error) ? "not a number"
+                : "at most " + joules(record.largestNumericalError())) + (blownUp ? ""
                 : " (" + Digits.few(error) + " of the energy scale, " + joules(record.energyScale()) + ")")
                 + (damped ? ", by numerical damping" : ""));
         if (error > LARGE_ERROR && !endedEarly && !failed && !damped) {
