@@ -1,18 +1,32 @@
 package particles;
 
+import java.util.Arrays;
+import java.util.Optional;
 import particles.law.Particles;
 
 /**
  * A smooth piece of motion: from the state at the beginning of a step to the state at its end, with the cubic Hermite
  * interpolation of the positions in between. Positions and velocities at both ends determine the cubic, so that a frame
  * between two steps needs no evaluation; its error is O(h<sup>4</sup>).
+ *
+ * <p>A step of an adaptive solver may be far too long for one cubic. It is recorded with the states between its
+ * sub-steps: {@link #getPiece} is the motion in one of them.
  */
 public final class Motion {
+    /** The most numbers that the states between sub-steps may take: 16 MB. */
+    private static final int MOST_NUMBERS = 1 << 21;
+
     private ParticleSystem system;
     private double startTime;
     private double endTime;
     private double[] startState = {};
     private double[] endState = {};
+    private double[][] stops = {};                      // states between sub-steps, in the order of their times
+    private double[] stopTimes = {};
+    private int stopCount;
+    private int every;                                  // of so many sub-steps, one is kept
+    private int passed;                                 // sub-steps since the last one kept
+    private boolean adaptive;
 
     void begin(ParticleSystem system) {
         int n = system.getStateSize();
@@ -23,11 +37,80 @@ public final class Motion {
         this.system = system;
         System.arraycopy(system.getOwnState(), 0, startState, 0, n);
         startTime = system.getTime();
+        stopCount = 0;
+        every = 1;
+        passed = 0;
+        adaptive = false;
+        system.record(Optional.of(this));
     }
 
+    /** Notes the state after a sub-step. Where there are too many, every second one is kept. */
+    void addStop(double[] state, double time) {
+        adaptive = true;
+        if (++passed < every) {
+            return;
+        }
+        passed = 0;
+        if (stopCount == stops.length) {
+            stops = Arrays.copyOf(stops, 2 * stopCount + 1);
+            stopTimes = Arrays.copyOf(stopTimes, stops.length);
+        }
+        stops[stopCount] = stops[stopCount] != null && stops[stopCount].length == state.length ? stops[stopCount]
+                : new double[state.length];
+        System.arraycopy(state, 0, stops[stopCount], 0, state.length);
+        stopTimes[stopCount++] = time;
+        if (stopCount == 2 * Math.max(1, MOST_NUMBERS / 2 / Math.max(1, state.length))) {
+            thinOut();
+        }
+    }
+
+    private void thinOut() {
+        stopCount /= 2;
+        every *= 2;
+        for (int k = 0; k < stopCount; k++) {
+            double[] unused = stops[k];
+            stops[k] = stops[2 * k + 1];
+            stops[2 * k + 1] = unused;
+            stopTimes[k] = stopTimes[2 * k + 1];
+        }
+    }
+
+    /** Ends the motion where the system is, which may be earlier than before. */
     void end() {
+        system.record(Optional.empty());
         System.arraycopy(system.getOwnState(), 0, endState, 0, endState.length);
         endTime = system.getTime();
+        while (stopCount > 0 && stopTimes[stopCount - 1] >= endTime) {
+            stopCount--;
+        }
+    }
+
+    /** @return the number of pieces: 1, or the sub-steps of an adaptive solver, or of very many a part */
+    public int getPieces() {
+        return stopCount + 1;
+    }
+
+    /** @return whether an adaptive solver made it, which keeps the error of each sub-step within a tolerance */
+    public boolean isAdaptive() {
+        return adaptive;
+    }
+
+    /**
+     * @param k from 0 to {@link #getPieces()} - 1, in the order of time
+     * @return the motion in one sub-step, or in some that follow each other; valid until the next step begins
+     */
+    public Motion getPiece(int k) {
+        if (stopCount == 0) {
+            return this;
+        }
+        Motion piece = new Motion();
+        piece.system = system;
+        piece.adaptive = adaptive;
+        piece.startTime = k == 0 ? startTime : stopTimes[k - 1];
+        piece.startState = k == 0 ? startState : stops[k - 1];
+        piece.endTime = k == stopCount ? endTime : stopTimes[k];
+        piece.endState = k == stopCount ? endState : stops[k];
+        return piece;
     }
 
     /** @return the system that moved; its state is the end of the motion */

@@ -4,10 +4,12 @@ import deSolvers.ArrayStateSource;
 import deSolvers.ForceDerivatives;
 import deSolvers.JacobianStateSource;
 import deSolvers.SecondOrderStateSource;
+import deSolvers.SubStepSource;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import particles.engine.Anchors;
 import particles.engine.ForceSum;
 import particles.engine.ParticleJacobian;
@@ -25,7 +27,8 @@ import particles.law.Vector3;
  *
  * <p>Source: COMPSCI 715 (2003), slide "Restructuring the Particle System".
  */
-public final class ParticleSystem implements SecondOrderStateSource, ArrayStateSource, JacobianStateSource {
+public final class ParticleSystem implements SecondOrderStateSource, ArrayStateSource, JacobianStateSource,
+        SubStepSource {
     private static final int STRIDE = Particles.STRIDE;
 
     private final Particles particles = new Particles();
@@ -37,6 +40,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     private double[] state = {};
     private double time;
     private long evaluations;
+    private Optional<Motion> recorded = Optional.empty();
 
     /**
      * Adds a particle.
@@ -234,6 +238,16 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     @Override
     public void incTime(double deltaT) {
         setTime(time + deltaT);
+    }
+
+    /** Sets the motion that is being recorded, if any. */
+    void record(Optional<Motion> motion) {
+        recorded = motion;
+    }
+
+    @Override
+    public void subStepTaken(double[] state, double time) {
+        recorded.ifPresent(motion -> motion.addStop(anchors.shownIn(state, time), time));
     }
 
     @Override

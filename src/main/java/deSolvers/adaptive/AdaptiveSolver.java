@@ -5,6 +5,7 @@ import deSolvers.DESolverException;
 import deSolvers.DEStateSource;
 import deSolvers.LastStep;
 import deSolvers.StepTransaction;
+import deSolvers.SubStepSource;
 
 /**
  * Base class of adaptive solvers: step-size control. It covers deltaT exactly by sub-steps whose estimated error is
@@ -184,6 +185,9 @@ public abstract class AdaptiveSolver extends DESolver {
                 double end = h == remaining ? length : done + h;
                 accept();
                 done = end;
+                if (source.getClient() instanceof SubStepSource client) {
+                    client.subStepTaken(state, source.getStartTime() + direction * done);
+                }
                 // An accepted sub-step that was shortened to end at deltaT keeps the planned length.
                 boolean cut = h < subStep && next >= 2 * h;
                 subStep = cut ? Math.max(subStep, next) : rejected ? Math.min(next, h) : next;

@@ -21,12 +21,12 @@ import particles.law.Reaction;
  * explains is numerical error: {@link #getNumericalError()} answers "is this loss physics or numerics?". Rods, wires
  * and surfaces at rest do no work, so any change of energy by their corrections counts as error.
  *
- * <p>Powers are integrated over each smooth piece of motion by Simpson's rule, from both ends and the middle of the
- * cubic between them. The error is O(h<sup>4</sup>), so the numerical error shows the order of any solver up to 4. A
- * step may be too long for that: where an implicit solver jumps over a decay or a fast vibration, the velocities at its
- * ends say little about those in between. In such a step Simpson's rule is far from the trapezoidal rule; the step then
- * counts with the power at the mean velocity, the displacement divided by the time. The ledger evaluates forces itself;
- * these evaluations are not counted as the solver's and change nothing.
+ * <p>Powers are integrated over each smooth piece of motion, and over each sub-step of an adaptive solver, by Simpson's
+ * rule, from both ends and the middle of the cubic between them. The error is O(h<sup>4</sup>), so the numerical error
+ * shows the order of any solver up to 4. A step may be too long for that: where an implicit solver jumps over a decay
+ * or a fast vibration, the velocities at its ends say little about those in between. In such a step Simpson's rule is
+ * far from the trapezoidal rule; the step then counts with the power at the mean velocity, the displacement divided by
+ * the time. The ledger evaluates forces itself; these evaluations are not counted as the solver's and change nothing.
  */
 public final class EnergyLedger implements Observer {
     private static final int STRIDE = Particles.STRIDE;
@@ -71,6 +71,7 @@ public final class EnergyLedger implements Observer {
     private double startEnergy;
     private double energy;
     private double largestKinetic;
+    private double uncertainty;
     private boolean powersKnown;
 
     @Override
@@ -103,6 +104,13 @@ public final class EnergyLedger implements Observer {
 
     @Override
     public void moved(Motion motion) {
+        for (int k = 0; k < motion.getPieces(); k++) {
+            book(motion.getPiece(k));
+        }
+        energy = motion.getSystem().getEnergy(motion.getEndState(), motion.getEndTime());
+    }
+
+    private void book(Motion motion) {
         ParticleSystem system = motion.getSystem();
         double t0 = motion.getStartTime();
         double t1 = motion.getEndTime();
@@ -131,11 +139,13 @@ public final class EnergyLedger implements Observer {
                 }
                 work = (t1 - t0) * account.power.at(system, mean, half);
             }
+            if (motion.isAdaptive() && difference > 0) {
+                uncertainty += difference * Math.min(1, difference / Math.abs(trapezoid));
+            }
             account.work += work;
             account.powerBefore = after;
         }
         powersKnown = true;
-        energy = system.getEnergy(motion.getEndState(), t1);
         // the potential energy of such a law is in that energy too: its change must not count twice
         undeclared.forEach((effect, account) -> account.work += effect.getPotentialEnergy(motion.getEndState(), t1)
                 - effect.getPotentialEnergy(motion.getStartState(), t0));
@@ -237,6 +247,16 @@ public final class EnergyLedger implements Observer {
         }
         jumps.forEach((name, joules) -> work.merge(name, joules, (before, more) -> before + more));
         return work;
+    }
+
+    /**
+     * How far the ledger's own integrals may be off in the sub-steps of adaptive solvers, some of which are longer than
+     * Simpson's rule can follow: the sum of d min(1, d/w), where the rule and the trapezoidal rule, w, differ by d.
+     *
+     * @return the uncertainty of the numerical error (J); 0 for other solvers
+     */
+    public double getUncertainty() {
+        return uncertainty;
     }
 
     /** @return the numerical error (J): the total energy now, minus that at the beginning, minus all work */

@@ -87,6 +87,11 @@ public final class EnergyLedgerRecorder implements Observer {
         return ledger.getNumericalError();
     }
 
+    /** @return how far the ledger itself may be off, see {@link EnergyLedger#getUncertainty} (J) */
+    public double getUncertainty() {
+        return ledger.getUncertainty();
+    }
+
     /** The numerical error at the last recorded step (J). */
     double getLatestNumericalError() {
         return error.last();

@@ -15,7 +15,7 @@ import particles.law.Particles;
  *
  * <p>Only a gain counts: solvers that damp lose energy, but no run can lose more than it has and receives. Energy from
  * wind, moving anchors or births belongs to the scale, since a solver with a small relative error has an absolute error
- * that grows as long as energy flows in.
+ * that grows as long as energy flows in. What the ledger cannot resolve does not count.
  */
 public final class NumericalErrorLimit implements Observer {
     private static final int MOST_GAIN = 1000;
@@ -49,6 +49,7 @@ public final class NumericalErrorLimit implements Observer {
             find(motion);
             fail(motion.getEndTime(), error);
         }
+        error -= books.getUncertainty();
         largest = Math.max(largest, error);
         explained = Math.max(explained, energy.getLatest() - Math.max(0, error));
         double expected = Math.max(explained, energy.getRestScale());

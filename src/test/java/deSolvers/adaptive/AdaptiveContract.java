@@ -1,5 +1,6 @@
 package deSolvers.adaptive;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -7,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import deSolvers.DESolver;
 import deSolvers.DESolverContract;
 import deSolvers.DESolverException;
+import deSolvers.SubStepSource;
 import deSolvers.problems.DragInWind;
 import deSolvers.problems.GrowthInSeason;
 import deSolvers.problems.Kepler;
@@ -15,6 +17,8 @@ import deSolvers.problems.Pole;
 import deSolvers.problems.ReferenceProblem;
 import deSolvers.problems.SlowAndFastSpring;
 import deSolvers.problems.StiffPair;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Tag;
@@ -89,6 +93,42 @@ public abstract class AdaptiveContract extends DESolverContract {
         // Measured 3.3 (step-doubling), 3.5 (dormand-prince) and 2.9 (bulirsch-stoer) times as many.
         assertTrue(2.5 * farOut < nearTheSun, farOut + " evaluations for half an orbit far out, " + nearTheSun
                 + " for a quarter near the sun");
+    }
+
+    /** x'' = -x from (1, 0), which notes where it is told that it was: t, x and v. */
+    private static final class Watched extends ReferenceProblem implements SubStepSource {
+        private final List<double[]> stops = new ArrayList<>();
+
+        Watched() {
+            super(1, 0);
+        }
+
+        @Override
+        protected void rates(double t, double[] s, double[] dSdt) {
+            dSdt[0] = s[1];
+            dSdt[1] = -s[0];
+        }
+
+        @Override
+        public void subStepTaken(double[] state, double time) {
+            stops.add(new double[] {time, state[0], state[1]});
+        }
+    }
+
+    @Test
+    void aSourceIsToldOfEachSubStep() {
+        Watched problem = new Watched();
+        createSolver(1e-6, 1e-9).stepState(problem, 20);
+        double before = 0;
+        for (double[] stop : problem.stops) {
+            assertTrue(stop[0] > before, stop[0] + " s after " + before + " s");
+            before = stop[0];
+            // Measured 2.1e-5 (step-doubling) and less.
+            assertEquals(StrictMath.cos(before), stop[1], 2e-4);
+        }
+        assertTrue(problem.stops.size() > 4, problem.stops.size() + " sub-steps");
+        assertArrayEquals(new double[] {20, problem.state()[0], problem.state()[1]},
+                problem.stops.get(problem.stops.size() - 1));
     }
 
     @Test

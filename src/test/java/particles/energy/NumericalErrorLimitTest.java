@@ -8,6 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import deSolvers.DESolver;
 import deSolvers.EulerSolver;
 import deSolvers.RK4Solver;
+import deSolvers.StepTransaction;
+import deSolvers.adaptive.AdaptiveSolver;
 import deSolvers.implicit.BackwardEulerSolver;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -126,6 +128,51 @@ class NumericalErrorLimitTest {
         assertEquals("the numerical error of its energy is not a number", e.getMessage());
     }
 
+    /**
+     * A hand shakes a block on a stiff spring, which swings twice in each step of 0.5 s. The tolerance keeps its energy
+     * to a thousandth of 14.7 J; Simpson's rule over whole steps leaves 125 J.
+     */
+    @ParameterizedTest
+    @ValueSource(strings = {"step-doubling", "dormand-prince", "bulirsch-stoer", "radau"})
+    void manySwingsInAStepOfAnAdaptiveSolverAreNoError(String solver) {
+        Scene scene = TestScenes.build(SHAKEN.replace("SOLVER", solver));
+        run(scene.simulation(), scene.energyEstimate());
+    }
+
+    /**
+     * Euler that calls itself accurate, in sub-steps of 0.5 s: each multiplies the energy by 1 + h^2 - c h = 1.2, so
+     * that 0.5 J become 735 J after 20 s and 28 kJ after 30 s.
+     */
+    @Test
+    void anAdaptiveSolverThatIsWrongFailsInALongStepToo() {
+        DESolver wrong = new AdaptiveSolver(0, 1) {
+            @Override
+            protected void resize(int n) {
+            }
+
+            @Override
+            protected double attempt(StepTransaction source, double[] state, double[] slope, double offset, double h,
+                    double[] newState) {
+                for (int i = 0; i < state.length; i++) {
+                    newState[i] = state[i] + h * slope[i];
+                }
+                return 0;
+            }
+
+            @Override
+            protected double nextSubStep(double h, double error) {
+                return 0.5;
+            }
+
+            @Override
+            protected int errorExponent() {
+                return 2;
+            }
+        };
+        assertEquals(30, assertThrows(NumericalErrorException.class,
+                () -> run(of(draggedOscillator(), wrong, 10, 200), 0.5)).getTime());
+    }
+
     /** Backward Euler loses (1 + h^2) a step, all energy in the end: it damps, and invents nothing. */
     @Test
     void lossesNeverFail() {
@@ -183,6 +230,21 @@ class NumericalErrorLimitTest {
         run(of(system, new EulerSolver(), 0.01, 1), 100);
         assertEquals(-10, system.getOwnState()[4], 1e-12);
     }
+
+    private static final String SHAKEN = """
+            title: A hand shakes a block
+            teaches: A step of many swings.
+            solver: SOLVER
+            deltaT: 0.5
+            duration: 2
+            particles:
+              - {id: hand, position: [0, 0, 0], fixed: true}
+              - {id: block, position: [0, -1, 0]}
+            springs:
+              - {from: hand, to: block, stiffness: 1000, restLength: 1, damping: 1}
+            rules:
+              - shake: {particle: hand, amplitude: [0, 0.1, 0], period: 0.3}
+            """;
 
     private static final String DROPS = """
             title: Drops

@@ -27,6 +27,7 @@ final class Summary {
     private final Scene scene;
     private final RunSummary record;
     private final boolean tooCoarse;
+    private final double uncertainty;
 
     /**
      * @param name     the name of the scene
@@ -40,6 +41,7 @@ final class Summary {
         tooCoarse = recorder.isTooCoarse();
         EnergyHistory energy = recorder.getHistory();
         EnergyLedgerRecorder books = recorder.getLedger();
+        uncertainty = books.getUncertainty();
         Simulation simulation = scene.simulation();
         record = new RunSummary(name, hash, scene.description().solver(), simulation.getDeltaT(),
                 simulation.getDuration(), scene.system().getTime(), Version.CURRENT, simulation.getSteps(),
@@ -80,8 +82,11 @@ final class Summary {
                 : " (" + Digits.few(error) + " of the energy scale, " + joules(record.energyScale()) + ")")
                 + (damped ? ", by numerical damping" : ""));
         if (error > LARGE_ERROR && !endedEarly && !failed && !damped) {
-            lines.add("warning: the numerical error is " + share(error)
-                    + " the energy; do not trust this motion. Try a smaller deltaT or another solver.");
+            boolean sure = record.largestNumericalError() - uncertainty > LARGE_ERROR * record.energyScale();
+            lines.add(sure ? "warning: the numerical error is " + share(error)
+                    + " the energy; do not trust this motion. Try a smaller deltaT or another solver."
+                    : "note: the energy ledger cannot resolve this motion, as the sub-steps of " + record.solver()
+                    + " are too long for it; the error may be the ledger's own. A smaller deltaT tells.");
         }
         if (error > LARGE_ERROR && damped) {
             lines.add("warning: numerical damping took " + share(error)
