@@ -215,6 +215,10 @@ public final class ExactImpacts implements EventRule {
             moveAlong(normal, state, STRIDE * i, -distance(surface, state, i));
             double speed = velocity(state, i).length();
             double approach = normalSpeed(surface, state, i);
+            if (approach > 0 && !isPressedOn(system)) {
+                contacts.beginStep(system);             // it leaves, and was below by a correction or round-off
+                return;
+            }
             double leaving = approach < 0 ? -surface.restitution() * approach : approach;   // born inside: it leaves
             if (contacts.isCoupled(i)) {
                 strike(system, leaving, leaving <= surface.restSpeed(), speed);
@@ -227,6 +231,13 @@ public final class ExactImpacts implements EventRule {
             stayOutOfAll(ROUNDING * speed, state);
             contactEvents.stickIfSlow(system, i, speed);
             contacts.beginStep(system);
+        }
+
+        private boolean isPressedOn(ParticleSystem system) {
+            modes.set(p, i, Mode.SLIDING);
+            boolean pressed = contactEvents.pressure(system, p, i) > 0;
+            modes.set(p, i, Mode.FREE);
+            return pressed;
         }
 
         /** A particle on rods or wires transmits the impulse, which may lift others off. */

@@ -17,8 +17,12 @@ import deSolvers.symplectic.VelocityVerletSolver;
 import java.util.List;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import particles.ParticleSystem;
+import particles.Rule;
 import particles.Simulation;
+import particles.effects.Gravity;
 import particles.effects.GustyWind;
 import particles.effects.LinearDrag;
 import particles.effects.Wind;
@@ -59,6 +63,37 @@ class LettingGoTest {
         assertEquals(Math.asin(G / 20) * 2 / Math.PI, start.times.get(0), 1e-12, "lifts off");
         assertEquals(Mode.FREE, ground.getModes().get(0, 0));
         assertTrue(entry(lifted, 1) > 0.1);
+    }
+
+    /**
+     * A particle leaves the ground, slower than the rest speed, when a correction puts it a little below: it is put
+     * onto the ground and goes on. If something presses it on, it rests.
+     */
+    @ParameterizedTest
+    @CsvSource({"0, 1e-4", "1e-4, 0"})
+    void aCorrectionDoesNotStopAParticleThatLeaves(double g, double speed) {
+        ParticleSystem system = oneParticle(new Vector3(0, 1e-4, 0), new Vector3(0, 1e-4, 0));
+        system.addEffect(new Gravity(system.getParticles(), new Vector3(0, -g, 0)));
+        RestingContacts contacts = new RestingContacts(system.getParticles(),
+                List.of(new ContactSurface("ground", Plane.ground(0), 0, Friction.NONE, 1e-3)));
+        system.addReaction(contacts);
+        Simulation simulation = simulation(system, contacts, RK4Solver::new, 0.1, 1);
+        simulation.addRule(new Rule() {
+            @Override
+            public String getName() {
+                return "correction";
+            }
+
+            @Override
+            public boolean afterStep(ParticleSystem corrected, double deltaT) {
+                boolean first = corrected.getTime() < 0.15;
+                corrected.getOwnState()[1] = first ? -1e-6 : entry(corrected, 1);
+                return first;
+            }
+        });
+        simulation.run();
+        assertEquals(speed, entry(system, 4), 1e-18);
+        assertEquals(0.9 * speed, entry(system, 1), 1e-18);
     }
 
     /** Rising air with velocity speed (e^(k t) - 1/2). */
