@@ -19,7 +19,7 @@ package deSolvers;
  * that oscillates. "An Euler solver is too horrible. NEVER use it. Yeah I know you will anyway."<br>
  * <b>Source</b> COMPSCI 715 (2003), slides "The Euler Method" and "Euler Solver Code".
  */
-public final class EulerSolver extends FixedStepSolver {
+public final class EulerSolver extends FixedStepSolver implements SumOfDerivatives {
 
     @Override
     protected void step(DEStateSource source, double[] state, double deltaT) {

@@ -1,7 +1,6 @@
 package deSolvers;
 
 import java.util.Arrays;
-import java.util.Map;
 
 /**
  * Base class of fixed-step solvers, which make one step of length deltaT. A subclass implements only {@link #step}, the
@@ -17,15 +16,10 @@ import java.util.Map;
  * until it has been evaluated, and {@link #copy} keeps it for longer.
  */
 public abstract class FixedStepSolver extends DESolver {
-    /**
-     * How many derivatives, from the first one on, are not part of the sum that is the new state. In any other
-     * derivative of these methods, a NaN or infinity shows in the new state. Of other methods each one is checked.
-     */
-    private static final Map<Class<?>, Integer> LEFT_OUT
-            = Map.of(EulerSolver.class, 0, MidpointSolver.class, 1, RK4Solver.class, 0);
-
     private final StepTransaction transaction = new StepTransaction(getClass());
-    private final int leftOut = LEFT_OUT.getOrDefault(getClass(), Integer.MAX_VALUE);
+    /** How many derivatives of a step are checked by themselves: those that need not show in the new state. */
+    private final int checked = this instanceof SumOfDerivatives.AfterTheFirst ? 1
+            : this instanceof SumOfDerivatives ? 0 : Integer.MAX_VALUE;
     private int evaluations;                            // in this step
     private double[][] arrays = {};                     // made once, lent one by one in each step
     private int lent;
@@ -114,7 +108,7 @@ public abstract class FixedStepSolver extends DESolver {
     protected final double[] derivative(double[] s) {
         double[] dSdt = next();
         transaction.getStateDerivative(s, dSdt);
-        if (evaluations++ < leftOut) {
+        if (evaluations++ < checked) {
             transaction.requireFinite(dSdt);
         }
         if (s == sum) {

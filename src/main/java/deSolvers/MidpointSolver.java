@@ -18,7 +18,7 @@ package deSolvers;
  * oscillation, where {@code verlet} costs half and does not grow.<br>
  * <b>Source</b> COMPSCI 715 (2003), slides "Mid-point Method" to "Mid-point method: Algorithm (cont'd)".
  */
-public final class MidpointSolver extends FixedStepSolver {
+public final class MidpointSolver extends FixedStepSolver implements SumOfDerivatives.AfterTheFirst {
 
     @Override
     protected void step(DEStateSource source, double[] s, double deltaT) {

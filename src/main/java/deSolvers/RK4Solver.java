@@ -21,7 +21,7 @@ package deSolvers;
  * {@code yoshida4} keep the energy.<br>
  * <b>Source</b> COMPSCI 715 (2003), slide "4th-Order Runge-Kutta Algorithm"; W. Kutta (1901).
  */
-public final class RK4Solver extends FixedStepSolver {
+public final class RK4Solver extends FixedStepSolver implements SumOfDerivatives {
 
     @Override
     protected void step(DEStateSource source, double[] s, double deltaT) {
