@@ -6,6 +6,7 @@ import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 
 /**
  * Makes the steps of a run and splits them at events: a motion with an event is moved back to it, the event acts, and
@@ -35,6 +36,7 @@ final class EventSteps {
 
     private final ParticleSystem system;
     private final DESolver solver;
+    private final Supplier<DESolver> searchSolver;
     private final Observers observers;
     private final List<EventRule> rules = new ArrayList<>();
     private final Motion motion = new Motion();
@@ -42,21 +44,23 @@ final class EventSteps {
     private long events;
 
     /**
-     * @param system   the system
-     * @param solver   its solver
-     * @param observers told of every event and of all motions but the last one of a step
+     * @param system       the system
+     * @param solver       its solver
+     * @param searchSolver makes another solver, which only locates events
+     * @param observers    told of every event and of all motions but the last one of a step
      */
-    EventSteps(ParticleSystem system, DESolver solver, Observers observers) {
+    EventSteps(ParticleSystem system, DESolver solver, Supplier<DESolver> searchSolver,
+               Observers observers) {
         this.system = system;
         this.solver = solver;
+        this.searchSolver = searchSolver;
         this.observers = observers;
     }
 
-    /** Adds a rule with events; searchSolver is used only to locate them. */
-    void addRule(EventRule rule, DESolver searchSolver) {
+    void addRule(EventRule rule) {
         rules.add(rule);
         if (locator == null) {
-            locator = new EventLocator(searchSolver);
+            locator = new EventLocator(searchSolver.get());
         }
     }
 

@@ -5,6 +5,7 @@ import deSolvers.DESolverException;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.function.Supplier;
 import particles.law.Particles;
 import particles.law.Reaction;
 import particles.law.Violation;
@@ -34,14 +35,16 @@ public final class Simulation {
 
     /**
      * @param system      the system
-     * @param solver      its solver
+     * @param solver      makes its solver, and another one that locates events: its trial steps must not disturb the
+     *                    memory of the run's own
      * @param deltaT      the time step (s), positive
      * @param duration    the duration of the run, from the system's present time (s), 0 or more
      * @param energyLimit the kinetic energy above which the run counts as blown up (J), positive; may be infinite. The
      *                    observer {@code NumericalErrorLimit} ends most blow-ups of a scene earlier, by their error
      * @throws IllegalArgumentException if a number is out of its range
      */
-    public Simulation(ParticleSystem system, DESolver solver, double deltaT, double duration, double energyLimit) {
+    public Simulation(ParticleSystem system, Supplier<DESolver> solver, double deltaT, double duration,
+                      double energyLimit) {
         if (!(deltaT > 0) || !(deltaT <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException("deltaT has to be positive and finite, not " + deltaT);
         }
@@ -49,32 +52,23 @@ public final class Simulation {
             throw new IllegalArgumentException("the duration has to be 0 or more and finite, not " + duration);
         }
         this.system = system;
-        this.solver = solver;
+        this.solver = solver.get();
         this.deltaT = deltaT;
         this.duration = duration;
         this.energyLimit = new EnergyLimit(energyLimit);
-        this.eventSteps = new EventSteps(system, solver, notifier);
+        this.eventSteps = new EventSteps(system, this.solver, solver, notifier);
     }
 
     /**
-     * Adds a rule.
+     * Adds a rule. An {@link EventRule} also divides a step at the exact times of events such as impacts.
      *
      * @param rule called before and after every step; rules act in the order in which they were added
      */
     public void addRule(Rule rule) {
         rules.add(rule);
-    }
-
-    /**
-     * Adds a rule that divides a step at the exact times of events such as impacts.
-     *
-     * @param rule         the rule; called before and after every step like any other
-     * @param searchSolver a second solver of the same kind as the run's, for the trial steps that locate events: they
-     *                     must not disturb the memory of the run's own solver
-     */
-    public void addEventRule(EventRule rule, DESolver searchSolver) {
-        rules.add(rule);
-        eventSteps.addRule(rule, searchSolver);
+        if (rule instanceof EventRule withEvents) {
+            eventSteps.addRule(withEvents);
+        }
     }
 
     /**

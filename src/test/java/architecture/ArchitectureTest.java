@@ -130,7 +130,7 @@ class ArchitectureTest {
             particles.reactions.wires:     particles.law particles.view
             particles.rules:               particles particles.effects particles.effects.springs particles.law
                                            particles.reactions particles.reactions.contact particles.view
-            particles.scene:               deSolvers deSolvers.text particles particles.effects
+            particles.scene:               deSolvers.text particles particles.effects
                                            particles.effects.springs particles.law particles.reactions particles.rules
                                            particles.scene.checks particles.scene.format particles.scene.parts
                                            particles.spec particles.spec.messages particles.view

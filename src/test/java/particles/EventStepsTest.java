@@ -8,6 +8,7 @@ import deSolvers.DESolver;
 import deSolvers.DEStateSource;
 import deSolvers.EulerSolver;
 import java.util.List;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import particles.law.Vector3;
 
@@ -62,14 +63,14 @@ class EventStepsTest {
     }
 
     private static ParticleSystem run(Sequence sequence) {
-        return run(sequence, new EulerSolver());
+        return run(sequence, EulerSolver::new);
     }
 
-    private static ParticleSystem run(Sequence sequence, DESolver solver) {
+    private static ParticleSystem run(Sequence sequence, Supplier<DESolver> solver) {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("a", 1, Vector3.ZERO, new Vector3(1, 0, 0), false);
         Simulation simulation = new Simulation(system, solver, 0.1, 0.2, Double.POSITIVE_INFINITY);
-        simulation.addEventRule(sequence, new EulerSolver());
+        simulation.addRule(sequence);
         simulation.run();
         return system;
     }
@@ -116,11 +117,16 @@ class EventStepsTest {
         assertTrue(sequence.events == 9_090, sequence.events + " events");
     }
 
+    /** Makes a laborious solver for the run, then an ordinary one that locates events. */
+    private static Supplier<DESolver> laborious() {
+        return List.<DESolver>of(new Laborious(), new EulerSolver()).iterator()::next;
+    }
+
     /** A solver whose steps cost 400,000 evaluations, as where a particle creeps: two fit into the limit of a step. */
     @Test
     void aStepOfTooManyEvaluationsIsGivenUpNearATurnOnly() {
-        assertEquals(0.2, run(new Turns(false), new Laborious()).getOwnState()[0], 1e-12);
-        SimulationException e = assertThrows(SimulationException.class, () -> run(new Turns(true), new Laborious()));
+        assertEquals(0.2, run(new Turns(false), laborious()).getOwnState()[0], 1e-12);
+        SimulationException e = assertThrows(SimulationException.class, () -> run(new Turns(true), laborious()));
         assertEquals("contacts make no headway: this step took 1200009 evaluations, and 0.07 s of the step are left",
                 e.getMessage());
     }

@@ -12,6 +12,7 @@ import deSolvers.EulerSolver;
 import deSolvers.adaptive.DormandPrinceSolver;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import particles.effects.Gravity;
 import particles.law.Plane;
@@ -50,14 +51,14 @@ class MotionTest {
     }
 
     /** A ball that falls from 10 m, and bounces, in steps of 4 s. */
-    private static Pieces fall(DESolver solver, DESolver search) {
+    private static Pieces fall(Supplier<DESolver> solver) {
         ParticleSystem system = oneParticle(new Vector3(0, 10, 0), Vector3.ZERO);
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         RestingContacts contacts = new RestingContacts(system.getParticles(),
                 List.of(new ContactSurface("ground", Plane.ground(0), 1, Friction.NONE, 1e-3)));
         system.addReaction(contacts);
         Simulation simulation = new Simulation(system, solver, 4, 4, Double.POSITIVE_INFINITY);
-        simulation.addEventRule(new ExactImpacts(contacts), search);
+        simulation.addRule(new ExactImpacts(contacts));
         Pieces pieces = new Pieces();
         simulation.addObserver(pieces);
         simulation.run();
@@ -67,7 +68,7 @@ class MotionTest {
     /** The path is a parabola, before the bounce and after; a tolerance of 1e-12 follows it in sub-steps. */
     @Test
     void thePiecesOfAMotionAreTheSubStepsUpToItsEnd() {
-        Pieces pieces = fall(new DormandPrinceSolver(1e-12, 1e-12), new DormandPrinceSolver(1e-12, 1e-12));
+        Pieces pieces = fall(() -> new DormandPrinceSolver(1e-12, 1e-12));
         double bounce = Math.sqrt(2 * 10 / 9.81);
         assertEquals(2, pieces.motions, "one bounce at " + bounce + " s");
         assertTrue(pieces.adaptive && pieces.ends.size() > 2, pieces.ends.size() + " pieces");
@@ -79,7 +80,7 @@ class MotionTest {
 
     @Test
     void otherStepsAreOnePiece() {
-        Pieces pieces = fall(new EulerSolver(), new EulerSolver());
+        Pieces pieces = fall(EulerSolver::new);
         assertFalse(pieces.adaptive);
         assertEquals(pieces.motions, pieces.ends.size());
     }

@@ -1,10 +1,8 @@
 package particles.scene;
 
-import deSolvers.DESolver;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Optional;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.effects.EffectCatalog;
@@ -48,11 +46,11 @@ public final class SceneBuilder {
      */
     public static Scene build(SceneDescription scene) {
         Problems problems = new Problems();
-        Optional<DESolver> solver = SolverFormat.create(scene, problems);
+        SolverFormat.check(scene, problems);
         RunLimits.check(scene.deltaT(), scene.duration(), scene.places(), problems);
         MemoryEstimate.check(scene, Runtime.getRuntime().maxMemory(), problems);
         SceneException.throwIfAny(problems);
-        return build(scene, solver.orElseThrow());
+        return assemble(scene);
     }
 
     /**
@@ -80,7 +78,7 @@ public final class SceneBuilder {
         }
     }
 
-    private static Scene build(SceneDescription scene, DESolver solver) {
+    private static Scene assemble(SceneDescription scene) {
         ParticleSystem system = new ParticleSystem();
         SpringForce springs = new SpringForce(system.getParticles());
         Contents contents = scene.contents();
@@ -100,16 +98,13 @@ public final class SceneBuilder {
         contents.rules().forEach(rule -> rule.kind().build(rule.values(), assembly));
 
         double estimate = EnergyEstimate.of(system, springs, assembly, Math.max(scene.duration(), scene.deltaT()));
-        Simulation simulation = new Simulation(system, solver, scene.deltaT(), scene.duration(),
-                scene.settings().blowUpFactor() * estimate);
+        Simulation simulation = new Simulation(system, scene.settings().solver()::create, scene.deltaT(),
+                scene.duration(), scene.settings().blowUpFactor() * estimate);
         if (!assembly.surfaces().isEmpty()) {               // the ground and others to collide with
             RestingContacts contacts = new RestingContacts(system.getParticles(), assembly.surfaces());
             system.addReaction(contacts);
-            if (scene.settings().exactImpacts()) {
-                simulation.addEventRule(new ExactImpacts(contacts), scene.settings().solver().create());
-            } else {
-                simulation.addRule(new ClampedImpacts(contacts));
-            }
+            simulation.addRule(scene.settings().exactImpacts() ? new ExactImpacts(contacts)
+                    : new ClampedImpacts(contacts));
         }
         contents.constraints().build(system, index, simulation, assembly);     // rods take over contacts
         assembly.rules().forEach(simulation::addRule);

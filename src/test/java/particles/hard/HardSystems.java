@@ -43,7 +43,7 @@ final class HardSystems {
 
     /** Runs with a solver of the catalogue until its end or until the kinetic energy passes the limit. */
     static End run(ParticleSystem system, String solver, double deltaT, double duration, double energyLimit) {
-        return run(new Simulation(system, SolverCatalog.create(solver), deltaT, duration, energyLimit));
+        return run(new Simulation(system, () -> SolverCatalog.create(solver), deltaT, duration, energyLimit));
     }
 
     static End run(Simulation simulation) {

@@ -43,13 +43,13 @@ final class JointCase {
     }
 
     Simulation exact(double deltaT, double duration) {
-        Simulation simulation = new Simulation(system, new RK4Solver(), deltaT, duration, Double.POSITIVE_INFINITY);
-        simulation.addEventRule(new ExactImpacts(contacts), new RK4Solver());
+        Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, duration, Double.POSITIVE_INFINITY);
+        simulation.addRule(new ExactImpacts(contacts));
         return simulation;
     }
 
     Simulation clamped(double deltaT, double duration) {
-        Simulation simulation = new Simulation(system, new RK4Solver(), deltaT, duration, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, duration, Double.POSITIVE_INFINITY);
         simulation.addRule(new ClampedImpacts(contacts));
         return simulation;
     }

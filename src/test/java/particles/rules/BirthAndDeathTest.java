@@ -42,7 +42,7 @@ class BirthAndDeathTest {
     }
 
     private static Simulation simulation(ParticleSystem system, double deltaT, double duration, Rule... rules) {
-        Simulation simulation = new Simulation(system, new RK4Solver(), deltaT, duration, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, duration, Double.POSITIVE_INFINITY);
         for (Rule rule : rules) {
             simulation.addRule(rule);
         }
@@ -129,8 +129,8 @@ class BirthAndDeathTest {
         RestingContacts contacts = new RestingContacts(system.getParticles(),
                 List.of(new ContactSurface("ground", Plane.ground(0), 0.4, Friction.NONE, 1e-3)));
         system.addReaction(contacts);
-        Simulation simulation = new Simulation(system, new RK4Solver(), 0.01, 4, Double.POSITIVE_INFINITY);
-        simulation.addEventRule(new ExactImpacts(contacts), new RK4Solver());
+        Simulation simulation = new Simulation(system, RK4Solver::new, 0.01, 4, Double.POSITIVE_INFINITY);
+        simulation.addRule(new ExactImpacts(contacts));
         for (Rule rule : new Rule[] {emitter(100, 1.5, 3), new Lifetimes(),
                 new KillPlane(new Plane(new Vector3(3, 0, 0),
                 new Vector3(-1, 0, 0)))}) {

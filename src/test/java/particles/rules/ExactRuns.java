@@ -37,8 +37,8 @@ final class ExactRuns {
 
     static Simulation simulation(ParticleSystem system, RestingContacts contacts, Supplier<DESolver> solver,
             double deltaT, double duration) {
-        Simulation simulation = new Simulation(system, solver.get(), deltaT, duration, Double.POSITIVE_INFINITY);
-        simulation.addEventRule(new ExactImpacts(contacts), solver.get());
+        Simulation simulation = new Simulation(system, solver, deltaT, duration, Double.POSITIVE_INFINITY);
+        simulation.addRule(new ExactImpacts(contacts));
         return simulation;
     }
 

@@ -37,8 +37,8 @@ class SlidingTurnsTest {
                 new Plane(Vector3.ZERO, new Vector3(-SLOPE, SLOPE, 0)), 0.5,
                 new Friction(Friction.Law.COULOMB, MU, MU, threshold), 1e-6)));
         system.addReaction(contacts);
-        Simulation simulation = new Simulation(system, new RK4Solver(), deltaT, duration, Double.POSITIVE_INFINITY);
-        simulation.addEventRule(new ExactImpacts(contacts), new RK4Solver());
+        Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, duration, Double.POSITIVE_INFINITY);
+        simulation.addRule(new ExactImpacts(contacts));
         simulation.addObserver(ledger);
         simulation.run();
         events = simulation.getEvents();

@@ -40,7 +40,7 @@ class TearsTest {
     private int impactsInTheStepOfATear;
 
     private Simulation simulation(double deltaT, double duration) {
-        Simulation simulation = new Simulation(system, new RK4Solver(), deltaT, duration, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, duration, Double.POSITIVE_INFINITY);
         simulation.addObserver(ledger);
         simulation.addObserver(new Observer() {
             private int impacts;
@@ -153,7 +153,7 @@ class TearsTest {
             simulation.addRule(tear);
         }
         if (exact) {
-            simulation.addEventRule(new ExactImpacts(contacts), new RK4Solver());
+            simulation.addRule(new ExactImpacts(contacts));
         } else {
             simulation.addRule(new ClampedImpacts(contacts));
         }

@@ -1,6 +1,5 @@
 package particles.scene.format;
 
-import deSolvers.DESolver;
 import deSolvers.adaptive.AdaptiveSolver;
 import deSolvers.catalog.SolverCatalog;
 import java.util.NoSuchElementException;
@@ -47,12 +46,12 @@ public final class SolverFormat {
         return Optional.of(new Tolerances(values.find(RELATIVE).orElse(1e-6), values.find(ABSOLUTE).orElse(1e-9)));
     }
 
-    /** @return the scene's solver; empty, with a problem, if it cannot be created */
-    public static Optional<DESolver> create(SceneDescription scene, Problems problems) {
+    /** Adds a problem if the scene's solver cannot be created. */
+    public static void check(SceneDescription scene, Problems problems) {
         try {
-            return Optional.of(scene.settings().solver().create());
+            scene.settings().solver().create();
         } catch (NoSuchElementException | IllegalArgumentException e) {
-            return problems.add(scene.places().get(SceneFormat.SOLVER), e.getMessage());
+            problems.add(scene.places().get(SceneFormat.SOLVER), e.getMessage());
         }
     }
 }
