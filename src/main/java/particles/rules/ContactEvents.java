@@ -113,10 +113,11 @@ final class ContactEvents {
         modes.set(p, i, Mode.FREE);
     }
 
+    /** Whether friction on a particle flips when it reverses, or may hold it. */
     private boolean rubs(int i) {
         for (int p = 0; p < contacts.getSurfaces().size(); p++) {
-            if (modes.get(p, i) != Mode.FREE
-                    && contacts.getSurfaces().get(p).friction().law() != Friction.Law.NONE) {
+            Friction friction = contacts.getSurfaces().get(p).friction();
+            if (modes.get(p, i) != Mode.FREE && (friction.ofCoulomb(1) > 0 || friction.staticCoefficient() > 0)) {
                 return true;
             }
         }

@@ -150,6 +150,25 @@ class CornersOfContactTest {
         assertTrue(finer <= Math.max(off / 2.8, 5e-6), impact + ": off by " + off + ", then by " + finer);
     }
 
+    /**
+     * A bead that slides down a ring stops where the ring meets the ground, at half its height: that is one event. The
+     * lecture's friction does not flip where round-off reverses a velocity.
+     */
+    @ParameterizedTest
+    @MethodSource("solvers")
+    void aBeadStopsWhereItsRingMeetsTheGround(String solver) {
+        Scene scene = run(solver, "exact", 0.05, 2, """
+                particles:
+                  - {id: bead, position: [0.8, 0.6, 0]}
+                wires:
+                  - circle: {bead: bead, centre: [0, 0, 0], radius: 1, axis: [0, 0, 1]}
+                rules:
+                  - ground: {height: -0.5, restitution: 0, friction: {law: slide, coefficient: 0.46}}
+                """);
+        assertEquals(-0.5, at(scene, 1), 1e-10, "measured: 1.0e-11 (linearised-euler)");
+        assertEquals(1, scene.simulation().getEvents());
+    }
+
     /** Along a groove a particle stops after v&sup2; cos a/(2 mu g), as far as the threshold of 0.01 m/s lets it. */
     @ParameterizedTest
     @MethodSource("solvers")
