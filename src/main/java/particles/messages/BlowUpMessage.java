@@ -4,10 +4,12 @@ import deSolvers.DESolverException;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import deSolvers.text.Digits;
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import particles.BlowUpException;
 import particles.NumericalErrorException;
+import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.law.DifferentiableEffect;
 import particles.law.Effect;
@@ -26,6 +28,7 @@ public final class BlowUpMessage {
     private final String solver;
     private final StepLimit limits;
     private final AdviceRule rule;
+    private final Optional<Effect> singular;
     private String cause = "";
     private Optional<Advice> advice = Optional.empty();
 
@@ -40,6 +43,7 @@ public final class BlowUpMessage {
         solver = scene.description().solver();
         limits = new StepLimit(scene);
         rule = new AdviceRule(scene, limits);
+        singular = failure.filter(given -> given.getEntry() >= 0).flatMap(given -> singularForce());
         find();
     }
 
@@ -71,8 +75,19 @@ public final class BlowUpMessage {
         String particle = end.getParticle() < 0 ? ""
                 : " at particle '" + scene.system().getParticles().id(end.getParticle()) + "'";
         return solver + " stopped at t = " + Digits.few(end.getTime()) + " s" + particle + ": "
-                + failure.map(DESolverException::getReason)
+                + singular.map(force -> "the force '" + force.getName() + "' is not finite there")
+                        .or(() -> failure.map(DESolverException::getReason))
                         .orElse(end instanceof BlowUpException ? energy() : end.getMessage());
+    }
+
+    /** A force that is not finite at the beginning of the failed step, as at the centre of an attraction. */
+    private Optional<Effect> singularForce() {
+        ParticleSystem system = scene.system();
+        return system.getEffects().stream().filter(effect -> {
+            double[] force = new double[system.getStateSize()];
+            effect.addForces(system.getOwnState(), system.getTime(), force);
+            return !Arrays.stream(force).allMatch(Double::isFinite);
+        }).findFirst();
     }
 
     private String energy() {
@@ -89,7 +104,9 @@ public final class BlowUpMessage {
     /** Finds the cause and the advice. */
     private void find() {
         Optional<SolverInfo> known = SolverCatalog.find(solver);
-        if (end instanceof SimulationException.NoHeadway) {
+        if (singular.isPresent()) {
+            found("no solver can go on from there", Advice.byHand("other positions in the scene"));
+        } else if (end instanceof SimulationException.NoHeadway) {
             findForContacts();
         } else if (failure.isPresent() && !(isBlowUp() && known.filter(SolverInfo::adaptive).isEmpty()) && mayStop()) {
             found("something is about to stop or to begin to slide, and there Coulomb friction changes its direction"

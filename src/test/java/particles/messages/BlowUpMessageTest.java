@@ -76,6 +76,19 @@ class BlowUpMessageTest {
         assertTrue(match.matches(), line);
     }
 
+    /** A particle at the very centre of an attraction. */
+    @ParameterizedTest
+    @ValueSource(strings = {"euler", "rk4", "dormand-prince", "radau"})
+    void aForceWithoutAValueIsNamedAndNoSolverAdvised(String solver) {
+        Scene scene = TestScenes.build(CHAIN.replace("SOLVER", solver).replace("DAMPING", "") + """
+                effects:
+                  - gravity: {}
+                  - attraction: {strength: 1, centre: [3, 0, 0]}
+                """);
+        assertEquals(solver + " stopped at t = 0 s at particle 'c': the force 'attraction' is not finite there\n"
+                + "no solver can go on from there\ntry other positions in the scene", blowUp(scene));
+    }
+
     /** A force of one's own, as x^3, is stiff far out: the springs' limit says nothing of it. */
     @Test
     void aForceOfOnesOwnIsNotSaidToBeWithinTheLimit() {
