@@ -33,50 +33,54 @@ public final class SolverCatalog {
     private static final double UNLIMITED = Double.POSITIVE_INFINITY;
 
     private static final Map<String, Entry> ENTRIES = byName(
-            entry(EulerSolver::new, "euler", EulerSolver.class,
-                    1, "slides", "1", 2, 0,
+            new Entry(new SolverInfo("euler", 1, "slides", "1", false, 0, 2,
                     "One straight step; every undamped spring gains energy."),
-            entry(MidpointSolver::new, "midpoint", MidpointSolver.class,
-                    2, "slides", "2", 2, 0,
+                    EulerSolver::new),
+            new Entry(new SolverInfo("midpoint", 2, "slides", "2", false, 0, 2,
                     "Uses the derivative half way; undamped springs gain energy slowly."),
-            entry(RK4Solver::new, "rk4", RK4Solver.class,
-                    4, "slides", "4", 2.7853, 2.8284,
+                    MidpointSolver::new),
+            new Entry(new SolverInfo("rk4", 4, "slides", "4", false, 2.8284, 2.7853,
                     "The old workhorse: accurate and stable enough for most scenes."),
-            adaptive(StepDoublingSolver::new, StepDoublingSolver::new, "step-doubling", StepDoublingSolver.class,
-                    4, "adaptive", "11 a sub-step", 5.5706, 5.6569,
+                    RK4Solver::new),
+            new Entry(new SolverInfo("step-doubling", 4, "adaptive", "11 a sub-step", true, 5.6569, 5.5706,
                     "Compares two RK4 steps with one of twice the length."),
-            adaptive(DormandPrinceSolver::new, DormandPrinceSolver::new, "dormand-prince", DormandPrinceSolver.class,
-                    5, "adaptive", "6 a sub-step", 3.3066, 0.9972,
+                    StepDoublingSolver::new, StepDoublingSolver::new),
+            new Entry(new SolverInfo("dormand-prince", 5, "adaptive", "6 a sub-step", true, 0.9972, 3.3066,
                     "First choice for smooth motion to a stated accuracy."),
-            adaptive(BulirschStoerSolver::new, BulirschStoerSolver::new, "bulirsch-stoer", BulirschStoerSolver.class,
-                    18, "extrapolation", "9 to 163 a sub-step", NONE, NONE,
+                    DormandPrinceSolver::new, DormandPrinceSolver::new),
+            new Entry(new SolverInfo("bulirsch-stoer", 18, "extrapolation", "9 to 163 a sub-step", true, NONE, NONE,
                     "Extrapolates midpoint steps: smooth motion, high accuracy."),
-            entry(AdamsBashforthMoultonSolver::new, "adams", AdamsBashforthMoultonSolver.class,
-                    4, "multistep", "2", 1.2848, 0,
+                    BulirschStoerSolver::new, BulirschStoerSolver::new),
+            new Entry(new SolverInfo("adams", 4, "multistep", "2", false, 0, 1.2848,
                     "Reuses earlier derivatives: order 4 for two evaluations."),
-            symplectic(SymplecticEulerSolver::new, "symplectic-euler", SymplecticEulerSolver.class,
-                    1, "symplectic", "1", 2, 0.8284,
+                    AdamsBashforthMoultonSolver::new),
+            new Entry(new SolverInfo("symplectic-euler", 1, "symplectic", "1", false, 2, 0.8284,
                     "The slides' simple algorithm; no energy drift in small steps."),
-            symplectic(VelocityVerletSolver::new, "verlet", VelocityVerletSolver.class,
-                    2, "symplectic", "1, more with damping", 2, 0.74,
+                    SymplecticEulerSolver::new),
+            new Entry(new SolverInfo("verlet", 2, "symplectic", "1, more with damping", false, 2, 0.74,
                     "First choice for undamped motion; no energy drift in small steps."),
-            symplectic(Yoshida4Solver::new, "yoshida4", Yoshida4Solver.class,
-                    4, "symplectic", "3, more with damping", 1.5734, 0.438,
+                    VelocityVerletSolver::new),
+            new Entry(new SolverInfo("yoshida4", 4, "symplectic", "3, more with damping", false, 1.5734, 0.438,
                     "Three verlet steps in one, with order 4."),
-            entry(BackwardEulerSolver::new, "backward-euler", BackwardEulerSolver.class,
-                    1, "implicit", "2 to 8, tens with rods", UNLIMITED, UNLIMITED,
-                    "Damps vibrations that a step cannot resolve."),
-            entry(LinearisedEulerSolver::new, "linearised-euler", LinearisedEulerSolver.class,
-                    1, "implicit", "1", UNLIMITED, UNLIMITED,
+                    Yoshida4Solver::new),
+            new Entry(new SolverInfo("backward-euler", 1, "implicit", "2 to 8, tens with rods", false, UNLIMITED,
+                    UNLIMITED, "Damps vibrations that a step cannot resolve."),
+                    BackwardEulerSolver::new),
+            new Entry(new SolverInfo("linearised-euler", 1, "implicit", "1", false, UNLIMITED, UNLIMITED,
                     "Backward Euler with one linear system a step; for cloth."),
-            entry(ImplicitMidpointSolver::new, "implicit-midpoint", ImplicitMidpointSolver.class,
-                    2, "implicit", "2 to 8, tens with rods", UNLIMITED, UNLIMITED,
-                    "Keeps the energy of linear springs."),
-            adaptive(RadauIIASolver::new, RadauIIASolver::new, "radau", RadauIIASolver.class,
-                    5, "implicit", "about 10 a sub-step", UNLIMITED, UNLIMITED,
-                    "First choice for stiff systems to a stated accuracy."));
+                    LinearisedEulerSolver::new),
+            new Entry(new SolverInfo("implicit-midpoint", 2, "implicit", "2 to 8, tens with rods", false, UNLIMITED,
+                    UNLIMITED, "Keeps the energy of linear springs."),
+                    ImplicitMidpointSolver::new),
+            new Entry(new SolverInfo("radau", 5, "implicit", "about 10 a sub-step", true, UNLIMITED, UNLIMITED,
+                    "First choice for stiff systems to a stated accuracy."),
+                    RadauIIASolver::new, RadauIIASolver::new));
 
     private record Entry(SolverInfo info, Supplier<DESolver> maker, WithTolerances toleranceMaker) {
+        /** A solver that steps by deltaT. */
+        Entry(SolverInfo info, Supplier<DESolver> maker) {
+            this(info, maker, (relative, absolute) -> throwNotAdaptive(info.name()));
+        }
     }
 
     /** Makes an adaptive solver. */
@@ -85,33 +89,6 @@ public final class SolverCatalog {
     }
 
     private SolverCatalog() {
-    }
-
-    /** The entry of a solver that steps by deltaT. */
-    private static Entry entry(Supplier<DESolver> maker, String name, Class<? extends DESolver> solver, int order,
-                               String family, String evaluations, double realLimit, double imaginaryLimit,
-                               String sentence) {
-        SolverInfo info = new SolverInfo(name, solver.getName(), order, family, evaluations, false, false,
-                realLimit, imaginaryLimit, realLimit, sentence);
-        return new Entry(info, maker, (relative, absolute) -> throwNotAdaptive(name));
-    }
-
-    /** The entry of a solver that steps positions and velocities separately. */
-    private static Entry symplectic(Supplier<DESolver> maker, String name, Class<? extends DESolver> solver, int order,
-                                    String family, String evaluations, double imaginaryLimit, double dampedLimit,
-                                    String sentence) {
-        SolverInfo info = new SolverInfo(name, solver.getName(), order, family, evaluations, false, true, NONE,
-                imaginaryLimit, dampedLimit, sentence);
-        return new Entry(info, maker, (relative, absolute) -> throwNotAdaptive(name));
-    }
-
-    /** The entry of a solver that chooses its own sub-steps. */
-    private static Entry adaptive(Supplier<DESolver> maker, WithTolerances toleranceMaker, String name,
-                                  Class<? extends DESolver> solver, int order, String family, String evaluations,
-                                  double realLimit, double imaginaryLimit, String sentence) {
-        SolverInfo info = new SolverInfo(name, solver.getName(), order, family, evaluations, true, false, realLimit,
-                imaginaryLimit, realLimit, sentence);
-        return new Entry(info, maker, toleranceMaker);
     }
 
     private static DESolver throwNotAdaptive(String name) {

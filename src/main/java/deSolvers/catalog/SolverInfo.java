@@ -1,26 +1,34 @@
 package deSolvers.catalog;
 
 /**
- * A solver's entry in the catalogue: name, class, order, cost and stability limits.
+ * A solver's entry in the catalogue: name, order, cost and stability limits.
  *
  * @param name           the name in scenes and on command lines, such as {@code rk4}
- * @param className      the fully-qualified name of its class
  * @param order          the order p: the error after a given time is proportional to deltaT<sup>p</sup>; of an embedded
  *                       pair the higher order
  * @param family         the kind of method, in a word or two
  * @param evaluations    calls of the derivative per step, in words
  * @param adaptive       whether it chooses its own sub-steps and takes tolerances
- * @param secondOrder    whether it needs a {@link deSolvers.SecondOrderStateSource}
- * @param realLimit      the largest stable h |lambda| on the negative real axis; infinite where there is none, NaN
- *                       where it does not apply
- * @param imaginaryLimit the largest stable h omega on the imaginary axis, for undamped springs; 0 if it always grows
- * @param dampedLimit    the largest stable h omega for a critically damped spring, whose eigenvalues are both -omega;
- *                       for methods that step the state as a whole it is realLimit
+ * @param imaginaryLimit the largest stable h omega on the imaginary axis, for undamped springs; 0 if it always grows,
+ *                       infinite where there is no limit, NaN where none is stated
+ * @param dampedLimit    the largest stable h omega for a critically damped spring, whose eigenvalues are both -omega
  * @param sentence       a description in one sentence
  */
-public record SolverInfo(String name, String className, int order, String family, String evaluations, boolean adaptive,
-                         boolean secondOrder, double realLimit, double imaginaryLimit, double dampedLimit,
-                         String sentence) {
+public record SolverInfo(String name, int order, String family, String evaluations, boolean adaptive,
+                         double imaginaryLimit, double dampedLimit, String sentence) {
+
+    /** @return whether it needs a {@link deSolvers.SecondOrderStateSource} */
+    public boolean secondOrder() {
+        return family.equals("symplectic");
+    }
+
+    /**
+     * @return the largest stable h |lambda| on the negative real axis, NaN where it does not apply; for methods that
+     *         step the state as a whole it is that of a critically damped spring
+     */
+    public double realLimit() {
+        return secondOrder() ? Double.NaN : dampedLimit;
+    }
 
     /** @return whether each step solves equations, so that evaluations are not all its work */
     public boolean implicit() {
@@ -37,6 +45,6 @@ public record SolverInfo(String name, String className, int order, String family
 
     /** @return whether a step has no stability limit, for damped and for undamped springs */
     public boolean unlimited() {
-        return realLimit == Double.POSITIVE_INFINITY && imaginaryLimit == Double.POSITIVE_INFINITY;
+        return dampedLimit == Double.POSITIVE_INFINITY && imaginaryLimit == Double.POSITIVE_INFINITY;
     }
 }

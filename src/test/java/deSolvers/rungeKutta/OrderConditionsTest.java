@@ -78,7 +78,7 @@ class OrderConditionsTest {
     private static Map<String, ButcherTableau> tableaux() throws ReflectiveOperationException {
         Map<String, ButcherTableau> found = new LinkedHashMap<>();
         for (SolverInfo info : SolverCatalog.all()) {
-            for (Field field : Class.forName(info.className()).getDeclaredFields()) {
+            for (Field field : SolverCatalog.create(info.name()).getClass().getDeclaredFields()) {
                 if (field.getType() == ButcherTableau.class) {
                     field.setAccessible(true);
                     found.put(info.name() + "." + field.getName(), (ButcherTableau) field.get(null));
