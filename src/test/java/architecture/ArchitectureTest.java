@@ -65,7 +65,8 @@ class ArchitectureTest {
                                            particles.law particles.messages particles.output.animation
                                            particles.output.charts particles.output.files particles.output.frames
                                            particles.output.raster particles.scene particles.scene.format
-                                           particles.threads particles.view picocli
+                                           particles.spec particles.spec.documents particles.threads
+                                           particles.view picocli
             particles.app.student:         deSolvers deSolvers.catalog particles.app.cli particles.javac particles.law
                                            particles.output.charts particles.output.files particles.output.report
                                            particles.output.text

@@ -16,7 +16,6 @@ import particles.app.cli.ResultsCommand;
 import particles.app.student.StudentClasses;
 import particles.messages.BlowUpMessage;
 import particles.output.files.OutputFolder;
-import particles.output.files.RunSummaryWriter;
 import particles.scene.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
@@ -140,7 +139,7 @@ public final class RunCommand extends ResultsCommand {
                 early = simulateOrDiscard(scene, folder, observers);
             }
             Summary summary = new Summary(name, hash, scene, observers.energy(), progress.seconds());
-            RunSummaryWriter.write(folder, summary.record());
+            folder.write(Summary.FILE, summary.json());
             observers.drawCharts(charts.format());
             summary.lines(early.isPresent()).forEach(out::println);
             out.println("files in " + folder() + ": " + String.join(", ", files));

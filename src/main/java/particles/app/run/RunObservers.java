@@ -15,7 +15,6 @@ import particles.output.animation.GifAnimation;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartWriter;
 import particles.output.files.OutputFolder;
-import particles.output.files.RunSummaryWriter;
 import particles.output.files.TrajectoryWriter;
 import particles.output.frames.FrameObserver;
 import particles.output.frames.FrameRenderer;
@@ -66,7 +65,7 @@ final class RunObservers implements AutoCloseable {
             addIf(output.phase().isPresent(), PHASE.replace(ChartWriter.PNG, end), names);
         }
         names.add(TrajectoryWriter.FILE);
-        names.add(RunSummaryWriter.FILE);
+        names.add(Summary.FILE);
         return names;
     }
 

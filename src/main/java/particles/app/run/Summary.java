@@ -5,6 +5,7 @@ import deSolvers.catalog.SolverInfo;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import particles.Simulation;
 import particles.app.cli.Version;
@@ -12,8 +13,9 @@ import particles.energy.EnergyHistory;
 import particles.energy.EnergyLedgerRecorder;
 import particles.energy.EnergyRecorder;
 import particles.law.Violation;
-import particles.output.files.RunSummary;
 import particles.scene.Scene;
+import particles.spec.Ordered;
+import particles.spec.documents.JsonText;
 
 /** The summary of a run, for people and for run.json. */
 final class Summary {
@@ -24,33 +26,56 @@ final class Summary {
     /** Energies below this part of the energy scale are round-off. */
     private static final double ROUND_OFF = 1e-15;
 
+    /** The file's name. */
+    static final String FILE = "run.json";
+
+    private final String name;
+    private final String hash;
     private final Scene scene;
-    private final RunSummary record;
-    private final boolean tooCoarse;
-    private final double uncertainty;
+    private final Simulation simulation;
+    private final EnergyRecorder recorder;
+    private final EnergyHistory energy;
+    private final EnergyLedgerRecorder books;
+    private final double seconds;
 
     /**
      * @param name     the name of the scene
-     * @param hash    the hash of its file
-     * @param scene   after its run
+     * @param hash     SHA-256 of its file's bytes, in hexadecimal
+     * @param scene    after its run
      * @param recorder its recorded energies
-     * @param seconds the wall-clock time of the run (s)
+     * @param seconds  the wall-clock time of the run (s)
      */
     Summary(String name, String hash, Scene scene, EnergyRecorder recorder, double seconds) {
+        this.name = name;
+        this.hash = hash;
         this.scene = scene;
-        tooCoarse = recorder.isTooCoarse();
-        EnergyHistory energy = recorder.getHistory();
-        EnergyLedgerRecorder books = recorder.getLedger();
-        uncertainty = books.getUncertainty();
-        Simulation simulation = scene.simulation();
-        record = new RunSummary(name, hash, scene.description().solver(), simulation.getDeltaT(),
-                simulation.getDuration(), scene.system().getTime(), Version.CURRENT, simulation.getSteps(),
-                scene.system().getEvaluations(), seconds, energy.getStart(), energy.getEnd(), energy.getScale(),
-                energy.getLargestDrift(), books.getWork(), books.getNumericalError(), books.getLargestNumericalError());
+        this.recorder = recorder;
+        this.seconds = seconds;
+        simulation = scene.simulation();
+        energy = recorder.getHistory();
+        books = recorder.getLedger();
     }
 
-    RunSummary record() {
-        return record;
+    /** @return the text of {@link #FILE}; energies in J, times in s, relative errors in units of the energy scale */
+    String json() {
+        Map<String, Object> energies = Ordered.map("start", energy.getStart(), "end", energy.getEnd(),
+                "scale", energy.getScale(), "relativeDrift", relative(energy.getEnd() - energy.getStart()),
+                "largestRelativeDrift", relative(energy.getLargestDrift()),
+                "numericalError", books.getNumericalError(),
+                "relativeNumericalError", relative(books.getNumericalError()),
+                "largestRelativeNumericalError", relative(books.getLargestNumericalError()), "work", books.getWork());
+        return JsonText.of(Ordered.map("version", Version.CURRENT, "scene", name, "sceneSha256", hash,
+                "solver", scene.description().solver(), "deltaT", simulation.getDeltaT(),
+                "duration", simulation.getDuration(), "endTime", scene.system().getTime(),
+                "steps", simulation.getSteps(), "evaluations", scene.system().getEvaluations(),
+                "secondsTaken", seconds, "energy", energies, "java", Ordered.map(
+                        "version", Runtime.version().toString(), "vendor", System.getProperty("java.vendor", ""),
+                        "machine", System.getProperty("java.vm.name", ""))));
+    }
+
+    /** Divides an energy by the energy scale; 0 stays 0, also in a scene without energy. */
+    private double relative(double joules) {
+        return joules == 0 ? 0 : joules / energy.getScale();
     }
 
     /**
@@ -59,44 +84,47 @@ final class Summary {
      */
     List<String> lines(boolean failed) {
         List<String> lines = new ArrayList<>();
-        lines.add(scene.description().title() + ": " + record.solver() + ", deltaT = "
-                + Digits.exact(record.deltaT()) + " s");
-        boolean endedEarly = record.endTime() < record.duration() * (1 - 1e-9);
-        lines.add(Digits.few(record.endTime()) + " s"
-                + (endedEarly ? " of " + Digits.few(record.duration()) + " s" : "") + " simulated in "
-                + counted(record.steps(), "step") + " with " + counted(record.evaluations(), "evaluation")
-                + " of the derivative; run time "
-                + Digits.few(Math.round(100 * record.secondsTaken()) / 100.0) + " s");
-        if (record.deltaT() > record.duration() && record.steps() == 1) {
-            lines.add("the run is shorter than deltaT: its only step was " + Digits.few(record.endTime()) + " s long");
+        String name = scene.description().solver();
+        double deltaT = simulation.getDeltaT();
+        double duration = simulation.getDuration();
+        double time = scene.system().getTime();
+        lines.add(scene.description().title() + ": " + name + ", deltaT = " + Digits.exact(deltaT) + " s");
+        boolean endedEarly = time < duration * (1 - 1e-9);
+        lines.add(Digits.few(time) + " s"
+                + (endedEarly ? " of " + Digits.few(duration) + " s" : "") + " simulated in "
+                + counted(simulation.getSteps(), "step") + " with "
+                + counted(scene.system().getEvaluations(), "evaluation") + " of the derivative; run time "
+                + Digits.few(Math.round(100 * seconds) / 100.0) + " s");
+        if (deltaT > duration && simulation.getSteps() == 1) {
+            lines.add("the run is shorter than deltaT: its only step was " + Digits.few(time) + " s long");
         }
-        lines.add("energy: " + joules(record.startEnergy()) + " at the start, " + joules(record.endEnergy())
-                + " at the end; largest change " + joules(record.largestEnergyDrift()));
-        double error = record.largestRelativeNumericalError();
-        Optional<SolverInfo> solver = SolverCatalog.find(record.solver());
+        lines.add("energy: " + joules(energy.getStart()) + " at the start, " + joules(energy.getEnd())
+                + " at the end; largest change " + joules(energy.getLargestDrift()));
+        double error = relative(books.getLargestNumericalError());
+        Optional<SolverInfo> solver = SolverCatalog.find(name);
         boolean damping = solver.filter(SolverInfo::damping).isPresent();
-        boolean damped = damping && record.numericalError() < 0;
+        boolean damped = damping && books.getNumericalError() < 0;
         boolean blownUp = failed && !(error <= LARGE_ERROR);    // then the scale is that of the error
         lines.add("numerical error: " + (Double.isNaN(error) ? "not a number"
-                : "at most " + joules(record.largestNumericalError())) + (blownUp ? ""
-                : " (" + Digits.few(error) + " of the energy scale, " + joules(record.energyScale()) + ")")
+                : "at most " + joules(books.getLargestNumericalError())) + (blownUp ? ""
+                : " (" + Digits.few(error) + " of the energy scale, " + joules(energy.getScale()) + ")")
                 + (damped ? ", by numerical damping" : ""));
         if (error > LARGE_ERROR && !endedEarly && !failed && !damped) {
-            boolean sure = record.largestNumericalError() - uncertainty > LARGE_ERROR * record.energyScale();
+            boolean sure = books.getLargestNumericalError() - books.getUncertainty() > LARGE_ERROR * energy.getScale();
             lines.add(sure ? "warning: the numerical error is " + share(error)
                     + " the energy; do not trust this motion. Try a smaller deltaT or another solver."
-                    : "note: the energy ledger cannot resolve this motion, as the sub-steps of " + record.solver()
+                    : "note: the energy ledger cannot resolve this motion, as the sub-steps of " + name
                     + " are too long for it; the error may be the ledger's own. A smaller deltaT tells.");
         }
         if (error > LARGE_ERROR && damped) {
             lines.add("warning: numerical damping took " + share(error)
                     + " the energy scale; a smaller deltaT loses less.");
         }
-        if (tooCoarse && !failed && !damping && solver.filter(SolverInfo::adaptive).isEmpty()) {
+        if (recorder.isTooCoarse() && !failed && !damping && solver.filter(SolverInfo::adaptive).isEmpty()) {
             lines.add("warning: not resolved: the fastest visible vibration has fewer than 6 steps per period; try a"
                     + " smaller deltaT, or a solver that chooses its own sub-steps.");
         }
-        Violation violation = scene.simulation().getViolation();
+        Violation violation = simulation.getViolation();
         if (violation.part() > VIOLATION && !failed) {
             lines.add("warning: " + violation.what() + "; a smaller deltaT or another solver keeps it better.");
         }
@@ -104,14 +132,14 @@ final class Summary {
     }
 
     /** Formats an energy; round-off relative to the energy scale is shown as 0. */
-    private String joules(double energy) {
-        return (Math.abs(energy) < ROUND_OFF * record.energyScale() ? "0" : Digits.few(energy)) + " J";
+    private String joules(double value) {
+        return (Math.abs(value) < ROUND_OFF * energy.getScale() ? "0" : Digits.few(value)) + " J";
     }
 
     /** An error beside the energy scale: a part of it, or from 100 % on an energy. */
     private String share(double error) {
         return error < 1 ? Math.round(100 * error) + " % of"
-                : joules(record.largestNumericalError()) + ", " + Digits.few(error) + " times";
+                : joules(books.getLargestNumericalError()) + ", " + Digits.few(error) + " times";
     }
 
     private static String counted(long count, String thing) {

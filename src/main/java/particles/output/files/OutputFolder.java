@@ -1,6 +1,7 @@
 package particles.output.files;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -98,6 +99,21 @@ public final class OutputFolder implements AutoCloseable {
     public OutputFile create(String name) {
         claim(name);
         return begin(path.resolve(name));
+    }
+
+    /**
+     * Writes a whole file.
+     *
+     * @param name its name: letters, digits, dots, dashes, underscores
+     * @param text its contents, written as UTF-8
+     * @throws OutputException if it cannot be written, or one is there that no run made
+     */
+    public void write(String name, String text) {
+        byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+        try (OutputFile file = create(name)) {
+            file.write(bytes, 0, bytes.length);
+            file.commit();
+        }
     }
 
     /**

@@ -61,7 +61,7 @@ public final class JUnitXml {
         } catch (XMLStreamException e) {
             throw new IllegalStateException("XML cannot be written to memory", e);
         }
-        ResultPageWriter.writeLines(folder, "TEST-" + suite + ".xml", List.of(text.toString()));
+        folder.write("TEST-" + suite + ".xml", text + "\n");
     }
 
     private static void start(XMLStreamWriter xml, String element, String... attributes) throws XMLStreamException {

@@ -1,15 +1,11 @@
 package particles.output.report;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartWriter;
 import particles.output.files.Numbers;
 import particles.output.files.OutputException;
-import particles.output.files.OutputFile;
 import particles.output.files.OutputFolder;
 import particles.output.text.TableText;
 import particles.view.ChartData;
@@ -89,11 +85,6 @@ public final class ResultPageWriter {
     }
 
     static void writeLines(OutputFolder folder, String name, List<String> lines) {
-        try (OutputFile file = folder.create(name)) {
-            file.write((String.join("\n", lines) + "\n").getBytes(StandardCharsets.UTF_8));
-            file.commit();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);      // the file's own are OutputExceptions
-        }
+        folder.write(name, String.join("\n", lines) + "\n");
     }
 }

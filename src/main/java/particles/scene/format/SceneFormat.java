@@ -20,7 +20,7 @@ import particles.spec.NumberType;
 import particles.spec.TextType;
 import particles.spec.Values;
 import particles.spec.WholeNumberType;
-import particles.spec.documents.JsonSchema;
+import particles.spec.documents.JsonText;
 import particles.spec.documents.Reference;
 
 /** The format of scene files. The reader, its messages, the JSON Schema and the reference tables all follow from it. */
@@ -93,7 +93,7 @@ public final class SceneFormat {
      *         {@code scenes/scene.schema.json}
      */
     public static String jsonSchema() {
-        return JsonSchema.of(SCENE, "A scene of DESolver",
+        return JsonText.schema(SCENE, "A scene of DESolver",
                 "Generated from particles.scene.format.SceneFormat; a test keeps the two equal.");
     }
 

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import deSolvers.text.Digits;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -358,7 +359,8 @@ class RunCommandTest {
         assertTrue(files().stream().noneMatch(name -> name.endsWith(".part")), files().toString());
         assertTrue(lines.toString().contains(" s of 100 s simulated in "), lines.toString());
         String end = times().get(times().size() - 1);
-        assertTrue(Files.readString(out.resolve("run.json")).contains("\"endTime\" : " + end), end);
+        assertTrue(Files.readString(out.resolve("run.json")).contains("\"endTime\" : "
+                + Digits.exact(Double.parseDouble(end)) + ","), end);
     }
 
     @Test

@@ -27,11 +27,49 @@ class SummaryTest {
     }
 
     private static List<String> lines(Path file, String text) {
+        return summary(file, text).lines(false);
+    }
+
+    private static Summary summary(Path file, String text) {
         Scene scene = SceneBuilder.build(SceneReader.read(file.toString(), text.getBytes()));
         EnergyRecorder energy = new EnergyRecorder(scene.simulation(), scene.energyEstimate(), 1);
         scene.simulation().addObserver(energy);
         scene.simulation().run();
-        return new Summary("02-one-spring", "ab12", scene, energy, 0).lines(false);
+        return new Summary("one \"spring\"", "ab12", scene, energy, 0.25);
+    }
+
+    /** Euler multiplies 0.5 J by 1 + h^2 = 1.25 in its only step, and the energy scale is what it ends with. */
+    @Test
+    void runJsonHoldsEveryNumber() throws IOException {
+        Path file = Path.of("scenes/02-one-spring.yaml");
+        String json = summary(file, Files.readString(file).replaceFirst("solver: \\S+", "solver: euler")
+                .replaceFirst("deltaT: \\S+", "deltaT: 0.5").replaceFirst("duration: \\S+", "duration: 0.5")).json();
+        assertEquals("""
+                {
+                  "version" : "0.1.0",
+                  "scene" : "one \\"spring\\"",
+                  "sceneSha256" : "ab12",
+                  "solver" : "euler",
+                  "deltaT" : 0.5,
+                  "duration" : 0.5,
+                  "endTime" : 0.5,
+                  "steps" : 1,
+                  "evaluations" : 1,
+                  "secondsTaken" : 0.25,
+                  "energy" : {
+                    "start" : 0.5,
+                    "end" : 0.625,
+                    "scale" : 0.625,
+                    "relativeDrift" : 0.2,
+                    "largestRelativeDrift" : 0.2,
+                    "numericalError" : 0.125,
+                    "relativeNumericalError" : 0.2,
+                    "largestRelativeNumericalError" : 0.2,
+                    "work" : { }
+                  },
+                  "java" : {
+                    "version" : "VERSION",
+                """.replace("VERSION", Runtime.version().toString()), json.substring(0, json.indexOf("    \"vendor")));
     }
 
     /** Euler multiplies the energy by 1 + h^2 in each step: 0.5 J (1.01)^100 = 1.352 J; 0.8524 J are its error. */

@@ -1,0 +1,30 @@
+package particles.spec.documents;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import particles.spec.Ordered;
+
+class JsonTextTest {
+
+    /** JSON has no NaN and no infinity; whole numbers have no point, and -0 is one of them. */
+    @Test
+    void numbersAreWrittenAsJsonCanReadThem() {
+        assertEquals("""
+                {
+                  "numbers" : [
+                    3,
+                    0,
+                    0.1,
+                    1e30,
+                    null,
+                    null
+                  ],
+                  "flag" : true,
+                  "none" : [ ]
+                }
+                """, JsonText.of(Ordered.map("numbers", List.of(3.0, -0.0, 0.1, 1e30, Double.NaN,
+                Double.NEGATIVE_INFINITY), "flag", true, "none", List.of())));
+    }
+}
