@@ -58,7 +58,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         int i = particles.add(id, mass, fixed, time);
         int needed = STRIDE * particles.count();
         if (state.length < needed) {
-            state = Arrays.copyOf(state, Math.max(needed, STRIDE * particles.masses().length));
+            state = Arrays.copyOf(state, Math.max(needed, STRIDE * particles.getMasses().length));
         }
         double[] values = {position.x(), position.y(), position.z(), velocity.x(), velocity.y(), velocity.z()};
         System.arraycopy(values, 0, state, STRIDE * i, STRIDE);
@@ -286,7 +286,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
 
     @Override
     public double getInverseMass(int i) {
-        return particles.inverseMasses()[i];
+        return particles.getInverseMasses()[i];
     }
 
     /** @return the sum of this system's forces, for example to evaluate it on several threads */

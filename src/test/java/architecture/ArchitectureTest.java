@@ -302,6 +302,13 @@ class ArchitectureTest {
         assertNone(findings(SourceFile::mutableStatics, source -> true));
     }
 
+    /** Records have bare names; {@code size()} and {@code count()} are those of collections. */
+    @Test
+    void accessorsOfClassesAreCalledGet() {
+        assertNone(findings(SourceFile::bareAccessors, source -> !isIn(source.packageName(), "particles.reactions")
+                && !isIn(source.packageName(), "particles.teaching")));
+    }
+
     private List<String> findings(Function<SourceFile, List<String>> of, Function<SourceFile, Boolean> where) {
         return sources.stream().filter(where::apply).flatMap(source -> of.apply(source).stream()).toList();
     }
@@ -333,6 +340,11 @@ class ArchitectureTest {
                     interface Names { String[] ALL = {"a"}; int ONE = 1; }
                     enum Kind { A, B; static int used; }
                     record Point(double x) { static final double ZERO = 0; }
+                    private double x;
+                    double x() { return x; }
+                    double getX() { return x; }
+                    @Override int y() { return count; }
+                    boolean none() { return false; }
                 }
                 """);
         SourceFile bad = SourceFile.readAll(folder).get(0);
@@ -343,6 +355,7 @@ class ArchitectureTest {
                 "ALL is an array that others can write to", "used is not final"),
                 bad.mutableStatics().stream().map(line -> line.replaceFirst(".*: static ", "")).toList());
         assertEquals(List.of("deSolvers/Bad.java catches RuntimeException and does nothing"), bad.emptyCatches());
+        assertEquals(List.of("deSolvers/Bad.java: x"), bad.bareAccessors());
         assertEquals(List.of("deSolvers/Bad.java uses System.out", "deSolvers/Bad.java uses System.err"),
                 bad.standardStreams());
         assertFalse(isAllowed("particles.effects", MAY_USE.get("deSolvers")));

@@ -6,6 +6,7 @@ import com.sun.source.tree.ClassTree;
 import com.sun.source.tree.CompilationUnitTree;
 import com.sun.source.tree.ImportTree;
 import com.sun.source.tree.MemberSelectTree;
+import com.sun.source.tree.MethodTree;
 import com.sun.source.tree.NewClassTree;
 import com.sun.source.tree.Tree;
 import com.sun.source.tree.VariableTree;
@@ -49,6 +50,7 @@ final class SourceFile {
     private final List<String> emptyCatches = new ArrayList<>();
     private final List<String> standardStreams = new ArrayList<>();
     private final List<String> mutableStatics = new ArrayList<>();
+    private final List<String> bareAccessors = new ArrayList<>();
 
     private SourceFile(Path path, CompilationUnitTree unit) {
         this.path = path;
@@ -137,6 +139,10 @@ final class SourceFile {
         return mutableStatics;
     }
 
+    List<String> bareAccessors() {
+        return bareAccessors;
+    }
+
     @Override
     public String toString() {
         return packageName + "/" + path.getFileName();
@@ -188,6 +194,21 @@ final class SourceFile {
                 }
             }
             return super.visitVariable(node, none);
+        }
+
+        /** Finds methods of classes that return a field and have its name, unless an interface gives them theirs. */
+        @Override
+        public Void visitMethod(MethodTree node, Void none) {
+            boolean ofClass = getCurrentPath().getParentPath().getLeaf().getKind() == Tree.Kind.CLASS;
+            String modifiers = node.getModifiers().toString();
+            if (ofClass && node.getParameters().isEmpty() && node.getBody() != null
+                    && !modifiers.matches("(?s).*(@Override|private|static).*")
+                    && node.getBody().getStatements().toString().matches("return [a-z]\\w*([.]clone\\(\\))?;")
+                    && !node.getBody().getStatements().toString().matches("return (true|false|this|null);")
+                    && !node.getName().toString().matches("(get|is|has|can|have|may)[A-Z].*|size|count")) {
+                bareAccessors.add(SourceFile.this + ": " + node.getName());
+            }
+            return super.visitMethod(node, none);
         }
 
         private String whyMutable(VariableTree node, Set<Modifier> flags, boolean constant) {

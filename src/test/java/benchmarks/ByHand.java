@@ -43,8 +43,8 @@ final class ByHand implements Method {
         }
         d = 3;
         Particles particles = system.getParticles();
-        inverseMasses = particles.inverseMasses().clone();
-        weights = particles.masses().clone();
+        inverseMasses = particles.getInverseMasses().clone();
+        weights = particles.getMasses().clone();
         for (int i = 0; i < weights.length; i++) {
             weights[i] *= Systems.GRAVITY.y();
         }

@@ -51,7 +51,7 @@ final class Workload implements OrdinaryDifferentialEquation {
         switch (name) {
             case "oscillator":
                 Oscillator oscillator = new Oscillator();
-                return new Workload(name, oscillator, oscillator::evaluations, 20, 1.0 / 16);
+                return new Workload(name, oscillator, oscillator::getEvaluations, 20, 1.0 / 16);
             case "chain":
                 ParticleSystem chain = chain();
                 return new Workload(name, chain, chain::getEvaluations, 0.5, DELTA_T);

@@ -23,7 +23,7 @@ public abstract class ContractBasics {
     }
 
     static void assertSameBits(ReferenceProblem expected, ReferenceProblem actual, String when) {
-        assertArrayEquals(expected.state(), actual.state(), when);          // no tolerance: bit for bit
+        assertArrayEquals(expected.getState(), actual.getState(), when);          // no tolerance: bit for bit
         assertEquals(expected.getTime(), actual.getTime(), when);
     }
 
@@ -36,7 +36,7 @@ public abstract class ContractBasics {
     }
 
     static void moveTo(ReferenceProblem cursor, ReferenceProblem place) {
-        cursor.setState(place.state());
+        cursor.setState(place.getState());
         cursor.incTime(place.getTime() - cursor.getTime());
         assertEquals(place.getTime(), cursor.getTime());
     }

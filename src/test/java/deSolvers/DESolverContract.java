@@ -52,9 +52,9 @@ public abstract class DESolverContract extends FailureContract {
     void aStepMovesTheStateAlongTheSolution() {
         DESolver solver = createSolver();
         SecondOrderProblem problem = windy(2);
-        double[] before = problem.state();
+        double[] before = problem.getState();
         solver.stepState(problem, STEP);
-        assertFalse(Arrays.equals(before, problem.state()), "the state moved");
+        assertFalse(Arrays.equals(before, problem.getState()), "the state moved");
         // Even Euler's step errs by no more than h^2/2 |s''| <= 0.005 * 4 here (measured 0.0132 for euler).
         assertTrue(problem.error() < 0.02, "error " + problem.error());
     }
@@ -87,14 +87,14 @@ public abstract class DESolverContract extends FailureContract {
     void aTinyStepMakesATinyChange() {
         Oscillator problem = new Oscillator(1, 0, 1);
         createSolver().stepState(problem, 1e-300);
-        assertEquals(1e-300, problem.state()[0], 1e-312);                   // x = sin(1e-300); 100 ulps
-        assertEquals(1, problem.state()[1]);
+        assertEquals(1e-300, problem.getState()[0], 1e-312);                   // x = sin(1e-300); 100 ulps
+        assertEquals(1, problem.getState()[1]);
         assertEquals(1e-300, problem.getTime());
         SecondOrderProblem later = windy(1);
         SecondOrderProblem untouched = windy(1);
         createSolver().stepState(later, 1e-300);                            // below the clock's resolution
         assertEquals(START, later.getTime());
-        assertArrayEquals(untouched.state(), later.state(), 1e-15);
+        assertArrayEquals(untouched.getState(), later.getState(), 1e-15);
     }
 
     @Test
@@ -126,7 +126,7 @@ public abstract class DESolverContract extends FailureContract {
         SecondOrderProblem problem = windy(1);
         DESolver solver = createSolver();
         run(solver, problem, 5);
-        double[] state = problem.state();
+        double[] state = problem.getState();
         state[4] = Math.nextUp(state[4]);
         problem.setState(state);
         assertStepsLikeNew(solver, problem, STEP, "another state");

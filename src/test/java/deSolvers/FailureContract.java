@@ -51,18 +51,18 @@ public abstract class FailureContract extends ContractBasics {
         DESolverException e = assertThrows(DESolverException.class, () -> createSolver().stepState(problem, 1e308));
         assertTrue(e.getMessage().contains("the clock of the source cannot go that far"), e.getMessage());
         assertEquals(1.5e308, problem.getTime());
-        assertArrayEquals(windy(1).state(), problem.state());
+        assertArrayEquals(windy(1).getState(), problem.getState());
     }
 
     @Test
     void aStepOfZeroNamesANonFiniteState() {
         SecondOrderProblem problem = windy(1);
-        double[] state = problem.state();
+        double[] state = problem.getState();
         state[4] = Double.NaN;
         problem.setState(state);
         DESolverException e = assertThrows(DESolverException.class, () -> createSolver().stepState(problem, 0));
         assertNames(e, "deltaT = 0", "entry 4 of the state is NaN before the step");
-        assertArrayEquals(state, problem.state());
+        assertArrayEquals(state, problem.getState());
         assertEquals(START, problem.getTime());
     }
 
@@ -71,14 +71,14 @@ public abstract class FailureContract extends ContractBasics {
         for (double bad : new double[] {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY}) {
             for (int entry = 0; entry < 6; entry++) {
                 SecondOrderProblem problem = windy(1);
-                double[] state = problem.state();
+                double[] state = problem.getState();
                 state[entry] = bad;
                 problem.setState(state);
                 DESolver solver = createSolver();
                 DESolverException e = assertThrows(DESolverException.class, () -> solver.stepState(problem, STEP));
                 assertNames(e, "deltaT = " + STEP, "entry " + entry + " of the state is " + bad + " before the step");
                 assertEquals(entry, e.getEntry());
-                assertArrayEquals(state, problem.state());
+                assertArrayEquals(state, problem.getState());
                 assertEquals(START, problem.getTime());
                 assertStepsLikeNew(solver, windy(1), STEP, "after a bad state");
             }
@@ -170,8 +170,8 @@ public abstract class FailureContract extends ContractBasics {
         createSolver().stepState(restarted, STEP);
         other.stepState(unbroken, STEP);
         solver.stepState(source, STEP);                 // continues as if uninterrupted, or restarts
-        double[] end = source.problem().state();
-        assertTrue(Arrays.equals(end, unbroken.state()) || Arrays.equals(end, restarted.state()),
+        double[] end = source.problem().getState();
+        assertTrue(Arrays.equals(end, unbroken.getState()) || Arrays.equals(end, restarted.getState()),
                 "the step after a failure at " + call + " " + k);
         return true;
     }
@@ -208,7 +208,8 @@ public abstract class FailureContract extends ContractBasics {
             createSolver().stepState(restarted, STEP);
             solver.stepState(a, STEP);
             other.stepState(unbroken, STEP);
-            assertTrue(Arrays.equals(a.state(), unbroken.state()) || Arrays.equals(a.state(), restarted.state()),
+            assertTrue(Arrays.equals(a.getState(), unbroken.getState())
+                    || Arrays.equals(a.getState(), restarted.getState()),
                     "a's step after b failed at evaluation " + k);
         }
     }
@@ -230,8 +231,8 @@ public abstract class FailureContract extends ContractBasics {
         createSolver().stepState(restarted, STEP);
         solver.stepState(problem, STEP);
         other.stepState(unbroken, STEP);
-        assertTrue(Arrays.equals(problem.state(), unbroken.state()) || Arrays.equals(problem.state(),
-                restarted.state()),
+        assertTrue(Arrays.equals(problem.getState(), unbroken.getState()) || Arrays.equals(problem.getState(),
+                restarted.getState()),
                 "as if unbroken, or anew");
     }
 }

@@ -81,7 +81,7 @@ public abstract class FixedStepContract extends DESolverContract {
                 Oscillator problem = new Oscillator(1, 1 - column, column);
                 createSolver().stepState(problem, h);
                 for (int row = 0; row < 2; row++) {
-                    assertEquals(closed[2 * row + column], problem.state()[row], 1e-12,
+                    assertEquals(closed[2 * row + column], problem.getState()[row], 1e-12,
                             "row " + row + ", column " + column + " at h = " + h);
                 }
             }

@@ -126,7 +126,7 @@ class FixedStepSolverTest {
         Oscillator source = new Oscillator();
         Exception e = assertThrows(IllegalStateException.class, () -> method.stepState(source, H));
         assertTrue(e.getMessage().contains(reason) && e.getMessage().contains("copy()"), e.getMessage());
-        assertArrayEquals(new double[] {1, 0}, source.state());
+        assertArrayEquals(new double[] {1, 0}, source.getState());
         assertEquals(0, source.getTime());
     }
 
@@ -156,7 +156,7 @@ class FixedStepSolverTest {
             sharing.stepState(one, H);
             own.stepState(other, H);
         }
-        assertArrayEquals(other.state(), one.state());
+        assertArrayEquals(other.getState(), one.getState());
         assertEquals(1, arrays.subList(3, 15).stream().map(System::identityHashCode).distinct().count());
     }
 
@@ -179,12 +179,12 @@ class FixedStepSolverTest {
                         evaluations = source.made - before;
                     }
                     for (int k = 0; k < evaluations; k++) {
-                        double[] start = source.state();
+                        double[] start = source.getState();
                         source.badAt = source.made + k;
                         DESolverException e = assertThrows(DESolverException.class,
                                 () -> solver.stepState(source, H), solver + " with " + bad + " at " + k);
                         assertTrue(e.getMessage().contains("entry " + entry + " of the "), e.getMessage());
-                        assertArrayEquals(start, source.state());
+                        assertArrayEquals(start, source.getState());
                     }
                 }
             }
@@ -237,7 +237,7 @@ class FixedStepSolverTest {
         for (SpySource source : new SpySource[] {new SpySource(new Oscillator()),
                 new ArraySpySource(new Oscillator())}) {
             assertThrows(IllegalStateException.class, () -> slides.stepState(source, H));
-            assertArrayEquals(new double[] {1, 0}, source.problem().state());
+            assertArrayEquals(new double[] {1, 0}, source.problem().getState());
             assertEquals(0, source.getTime());
         }
     }
@@ -248,7 +248,7 @@ class FixedStepSolverTest {
         new Method((solver, s, state, deltaT) -> {
             throw new AssertionError("called");
         }).stepState(source, 0);
-        assertEquals(0, source.evaluations());
-        assertArrayEquals(new double[] {1, 0}, source.state());
+        assertEquals(0, source.getEvaluations());
+        assertArrayEquals(new double[] {1, 0}, source.getState());
     }
 }

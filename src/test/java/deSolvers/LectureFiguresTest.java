@@ -44,15 +44,15 @@ class LectureFiguresTest {
         assertEquals(amplitude, Math.sqrt(end.energyFactor()), 0.5e-6);
         assertEquals(energy, end.energyFactor(), 0.5e-6);
         // The state turns clockwise, x + iv = e^{-it}; a positive error is a method that lags.
-        double angle = -StrictMath.atan2(end.state()[1], end.state()[0]);
+        double angle = -StrictMath.atan2(end.getState()[1], end.getState()[0]);
         double error = StrictMath.IEEEremainder(deltaT * steps - angle, 2 * Math.PI);
         assertEquals(phase, Math.abs(error) * Math.signum(phase), 0.5e-6);
         assertEquals(Math.signum(phaseOfOneStep(solver, deltaT) - deltaT), Math.signum(phase), "sign");
-        assertEquals(evaluations, end.evaluations());
+        assertEquals(evaluations, end.getEvaluations());
     }
 
     private static double phaseOfOneStep(String solver, double deltaT) {
-        double[] s = run(solver, deltaT, 1).state();
+        double[] s = run(solver, deltaT, 1).getState();
         return -StrictMath.atan2(s[1], s[0]);
     }
 
@@ -81,8 +81,8 @@ class LectureFiguresTest {
 
     private static double finalError(String solver, int steps) {
         Oscillator end = run(solver, 100.0 / steps, steps);
-        double x = end.state()[0] - StrictMath.cos(100);
-        double v = end.state()[1] + StrictMath.sin(100);
+        double x = end.getState()[0] - StrictMath.cos(100);
+        double v = end.getState()[1] + StrictMath.sin(100);
         return Math.sqrt(x * x + v * v);
     }
 }

@@ -19,7 +19,7 @@ class StabilityLimitTest {
     private static double growthOfDecay(DESolver solver, double h) {
         Decay decay = new Decay(1);
         solver.stepState(decay, h);
-        return Math.abs(decay.state()[0]);
+        return Math.abs(decay.getState()[0]);
     }
 
     /** The larger eigenvalue's modulus of the 2x2 matrix of one step on x'' = -x. */
@@ -91,7 +91,7 @@ class StabilityLimitTest {
         double largest = 0;
         for (int i = 0; i < 2000; i++) {
             solver.stepState(chain, deltaT);
-            double[] s = chain.state();
+            double[] s = chain.getState();
             for (int x = 0; x < s.length; x += 2) {
                 largest = Math.max(largest, Math.abs(s[x]));
             }

@@ -55,7 +55,7 @@ public abstract class StiffContract {
         double before = 1;
         for (int i = 0; i < 20; i++) {
             solver.stepState(decay, 1);
-            double after = Math.abs(decay.state()[0]);
+            double after = Math.abs(decay.getState()[0]);
             assertTrue(after <= before, "step " + i + ": " + after + " after " + before);
             if (i == 0) {
                 assertEquals(factor, after, 1e-9 * factor);

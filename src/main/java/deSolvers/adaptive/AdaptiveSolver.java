@@ -121,7 +121,7 @@ public abstract class AdaptiveSolver extends DESolver {
     }
 
     /** @return the tolerance */
-    protected final Tolerance tolerance() {
+    protected final Tolerance getTolerance() {
         return tolerance;
     }
 
@@ -227,7 +227,7 @@ public abstract class AdaptiveSolver extends DESolver {
 
     /** The exception for a rejected sub-step that cannot become shorter. */
     private DESolverException tooShort(StepTransaction source, double h, double done, double resolution) {
-        int entry = tolerance.worstEntry();
+        int entry = tolerance.getWorstEntry();
         String failure = entry < 0 ? "cannot be made even so"
                 : "leaves entry " + entry + " of the state outside its tolerance";
         return source.failure(entry,
@@ -239,7 +239,7 @@ public abstract class AdaptiveSolver extends DESolver {
 
     private void requireFewSubSteps(StepTransaction source, int tried, double done, double length) {
         if (tried >= MOST_SUB_STEPS || tried % WINDOW == 0 && isHopeless(tried, done, length)) {
-            int entry = tolerance.worstEntry();
+            int entry = tolerance.getWorstEntry();
             throw source.failure(entry,
                     "given up after " + tried + " sub-steps, " + done + " s from the beginning, where"
                     + " entry " + entry + " of the state demands sub-steps of " + subStep + " s",

@@ -68,9 +68,9 @@ public final class DormandPrinceSolver extends AdaptiveSolver {
     protected double attempt(StepTransaction source, double[] state, double[] slope, double offset, double h,
                              double[] newState) {
         stages.evaluate(source, state, slope, offset, h);
-        System.arraycopy(stages.lastState(), 0, newState, 0, newState.length);  // the last row of a is b
+        System.arraycopy(stages.getLastState(), 0, newState, 0, newState.length);  // the last row of a is b
         stages.combine(errorWeights, h, error);
-        return tolerance().ratio(error, state, newState);
+        return getTolerance().ratio(error, state, newState);
     }
 
     @Override

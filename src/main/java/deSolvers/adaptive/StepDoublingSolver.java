@@ -85,7 +85,7 @@ public final class StepDoublingSolver extends AdaptiveSolver {
         for (int i = 0; i < error.length; i++) {
             error[i] = Math.max(Math.abs(newState[i] - once[i]) / 15, Math.abs(middleError[i]));
         }
-        return tolerance().ratio(error, state, newState);
+        return getTolerance().ratio(error, state, newState);
     }
 
     /** k2 + k3 of the long step, both at the middle's time. */

@@ -24,12 +24,12 @@ public final class Tolerance {
     }
 
     /** @return the error allowed for an entry, relative to its size */
-    public double relative() {
+    public double getRelative() {
         return relative;
     }
 
     /** @return the error allowed besides, in the entry's own unit */
-    public double absolute() {
+    public double getAbsolute() {
         return absolute;
     }
 
@@ -80,7 +80,7 @@ public final class Tolerance {
     }
 
     /** @return the entry with the largest ratio at the last call of {@link #ratio}; -1 for a state of size 0 */
-    public int worstEntry() {
+    public int getWorstEntry() {
         return worstEntry;
     }
 }

@@ -65,7 +65,7 @@ public final class BulirschStoerSolver extends AdaptiveSolver {
 
     @Override
     protected void restart() {
-        control.restart(tolerance().relative());
+        control.restart(getTolerance().getRelative());
     }
 
     @Override
@@ -80,7 +80,7 @@ public final class BulirschStoerSolver extends AdaptiveSolver {
             smoothings.extrapolate(j);
             if (j > 0) {
                 estimate(results, smoothings, error);
-                ratio = tolerance().ratio(error, state, results.result());
+                ratio = getTolerance().ratio(error, state, results.result());
                 verdict = control.column(j, ratio, Math.abs(h));
             }
         }
@@ -93,7 +93,7 @@ public final class BulirschStoerSolver extends AdaptiveSolver {
      * larger.
      */
     static void estimate(ExtrapolationTable results, ExtrapolationTable smoothings, double[] error) {
-        double[] correction = results.correction();
+        double[] correction = results.getCorrection();
         double[] smoothing = smoothings.result();
         for (int i = 0; i < error.length; i++) {
             error[i] = Math.max(Math.abs(correction[i]), Math.abs(smoothing[i]) / 4);
@@ -102,7 +102,7 @@ public final class BulirschStoerSolver extends AdaptiveSolver {
 
     @Override
     protected double nextSubStep(double h, double error) {
-        return control.next();
+        return control.getNext();
     }
 
     @Override

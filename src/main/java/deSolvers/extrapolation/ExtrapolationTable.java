@@ -46,7 +46,7 @@ final class ExtrapolationTable {
     }
 
     /** @return T_jj - T_j,j-1 */
-    double[] correction() {
+    double[] getCorrection() {
         return correction;
     }
 }

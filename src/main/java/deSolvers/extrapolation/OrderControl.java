@@ -114,7 +114,7 @@ final class OrderControl {
     }
 
     /** @return the next stretch after the last verdict, &gt; 0 (s) */
-    double next() {
+    double getNext() {
         return next;
     }
 }

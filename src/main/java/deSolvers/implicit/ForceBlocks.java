@@ -42,7 +42,7 @@ final class ForceBlocks implements ForceDerivatives {
     void collect(JacobianStateSource source, int particles, boolean projects) {
         this.projects = projects;
         receive(source, particles);
-        if (!matches || named != pattern.pairs()) {
+        if (!matches || named != pattern.getPairs()) {
             recording = true;
             named = 0;
             source.addJacobianBlocks(this);
@@ -59,8 +59,8 @@ final class ForceBlocks implements ForceDerivatives {
             held[i] = inverse == 0;
             masses[i] = held[i] ? 1 : 1 / inverse;
             if (held[i]) {
-                Arrays.fill(stiffness.values(), 9 * pattern.rowStart(i), 9 * pattern.rowStart(i + 1), 0);
-                Arrays.fill(damping.values(), 9 * pattern.rowStart(i), 9 * pattern.rowStart(i + 1), 0);
+                Arrays.fill(stiffness.getValues(), 9 * pattern.rowStart(i), 9 * pattern.rowStart(i + 1), 0);
+                Arrays.fill(damping.getValues(), 9 * pattern.rowStart(i), 9 * pattern.rowStart(i + 1), 0);
             }
         }
     }
@@ -72,22 +72,22 @@ final class ForceBlocks implements ForceDerivatives {
     }
 
     private void receive(JacobianStateSource source, int particles) {
-        Arrays.fill(stiffness.values(), 0);
-        Arrays.fill(damping.values(), 0);
+        Arrays.fill(stiffness.getValues(), 0);
+        Arrays.fill(damping.getValues(), 0);
         named = 0;
-        matches = pattern.rows() == particles;
+        matches = pattern.getRows() == particles;
         source.addJacobianBlocks(this);
     }
 
-    BlockPattern pattern() {
+    BlockPattern getPattern() {
         return pattern;
     }
 
-    BlockMatrix stiffness() {
+    BlockMatrix getStiffness() {
         return stiffness;
     }
 
-    BlockMatrix damping() {
+    BlockMatrix getDamping() {
         return damping;
     }
 
@@ -102,13 +102,13 @@ final class ForceBlocks implements ForceDerivatives {
      * @return the largest ratio of a diagonal entry to its mass: about the condition number, 1 or more
      */
     double combine(double g, BlockMatrix matrix) {
-        double[] value = matrix.values();
+        double[] value = matrix.getValues();
         double condition = 1;
         for (int i = 0; i < masses.length; i++) {
             for (int s = pattern.rowStart(i); s < pattern.rowStart(i + 1); s++) {
                 boolean zero = held[pattern.column(s)];
                 for (int e = 9 * s; e < 9 * s + 9; e++) {
-                    value[e] = zero ? 0 : -g * (damping.values()[e] + g * stiffness.values()[e]);
+                    value[e] = zero ? 0 : -g * (damping.getValues()[e] + g * stiffness.getValues()[e]);
                 }
             }
             int diagonal = 9 * pattern.diagonal(i);
@@ -166,8 +166,8 @@ final class ForceBlocks implements ForceDerivatives {
 
     private void addTo(int slot, double[] dFdX, double[] dFdV, double sign) {
         for (int e = 0, at = 9 * slot; e < 9; e++, at++) {
-            stiffness.values()[at] += sign * dFdX[e];
-            damping.values()[at] += sign * dFdV[e];
+            stiffness.getValues()[at] += sign * dFdX[e];
+            damping.getValues()[at] += sign * dFdV[e];
         }
     }
 

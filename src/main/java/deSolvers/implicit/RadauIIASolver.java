@@ -41,7 +41,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
     private final ImplicitWork.Counter work = new ImplicitWork.Counter();
     private final JacobianChoice choice = new JacobianChoice(work);
     private ShiftedJacobian jacobian;
-    private RadauNewton newton = new RadauNewton(work, tolerance(), 0);
+    private RadauNewton newton = new RadauNewton(work, getTolerance(), 0);
     private double[][] z = new double[3][0];
     private double[][] polynomial = new double[3][0];  // of the last sub-step taken: coefficients of u, u^2, u^3
     private double[] error = {};
@@ -70,7 +70,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
 
     @Override
     protected void resize(int n) {
-        newton = new RadauNewton(work, tolerance(), n);
+        newton = new RadauNewton(work, getTolerance(), n);
         z = new double[3][n];
         polynomial = new double[3][n];
         error = new double[n];
@@ -119,7 +119,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
             right[i] = (h * slope[i] + RadauTableau.error(z, i)) / RadauTableau.MU;
         }
         boolean solved = jacobian.solve(right, error, RadauNewton.LINEAR_TOLERANCE);
-        return solved ? tolerance().ratio(error, state, newState) : Double.POSITIVE_INFINITY;
+        return solved ? getTolerance().ratio(error, state, newState) : Double.POSITIVE_INFINITY;
     }
 
     /** With the Jacobian at hand, and once more with a new one if that was old and did not do. */
@@ -180,7 +180,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
             return h / 2;
         }
         int most = 2 * RadauNewton.MOST_ITERATIONS + 1;
-        double safety = 0.9 * most / (most - 1 + newton.iterations());
+        double safety = 0.9 * most / (most - 1 + newton.getIterations());
         double factor = error == 0 ? MOST_GROWTH : fourthRoot(1 / error);
         factor = Math.max(MOST_SHRINKING, Math.min(MOST_GROWTH, safety * factor));
         rejected = error > 1;
@@ -202,7 +202,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
                 polynomial[power][i] = RadauTableau.polynomial(power + 1, z, i);
             }
         }
-        jacobianKnown = !(newton.iterations() > 2 && newton.rate() > SLOW_RATE);
+        jacobianKnown = !(newton.getIterations() > 2 && newton.getRate() > SLOW_RATE);
         jacobianFresh = false;
         lastTaken = preparedFor;
     }

@@ -180,12 +180,12 @@ final class RadauNewton {
     }
 
     /** The number of iterations of the last solution. */
-    int iterations() {
+    int getIterations() {
         return iterations;
     }
 
     /** The ratio of the last correction to the one before; 0 after a single one. */
-    double rate() {
+    double getRate() {
         return rate;
     }
 }

@@ -50,7 +50,7 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         blocks = new ForceBlocks(work.linear);
         derivative = new DirectionalDerivative(work);
         solver = new BlockSolver(work.linear);
-        matrix = new BlockMatrix(blocks.pattern(), work.linear);
+        matrix = new BlockMatrix(blocks.getPattern(), work.linear);
         m = n / 2;
         realRight = new double[m];
         realVelocities = new double[m];
@@ -73,10 +73,10 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         work.jacobians++;
         derivative.setBase(source, state, slope, h);
         source.setState(state);
-        BlockMatrix before = blocks.stiffness();
+        BlockMatrix before = blocks.getStiffness();
         blocks.collect(client, m / 3, kind != Kind.EXACT);
-        if (blocks.stiffness() != before) {
-            matrix = new BlockMatrix(blocks.pattern(), work.linear);
+        if (blocks.getStiffness() != before) {
+            matrix = new BlockMatrix(blocks.getPattern(), work.linear);
         }
     }
 
@@ -189,9 +189,9 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
     /** K x + C v: by the blocks, or by the source's own product where these are not the whole Jacobian. */
     private void forces(double[] x, double[] v, double[] force) {
         if (exact) {
-            blocks.stiffness().apply(x, force);
+            blocks.getStiffness().apply(x, force);
             if (v != zero) {
-                blocks.damping().apply(v, term);
+                blocks.getDamping().apply(v, term);
                 for (int i = 0; i < m; i++) {
                     force[i] += term[i];
                 }
@@ -246,7 +246,7 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
             positions[i] = Math.abs(state[place(i)]);
             size[place(i)] = Math.abs(g * slope[place(i)]);
         }
-        blocks.stiffness().applyAbsolute(positions, partForces);
+        blocks.getStiffness().applyAbsolute(positions, partForces);
         for (int i = 0; i < m; i++) {
             int at = place(i) + 3;
             size[at] = Math.abs(g) * Math.max(Math.abs(slope[at]), partForces[i] / blocks.mass(i / 3));

@@ -103,7 +103,7 @@ final class BlockFactors implements LinearOperator {
     }
 
     /** Whether there is room for the factors. */
-    boolean fit() {
+    boolean isFit() {
         return fits;
     }
 
@@ -178,13 +178,13 @@ final class BlockFactors implements LinearOperator {
     /** Copies column and row c of the matrix to where they stand in the factors. */
     private void scatter(BlockMatrix matrix, int c) {
         int i = order[c];
-        System.arraycopy(matrix.values(), 9 * pattern.diagonal[i], diagonal, 0, 9);
+        System.arraycopy(matrix.getValues(), 9 * pattern.diagonal[i], diagonal, 0, 9);
         for (int s = pattern.rowStart[i]; s < pattern.rowStart[i + 1]; s++) {
             int j = pattern.column[s];
             if (place[j] > c) {
-                Block3.transpose(matrix.values(), 9 * s, upper, at[place[j]]);
+                Block3.transpose(matrix.getValues(), 9 * s, upper, at[place[j]]);
                 if (!symmetric) {
-                    System.arraycopy(matrix.values(), 9 * pattern.find(j, i), lower, at[place[j]], 9);
+                    System.arraycopy(matrix.getValues(), 9 * pattern.find(j, i), lower, at[place[j]], 9);
                 }
             }
         }

@@ -13,12 +13,12 @@ final class BlockJacobi implements LinearOperator {
 
     /** Inverts the diagonal blocks of a matrix; false if one is singular. */
     boolean prepare(BlockMatrix matrix) {
-        BlockPattern pattern = matrix.pattern();
+        BlockPattern pattern = matrix.getPattern();
         if (inverse.length != 9 * pattern.rows) {
             inverse = new double[9 * pattern.rows];
         }
         for (int i = 0; i < pattern.rows; i++) {
-            if (!Block3.invert(matrix.values(), 9 * pattern.diagonal[i], inverse, 9 * i)) {
+            if (!Block3.invert(matrix.getValues(), 9 * pattern.diagonal[i], inverse, 9 * i)) {
                 return false;
             }
         }

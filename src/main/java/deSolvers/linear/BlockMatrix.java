@@ -22,14 +22,14 @@ public final class BlockMatrix implements LinearOperator {
     }
 
     /** @return the positions of its blocks */
-    public BlockPattern pattern() {
+    public BlockPattern getPattern() {
         return pattern;
     }
 
     /**
      * @return the blocks in the pattern's order, nine doubles by rows each; the matrix's own array, to be written into
      */
-    public double[] values() {
+    public double[] getValues() {
         return values;
     }
 

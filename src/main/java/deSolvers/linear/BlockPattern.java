@@ -84,12 +84,12 @@ public final class BlockPattern {
     }
 
     /** @return the number of pairs from which the pattern was made */
-    public int pairs() {
+    public int getPairs() {
         return pairs;
     }
 
     /** @return the number of rows of blocks */
-    public int rows() {
+    public int getRows() {
         return rows;
     }
 

@@ -67,7 +67,7 @@ public final class BlockSolver implements LinearSolver {
      * @return false if it is found to be singular
      */
     public boolean prepare(BlockMatrix matrix, LinearOperator operator, double condition) {
-        if (this.matrix == null || this.matrix.pattern() != matrix.pattern()) {
+        if (this.matrix == null || this.matrix.getPattern() != matrix.getPattern()) {
             factors = null;
             factorised = false;
         }
@@ -76,7 +76,7 @@ public final class BlockSolver implements LinearSolver {
         current = false;
         spent = 0;
         symmetric = matrix.isSymmetric();
-        boolean direct = matrix.pattern().rows <= SMALL || iterationsCostMore(expected(condition));
+        boolean direct = matrix.getPattern().rows <= SMALL || iterationsCostMore(expected(condition));
         if (direct && factorised && most <= fewest + MOST_MORE) {
             return true;
         }
@@ -89,20 +89,20 @@ public final class BlockSolver implements LinearSolver {
     }
 
     private boolean iterationsCostMore(double expected) {
-        if (expected <= FEW_ITERATIONS || !factors().fit()) {
+        if (expected <= FEW_ITERATIONS || !factors().isFit()) {
             return false;
         }
-        BlockPattern pattern = matrix.pattern();
+        BlockPattern pattern = matrix.getPattern();
         return factors.products(symmetric) + factors.blocks() < expected * (pattern.blocks() + pattern.rows);
     }
 
     private BlockFactors factors() {
-        factors = factors == null ? new BlockFactors(matrix.pattern(), work) : factors;
+        factors = factors == null ? new BlockFactors(matrix.getPattern(), work) : factors;
         return factors;
     }
 
     private boolean factorise() {
-        factorised = factors().fit() && factors.factorise(matrix, symmetric);
+        factorised = factors().isFit() && factors.factorise(matrix, symmetric);
         current = factorised;
         fewest = Long.MAX_VALUE / 2;
         most = 0;
@@ -139,7 +139,7 @@ public final class BlockSolver implements LinearSolver {
         boolean solved = gmres.solve(operator, preconditioner, b, x, tolerance);
         fewest = Math.min(fewest, work.iterations - before);
         most = solved ? Math.max(most, work.iterations - before) : Long.MAX_VALUE;
-        spent += (double) (work.iterations - before) * b.length / (3 * matrix.pattern().rows);
+        spent += (double) (work.iterations - before) * b.length / (3 * matrix.getPattern().rows);
         return solved;
     }
 

@@ -41,7 +41,7 @@ public class LinearPair extends ReferenceProblem {
 
     /** @return the matrix that multiplied the start, row by row, for a start of size 1 */
     double[] product() {
-        double[] state = state();
+        double[] state = getState();
         return new double[] {state[0], state[1], state[COPIES], state[COPIES + 1]};
     }
 
@@ -50,7 +50,7 @@ public class LinearPair extends ReferenceProblem {
      *         are 0
      */
     double nonlinearity() {
-        double[] state = state();
+        double[] state = getState();
         double largest = Math.max(size(), Double.MIN_NORMAL);
         return Math.max(Math.abs(state[0] + state[1] - state[2]),
                 Math.abs(state[COPIES] + state[COPIES + 1] - state[COPIES + 2])) / largest;
@@ -59,7 +59,7 @@ public class LinearPair extends ReferenceProblem {
     /** @return the largest entry */
     public double size() {
         double largest = 0;
-        for (double entry : state()) {
+        for (double entry : getState()) {
             largest = Math.abs(entry) <= largest ? largest : Math.abs(entry);       // NaN stays
         }
         return largest;

@@ -71,12 +71,12 @@ public abstract class ReferenceProblem implements DEStateSource {
     }
 
     /** @return the number of evaluations of the derivative since the start or the last {@link #startAt} */
-    public final long evaluations() {
+    public final long getEvaluations() {
         return evaluations;
     }
 
     /** @return a copy of the state */
-    public final double[] state() {
+    public final double[] getState() {
         return state.clone();
     }
 

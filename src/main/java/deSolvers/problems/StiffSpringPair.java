@@ -36,13 +36,13 @@ public final class StiffSpringPair extends SecondOrderProblem {
 
     /** @return the position of the centre (m); cos t in the exact solution */
     public double centre() {
-        double[] s = state();
+        double[] s = getState();
         return (s[0] + s[1]) / 2;
     }
 
     /** @return the energy of the stiff vibration divided by that at the start */
     public double vibration() {
-        double[] s = state();
+        double[] s = getState();
         double x = (s[1] - s[0]) / 2;
         double v = (s[3] - s[2]) / 2 / omega();
         return (x * x + v * v) / (SEED * SEED);

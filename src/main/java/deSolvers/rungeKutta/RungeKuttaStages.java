@@ -78,7 +78,7 @@ public final class RungeKuttaStages {
     }
 
     /** @return the state of the last stage evaluated; to be read only */
-    public double[] lastState() {
+    public double[] getLastState() {
         return trial;
     }
 

@@ -73,7 +73,7 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
 
     @Override
     public void addForces(double[] state, double time, double[] force, int from, int to) {
-        double[] masses = particles.masses();
+        double[] masses = particles.getMasses();
         for (int i = from, x = STRIDE * from; i < to; i++, x += STRIDE) {
             if (particles.isFixed(i)) {
                 continue;                               // a sun that is drawn may stand at the very centre

@@ -119,7 +119,7 @@ public final class EnergyHistory implements Observer {
 
     /** @return the total energy at the end, with the chart's zero (J) */
     public double getEnd() {
-        return total.last() - zero();
+        return total.getLast() - zero();
     }
 
     /** The sum of all zeros that {@link #lowest} subtracts. */

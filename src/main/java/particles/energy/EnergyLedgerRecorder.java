@@ -94,7 +94,7 @@ public final class EnergyLedgerRecorder implements Observer {
 
     /** The numerical error at the last recorded step (J). */
     double getLatestNumericalError() {
-        return error.last();
+        return error.getLast();
     }
 
     /** @return the largest size of the numerical error during the run (J); NaN before a run */

@@ -68,7 +68,7 @@ public final class MinMaxThinning {
     }
 
     /** @return the last sample's value */
-    public double last() {
+    public double getLast() {
         return last;
     }
 

@@ -71,12 +71,12 @@ public final class ForceSum {
     }
 
     /** The effects that act on each particle separately. */
-    public List<PerParticleEffect> perParticle() {
+    public List<PerParticleEffect> getPerParticle() {
         return perParticle;
     }
 
     /** All other effects, in the order of evaluation. */
-    public List<Effect> others() {
+    public List<Effect> getOthers() {
         return others;
     }
 
@@ -109,7 +109,7 @@ public final class ForceSum {
 
     /** Turns (v, F) into the derivative (v, F/m). */
     public void finish(double[] dSdt, int from, int to) {
-        double[] inverseMasses = particles.inverseMasses();
+        double[] inverseMasses = particles.getInverseMasses();
         for (int v = STRIDE * from + 3, i = from; v < STRIDE * to; v += STRIDE, i++) {
             double inverseMass = inverseMasses[i];
             dSdt[v] *= inverseMass;

@@ -91,7 +91,7 @@ public final class ParticleJacobian {
         this.product = product;
         Arrays.fill(product, 0);
         addBlocks(state, time, productBlocks);
-        double[] inverseMasses = particles.inverseMasses();
+        double[] inverseMasses = particles.getInverseMasses();
         for (int i = 0, x = 0; x < product.length; i++, x += STRIDE) {
             for (int c = x; c < x + 3; c++) {
                 product[c] = w[c + 3];

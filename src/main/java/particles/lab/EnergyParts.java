@@ -33,7 +33,7 @@ final class EnergyParts {
     }
 
     /** The names of the numbers. */
-    List<String> names() {
+    List<String> getNames() {
         return names;
     }
 

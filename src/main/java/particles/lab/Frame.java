@@ -5,7 +5,7 @@ package particles.lab;
  *
  * @param time      t (s)
  * @param state     positions and velocities, six numbers a particle (m, m/s)
- * @param energies  the energies in the order of {@link EnergyParts#names()} (J)
+ * @param energies  the energies in the order of {@link EnergyParts#getNames()} (J)
  * @param structure the particles and springs at that time
  */
 record Frame(double time, float[] state, float[] energies, Structure structure) {

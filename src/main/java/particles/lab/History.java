@@ -79,7 +79,7 @@ final class History {
     }
 
     /** About how much memory it takes. */
-    long bytes() {
+    long getBytes() {
         return bytes;
     }
 }

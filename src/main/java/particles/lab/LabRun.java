@@ -153,7 +153,7 @@ public final class LabRun {
         return scene;
     }
 
-    PointerSpring pointer() {
+    PointerSpring getPointer() {
         return pointer;
     }
 
@@ -162,15 +162,15 @@ public final class LabRun {
         return energy.getLedger().getWork();
     }
 
-    Frame shown() {
+    Frame getShown() {
         return shown;
     }
 
-    History history() {
+    History getHistory() {
         return history;
     }
 
-    EnergyParts energies() {
+    EnergyParts getEnergies() {
         return energies;
     }
 }

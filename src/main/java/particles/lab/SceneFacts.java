@@ -41,7 +41,7 @@ final class SceneFacts {
         Map<String, Object> facts = Ordered.map("title", description.title(),
                 "teaches", description.lesson().teaches(), "solver", description.solver(),
                 "deltaT", description.deltaT(), "duration", description.duration(),
-                "energyScale", scene.energyEstimate(), "energies", energies.names(), "uniform", energies.uniform(),
+                "energyScale", scene.energyEstimate(), "energies", energies.getNames(), "uniform", energies.uniform(),
                 "limits", limits(scene), "look", look(description.drawing().look()),
                 "planes", scenery.planes().stream().map(SceneFacts::plane).toList(),
                 "spheres", scenery.spheres().stream().map(SceneFacts::sphere).toList(),

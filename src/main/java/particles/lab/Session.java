@@ -71,10 +71,10 @@ public final class Session {
             Scene scene = SceneBuilder.build(typed.applyTo(described
                     .withSolver(new SolverDescription(same ? described.solver() : solver, tolerances))));
             run = new LabRun(scene);
-            shown = run.shown();
+            shown = run.getShown();
             failure = "";
             nanoseconds = 0;
-            return Json.of(SceneFacts.of(scene, run.energies()));
+            return Json.of(SceneFacts.of(scene, run.getEnergies()));
         } catch (SceneException e) {
             return Json.of(Map.of("errors", e.getLines()));
         }
@@ -94,7 +94,7 @@ public final class Session {
 
     /** Shows the state one step after the moment shown; the run makes that step if it has not yet. */
     public void step() {
-        List<Frame> later = run.history().after(shown.time());
+        List<Frame> later = run.getHistory().after(shown.time());
         if (!later.isEmpty()) {
             shown = later.get(0);
             return;
@@ -109,7 +109,7 @@ public final class Session {
             failure = new BlowUpMessage(run.getScene(), e).lines(UnaryOperator.identity());
         }
         nanoseconds += System.nanoTime() - start;
-        shown = run.shown();
+        shown = run.getShown();
     }
 
     /**
@@ -118,7 +118,7 @@ public final class Session {
      * @param time that time (s)
      */
     public void look(double time) {
-        shown = run.history().at(time);
+        shown = run.getHistory().at(time);
     }
 
     /**
@@ -130,7 +130,7 @@ public final class Session {
      * @param z  a coordinate of that point (m)
      */
     public void drag(String id, double x, double y, double z) {
-        run.pointer().drag(indexOf(id), new Vector3(x, y, z));
+        run.getPointer().drag(indexOf(id), new Vector3(x, y, z));
     }
 
     private int indexOf(String id) {
@@ -154,7 +154,7 @@ public final class Session {
         return Json.of(Ordered.map("time", shown.time(), "reached", run.getScene().system().getTime(),
                 "steps", run.getScene().simulation().getSteps(),
                 "evaluations", run.getScene().system().getEvaluations(), "seconds", nanoseconds / (1e3 * NANOSECONDS),
-                "work", run.work(), "historyBytes", run.history().bytes(),
+                "work", run.work(), "historyBytes", run.getHistory().getBytes(),
                 "over", run.isOver() && shown.time() >= run.getScene().system().getTime(), "failure", failure));
     }
 
@@ -169,7 +169,7 @@ public final class Session {
      */
     public float[] energies(double time) {
         List<float[]> rows = new ArrayList<>();
-        for (Frame frame : run.history().after(time)) {
+        for (Frame frame : run.getHistory().after(time)) {
             float[] row = new float[1 + frame.energies().length];
             row[0] = (float) frame.time();
             System.arraycopy(frame.energies(), 0, row, 1, frame.energies().length);
@@ -207,7 +207,7 @@ public final class Session {
      */
     public float[] phase(String id, int axis, double time) {
         List<float[]> points = new ArrayList<>();
-        for (Frame frame : run.history().after(time)) {
+        for (Frame frame : run.getHistory().after(time)) {
             int i = List.of(frame.structure().ids()).indexOf(id);
             if (i >= 0) {
                 points.add(new float[] {(float) frame.time(), frame.state()[6 * i + axis],

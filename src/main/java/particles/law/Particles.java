@@ -119,12 +119,12 @@ public final class Particles {
      * @return the array of masses itself (kg), for inner loops; the first {@link #count()} entries are valid; do not
      *         change it or keep a reference
      */
-    public double[] masses() {
+    public double[] getMasses() {
         return masses;
     }
 
-    /** @return the array of 1/m (1/kg), 0 for fixed particles; the rules of {@link #masses()} apply */
-    public double[] inverseMasses() {
+    /** @return the array of 1/m (1/kg), 0 for fixed particles; the rules of {@link #getMasses()} apply */
+    public double[] getInverseMasses() {
         return inverseMasses;
     }
 

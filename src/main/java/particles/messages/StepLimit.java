@@ -101,7 +101,7 @@ final class StepLimit {
         for (Effect effect : scene.system().getEffects()) {
             if (effect instanceof LinearDrag drag) {
                 for (int i = 0; i < scene.system().getParticles().count(); i++) {
-                    rate = Math.max(rate, drag.getCoefficient() * scene.system().getParticles().inverseMasses()[i]);
+                    rate = Math.max(rate, drag.getCoefficient() * scene.system().getParticles().getInverseMasses()[i]);
                 }
             }
         }

@@ -112,7 +112,7 @@ final class CoupledContacts {
         for (int i : linkage.particles()) {
             for (int f = STRIDE * i + 3; f < STRIDE * (i + 1); f++) {
                 accelerations[f] = joint.mobility[i] * force[f];
-                scale = Math.max(scale, Math.abs(force[f] * particles.inverseMasses()[i]));
+                scale = Math.max(scale, Math.abs(force[f] * particles.getInverseMasses()[i]));
             }
         }
         int n = joint.constraintRows();

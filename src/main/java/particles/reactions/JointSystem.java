@@ -92,7 +92,7 @@ final class JointSystem {
         if (mobility.length < n) {
             mobility = new double[n];
         }
-        System.arraycopy(particles.inverseMasses(), 0, mobility, 0, n);
+        System.arraycopy(particles.getInverseMasses(), 0, mobility, 0, n);
     }
 
     int constraintRows() {

@@ -88,7 +88,7 @@ final class Linkage {
     boolean isDriven(int particle, double[] state, double[] accelerations) {
         for (int row : members) {
             if ((particle < 0 || rows.first(row) == particle || rows.second(row) == particle)
-                    && rows.isDraggedByAnchor(row, state, accelerations, all.inverseMasses())) {
+                    && rows.isDraggedByAnchor(row, state, accelerations, all.getInverseMasses())) {
                 return true;
             }
         }

@@ -165,7 +165,7 @@ public final class RigidConstraints implements Reaction, SpringView {
                 solve(linkage, time);
             }
             for (int row : linkage.members()) {
-                power -= lambda[row] * rows.rateOfAnchors(row, state, particles.inverseMasses());
+                power -= lambda[row] * rows.rateOfAnchors(row, state, particles.getInverseMasses());
             }
         }
         return power;
@@ -189,7 +189,7 @@ public final class RigidConstraints implements Reaction, SpringView {
     private void prepare(double[] state, double time, double[] force) {
         arrange();
         rows.evaluate(state);
-        double[] inverseMasses = particles.inverseMasses();
+        double[] inverseMasses = particles.getInverseMasses();
         for (int i = 0; i < particles.count(); i++) {
             for (int f = STRIDE * i + 3; f < STRIDE * (i + 1); f++) {
                 accelerations[f] = inverseMasses[i] * force[f];
@@ -203,7 +203,7 @@ public final class RigidConstraints implements Reaction, SpringView {
     }
 
     private void solve(Linkage linkage, double time) {
-        linkage.factorise(particles.inverseMasses());
+        linkage.factorise(particles.getInverseMasses());
         double left = linkage.solve(right, lambda);
         if (left > CONTRADICTION * linkage.scale(right, accelerations)) {
             int particle = rows.first(linkage.members()[0]);
@@ -257,8 +257,8 @@ public final class RigidConstraints implements Reaction, SpringView {
      */
     public boolean project(double[] state, double time) {
         arrange();
-        boolean moved = projection.positions(state, time, particles.inverseMasses());
-        return projection.velocities(state, particles.inverseMasses()) | moved;
+        boolean moved = projection.positions(state, time, particles.getInverseMasses());
+        return projection.velocities(state, particles.getInverseMasses()) | moved;
     }
 
     @Override

@@ -38,7 +38,7 @@ final class EnergyEstimate {
      */
     static double of(ParticleSystem system, SpringForce springs, SceneAssembly assembly, double duration) {
         double[] state = system.getOwnState();
-        double mass = freeMass(system.getParticles()) + assembly.births() * duration;
+        double mass = freeMass(system.getParticles()) + assembly.getBirths() * duration;
         if (mass == 0) {
             return 1;
         }
@@ -48,10 +48,10 @@ final class EnergyEstimate {
                 atStart += Math.abs(effect.getPotentialEnergy(state, system.getTime()));
             }
         }
-        double g = assembly.acceleration().length();
-        double height = g == 0 ? 0 : extent(system, assembly.acceleration().normalized());
+        double g = assembly.getAcceleration().length();
+        double height = g == 0 ? 0 : extent(system, assembly.getAcceleration().normalized());
         double byGravity = mass * g * (height + g * duration * duration / 2);
-        double byWind = mass * assembly.speed() * assembly.speed() / 2;
+        double byWind = mass * assembly.getSpeed() * assembly.getSpeed() / 2;
         double scale = Math.max(Math.max(atStart, byOwnLaws(system, duration)), Math.max(byGravity, byWind));
         return scale > 0 ? scale : crossing(system, mass, duration);
     }
@@ -66,7 +66,7 @@ final class EnergyEstimate {
         double energy = 0;
         for (int i = 0, v = 3; i < system.getParticles().count(); i++, v += Particles.STRIDE) {
             double square = force[v] * force[v] + force[v + 1] * force[v + 1] + force[v + 2] * force[v + 2];
-            energy += square * duration * duration / 2 * system.getParticles().inverseMasses()[i];
+            energy += square * duration * duration / 2 * system.getParticles().getInverseMasses()[i];
         }
         return energy;
     }

@@ -74,7 +74,8 @@ public final class SceneBuilder {
             if (EffectCatalog.ALL.contains(effect.kind())) {
                 throw e;
             }
-            throw new SceneException(List.of(effect.place() + ": " + effect.kind().name() + " cannot be built: " + e));
+            throw new SceneException(List.of(effect.place() + ": " + effect.kind().getName()
+                    + " cannot be built: " + e));
         }
     }
 
@@ -100,8 +101,8 @@ public final class SceneBuilder {
         double estimate = EnergyEstimate.of(system, springs, assembly, Math.max(scene.duration(), scene.deltaT()));
         Simulation simulation = new Simulation(system, scene.settings().solver()::create, scene.deltaT(),
                 scene.duration(), scene.settings().blowUpFactor() * estimate);
-        if (!assembly.surfaces().isEmpty()) {               // the ground and others to collide with
-            RestingContacts contacts = new RestingContacts(system.getParticles(), assembly.surfaces());
+        if (!assembly.getSurfaces().isEmpty()) {               // the ground and others to collide with
+            RestingContacts contacts = new RestingContacts(system.getParticles(), assembly.getSurfaces());
             system.addReaction(contacts);
             simulation.addRule(scene.settings().exactImpacts() ? new ExactImpacts(contacts)
                     : new ClampedImpacts(contacts));

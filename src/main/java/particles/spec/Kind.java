@@ -23,17 +23,17 @@ public abstract class Kind {
     }
 
     /** @return the name by which scenes choose it */
-    public final String name() {
+    public final String getName() {
         return name;
     }
 
     /** @return a description in one sentence */
-    public final String sentence() {
+    public final String getSentence() {
         return sentence;
     }
 
     /** @return the keys that a scene can set */
-    public final MappingType keys() {
+    public final MappingType getKeys() {
         return keys;
     }
 }

@@ -84,19 +84,20 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
             return Optional.empty();
         }
         if (entries.size() > 1) {
-            return in.problem(entries.get(1).getKeyNode(), "an entry names one " + what + ", here '" + kind.get().name()
-                    + "'; the next line is either one of its keys, indented further, or another " + what
+            return in.problem(entries.get(1).getKeyNode(), "an entry names one " + what + ", here '"
+                    + kind.get().getName() + "'; the next line is either one of its keys, indented further, or another "
+                    + what
                     + ", which needs its own dash");
         }
         Node valueNode = entries.get(0).getValueNode();
         if (valueNode.getTag().equals(Tag.NULL)) {
             return in.problem(nameNode,
-                    "'" + kind.get().name() + "' has no value; it has to be " + kind.get().keys().describe()
-                    + (kind.get().keys().mayBeEmpty() ? "; or write '- " + kind.get().name() + "', without the colon"
-                    : ""));
+                    "'" + kind.get().getName() + "' has no value; it has to be " + kind.get().getKeys().describe()
+                    + (kind.get().getKeys().mayBeEmpty() ? "; or write '- " + kind.get().getName()
+                    + "', without the colon" : ""));
         }
         Place place = in.place(nameNode);
-        return kind.get().keys().read(valueNode, "'" + kind.get().name() + "'",
+        return kind.get().getKeys().read(valueNode, "'" + kind.get().getName() + "'",
                 in).map(values -> new Chosen<>(kind.get(),
                 values, place));
     }
@@ -110,13 +111,13 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
                 return in.problem(nameNode, e.getMessage());
             }
         }
-        Optional<K> found = kinds.stream().filter(kind -> kind.name().equals(name)).findFirst();
+        Optional<K> found = kinds.stream().filter(kind -> kind.getName().equals(name)).findFirst();
         if (found.isEmpty()) {
             in.problem(nameNode, elsewhere
-                    .filter(other -> other.kinds().stream().anyMatch(kind -> kind.name().equals(name)))
+                    .filter(other -> other.kinds().stream().anyMatch(kind -> kind.getName().equals(name)))
                     .map(other -> "'" + name + "' is " + article(other.what()) + ", not " + article(what)
                             + "; move it to '" + other.key() + "'")
-                    .orElseGet(() -> Wording.unknown(what, name, kinds.stream().map(Kind::name).toList(),
+                    .orElseGet(() -> Wording.unknown(what, name, kinds.stream().map(Kind::getName).toList(),
                             in.owners(name))));
         }
         return found;
@@ -127,16 +128,16 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
     }
 
     private Optional<Chosen<K>> bare(K kind, Node node, Reading in) {
-        if (!kind.keys().mayBeEmpty()) {
-            return in.problem(node, "'" + kind.name() + "' needs a value for at least one key: write '- "
-                    + kind.name() + ": " + kind.keys().example() + "'");
+        if (!kind.getKeys().mayBeEmpty()) {
+            return in.problem(node, "'" + kind.getName() + "' needs a value for at least one key: write '- "
+                    + kind.getName() + ": " + kind.getKeys().example() + "'");
         }
         return Optional.of(new Chosen<>(kind, new Values(in.place(node)), in.place(node)));
     }
 
     @Override
     public String describe() {
-        return "one of " + String.join(", ", kinds.stream().map(Kind::name).toList()) + orClass()
+        return "one of " + String.join(", ", kinds.stream().map(Kind::getName).toList()) + orClass()
                 + ", with its keys below it";
     }
 
@@ -147,22 +148,22 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
 
     @Override
     Stream<MappingType> mappings() {
-        return kinds.stream().flatMap(kind -> kind.keys().mappings());
+        return kinds.stream().flatMap(kind -> kind.getKeys().mappings());
     }
 
     @Override
     Map<String, Object> schema() {
         Map<String, Object> properties = Ordered.map();
         for (K kind : kinds) {
-            Map<String, Object> property = Ordered.map("description", kind.sentence());
-            property.putAll(kind.keys().schema());
-            properties.put(kind.name(), property);
+            Map<String, Object> property = Ordered.map("description", kind.getSentence());
+            property.putAll(kind.getKeys().schema());
+            properties.put(kind.getName(), property);
         }
         Map<String, Object> mapping = Ordered.map("type", "object", "properties", properties);
         byClass.ifPresent(other -> mapping.put("patternProperties",
-                Map.of(other.form().pattern(), Map.of("type", "object"))));
+                Map.of(other.form().getPattern(), Map.of("type", "object"))));
         mapping.putAll(Ordered.map("additionalProperties", false, "minProperties", 1, "maxProperties", 1));
-        List<String> bare = kinds.stream().filter(kind -> kind.keys().mayBeEmpty()).map(Kind::name).toList();
+        List<String> bare = kinds.stream().filter(kind -> kind.getKeys().mayBeEmpty()).map(Kind::getName).toList();
         if (bare.isEmpty()) {
             return mapping;
         }
@@ -172,7 +173,7 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
     }
 
     /** @return all kinds */
-    public List<K> kinds() {
+    public List<K> getKinds() {
         return kinds;
     }
 }

@@ -73,7 +73,7 @@ public final class ListType<T> extends Type<List<T>> {
     }
 
     /** @return the type of the elements */
-    public Type<T> element() {
+    public Type<T> getElement() {
         return element;
     }
 

@@ -155,7 +155,7 @@ public final class MappingType extends Type<Values> {
             throw new IllegalArgumentException("no value for the key '" + key.name()
                     + "' can be made up; give it a default");
         }
-        values.put(key, sample, values.place(), true);
+        values.put(key, sample, values.getPlace(), true);
     }
 
     @Override
@@ -205,17 +205,17 @@ public final class MappingType extends Type<Values> {
     }
 
     /** @return the name of the mapping in messages */
-    public String name() {
+    public String getName() {
         return name;
     }
 
     /** @return the keys, in the order in which they are explained */
-    public List<Key<?>> keys() {
+    public List<Key<?>> getKeys() {
         return keys;
     }
 
     /** @return the key whose value may stand alone, if there is one */
-    public Optional<Key<?>> shortForm() {
+    public Optional<Key<?>> getShortForm() {
         return shortFor;
     }
 

@@ -33,8 +33,8 @@ public record Reading(String source, Problems problems, ClassNames classes, Opti
 
     /** @return the names of all mappings of the format that have this key */
     List<String> owners(String key) {
-        return format.stream().flatMap(MappingType::mappings).filter(mapping -> mapping.keys().stream()
-                .anyMatch(known -> known.name().equals(key))).map(MappingType::name).distinct().toList();
+        return format.stream().flatMap(MappingType::mappings).filter(mapping -> mapping.getKeys().stream()
+                .anyMatch(known -> known.name().equals(key))).map(MappingType::getName).distinct().toList();
     }
 
     /** As {@link Problems#add}, at a node. */

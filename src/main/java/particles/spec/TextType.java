@@ -36,7 +36,7 @@ public final class TextType extends Type<String> {
         return new TextType(description, pattern);
     }
 
-    String pattern() {
+    String getPattern() {
         return pattern;
     }
 

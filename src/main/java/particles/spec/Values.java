@@ -78,7 +78,7 @@ public final class Values {
     }
 
     /** @return the place of the mapping's beginning */
-    public Place place() {
+    public Place getPlace() {
         return place;
     }
 }

@@ -64,8 +64,8 @@ public final class ParallelForces implements ParallelDerivative {
 
     @Override
     public boolean pays() {
-        long items = (long) forces.perParticle().size() * particles.count();
-        List<Effect> others = forces.others();
+        long items = (long) forces.getPerParticle().size() * particles.count();
+        List<Effect> others = forces.getOthers();
         for (int e = 0; e < others.size(); e++) {
             items += others.get(e) instanceof DivisibleEffect effect ? effect.size() : 0;
         }
@@ -77,7 +77,7 @@ public final class ParallelForces implements ParallelDerivative {
         this.state = state;
         this.time = time;
         this.dSdt = dSdt;
-        List<Effect> others = forces.others();
+        List<Effect> others = forces.getOthers();
         int next = 0;
         if (!others.isEmpty() && takeUp(others.get(0), workers.count())) {
             workers.run(beginningByBlocks);             // saves one barrier

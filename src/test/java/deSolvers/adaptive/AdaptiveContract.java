@@ -86,10 +86,10 @@ public abstract class AdaptiveContract extends DESolverContract {
         DESolver solver = createSolver(1e-8, 1e-8);
         double quarter = Math.PI / 2;
         solver.stepState(orbit, quarter);
-        long nearTheSun = orbit.evaluations();
+        long nearTheSun = orbit.getEvaluations();
         solver.stepState(orbit, quarter);
         solver.stepState(orbit, quarter);
-        long farOut = orbit.evaluations() - nearTheSun;
+        long farOut = orbit.getEvaluations() - nearTheSun;
         // Measured 3.3 (step-doubling), 3.5 (dormand-prince) and 2.9 (bulirsch-stoer) times as many.
         assertTrue(2.5 * farOut < nearTheSun, farOut + " evaluations for half an orbit far out, " + nearTheSun
                 + " for a quarter near the sun");
@@ -127,7 +127,7 @@ public abstract class AdaptiveContract extends DESolverContract {
             assertEquals(StrictMath.cos(before), stop[1], 2e-4);
         }
         assertTrue(problem.stops.size() > 4, problem.stops.size() + " sub-steps");
-        assertArrayEquals(new double[] {20, problem.state()[0], problem.state()[1]},
+        assertArrayEquals(new double[] {20, problem.getState()[0], problem.getState()[1]},
                 problem.stops.get(problem.stops.size() - 1));
     }
 
@@ -136,10 +136,10 @@ public abstract class AdaptiveContract extends DESolverContract {
         DragInWind problem = new DragInWind(2, 2);
         DESolver solver = createSolver(1e-6, 1e-6);
         run(solver, problem, 40, false);
-        long remembered = problem.evaluations();
+        long remembered = problem.getEvaluations();
         problem.startAt(0);
         run(solver, problem, 40, true);
-        long restarted = problem.evaluations();
+        long restarted = problem.getEvaluations();
         // Measured 0.76 (step-doubling), 0.70 (dormand-prince), 0.58 (bulirsch-stoer).
         assertTrue(remembered < 0.85 * restarted, remembered + " evaluations, " + restarted + " with restarts");
     }
@@ -201,10 +201,10 @@ public abstract class AdaptiveContract extends DESolverContract {
         assertEquals(0, e.getEntry());
         assertTrue(e.getMessage().contains("sub-step fell to"), e.getMessage());
         // Measured 2624 (dormand-prince) to 4550 (bulirsch-stoer).
-        assertTrue(problem.evaluations() < 10_000, problem.evaluations() + " evaluations");
+        assertTrue(problem.getEvaluations() < 10_000, problem.getEvaluations() + " evaluations");
         solver.stepState(problem, 0.5);
         // Measured up to 4.5e-6 (step-doubling).
-        assertEquals(2, problem.state()[0], 1e-5);
+        assertEquals(2, problem.getState()[0], 1e-5);
     }
 
     /** The error of an oscillator after 60 steps with an initial clock of t, which limits the resolution. */
@@ -216,8 +216,8 @@ public abstract class AdaptiveContract extends DESolverContract {
             solver.stepState(problem, deltaT);
         }
         double angle = omega * 60 * deltaT;
-        return Math.max(Math.abs(problem.state()[0] - StrictMath.cos(angle)),
-                Math.abs(problem.state()[1] / omega + StrictMath.sin(angle)));
+        return Math.max(Math.abs(problem.getState()[0] - StrictMath.cos(angle)),
+                Math.abs(problem.getState()[1] / omega + StrictMath.sin(angle)));
     }
 
     /** 1.7e9 s are the seconds since 1970, resolved to 2.4e-7 s; 1e12 s are resolved to 1.2e-4 s. */
@@ -272,7 +272,7 @@ public abstract class AdaptiveContract extends DESolverContract {
         for (int i = 0; i < 600; i++) {
             solver.stepState(problem, 1.0 / 60);
         }
-        return Math.hypot(problem.state()[2], problem.state()[3] / omega) / 0.5;
+        return Math.hypot(problem.getState()[2], problem.getState()[3] / omega) / 0.5;
     }
 
     /** @return how many times the tolerance a fast vibration may grow in 10 s, 480 periods */
@@ -302,7 +302,8 @@ public abstract class AdaptiveContract extends DESolverContract {
         // Measured 4.0e-7 (bulirsch-stoer) and less, with 4370 (dormand-prince) to 13051 (bulirsch-stoer) evaluations.
         assertTrue(problem.error() < 1e-6, "error " + problem.error());
         // An explicit method needs about 1000 h / 3 of sub-steps, however smooth the solution is.
-        assertEquals(isExplicit(), problem.evaluations() > 2000, problem.evaluations() + " evaluations");  // radau: 514
-        assertTrue(problem.evaluations() < (isExplicit() ? 20_000 : 1000), problem.evaluations() + " evaluations");
+        long evaluations = problem.getEvaluations();
+        assertEquals(isExplicit(), evaluations > 2000, evaluations + " evaluations");       // radau: 514
+        assertTrue(evaluations < (isExplicit() ? 20_000 : 1000), evaluations + " evaluations");
     }
 }

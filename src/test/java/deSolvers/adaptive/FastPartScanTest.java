@@ -125,7 +125,7 @@ class FastPartScanTest {
     private static ToDoubleFunction<ReferenceProblem> largestError(double[] tolerance) {
         return problem -> {
             double[] exact = problem.exactState(problem.getTime());
-            double[] state = problem.state();
+            double[] state = problem.getState();
             double units = 0;
             for (int i = 0; i < exact.length; i++) {
                 units = Math.max(units,
@@ -139,7 +139,7 @@ class FastPartScanTest {
     private static ToDoubleFunction<ReferenceProblem> overEnvelope(double omega, double[] tolerance) {
         return problem -> {
             double envelope = 0.5 * omega * StrictMath.exp(-0.05 * omega * problem.getTime());
-            double[] state = problem.state();
+            double[] state = problem.getState();
             return Math.max(0, Math.hypot(state[2], state[3]) - 1.2 * envelope) / tolerance[1];
         };
     }

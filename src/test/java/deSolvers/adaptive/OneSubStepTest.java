@@ -35,8 +35,8 @@ class OneSubStepTest {
             Oscillator problem = new Oscillator(1, 1 - column, column);
             solver.reset();
             solver.stepState(problem, h);
-            assertEquals(closed[column], problem.state()[0], 1e-12, "x at h = " + h);
-            assertEquals(closed[2 + column], problem.state()[1], 1e-12, "v at h = " + h);
+            assertEquals(closed[column], problem.getState()[0], 1e-12, "x at h = " + h);
+            assertEquals(closed[2 + column], problem.getState()[1], 1e-12, "v at h = " + h);
         }
     }
 
@@ -81,9 +81,9 @@ class OneSubStepTest {
     private static long[] evaluationsOfTwoSteps(DESolver solver) {
         Oscillator problem = new Oscillator();
         solver.stepState(problem, 0.125);
-        long first = problem.evaluations();
+        long first = problem.getEvaluations();
         solver.stepState(problem, 0.125);
-        return new long[] {first, problem.evaluations() - first};
+        return new long[] {first, problem.getEvaluations() - first};
     }
 
     /** One for the derivative at the beginning and one for the first guess; then what the javadoc says. */

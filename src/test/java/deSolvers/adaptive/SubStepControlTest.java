@@ -218,7 +218,7 @@ class SubStepControlTest {
         solver.stepState(source, 1);
         solver.stepState(source, 1);
         assertEquals(1, solver.restarts);
-        source.setState(new double[] {source.state()[0] + 1});
+        source.setState(new double[] {source.getState()[0] + 1});
         solver.stepState(source, 1);
         assertEquals(2, solver.restarts, "moved");
         solver.stepState(source, 0.5);

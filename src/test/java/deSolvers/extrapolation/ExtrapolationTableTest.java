@@ -32,7 +32,7 @@ class ExtrapolationTableTest {
                 results.extrapolate(j);
                 smoothings.extrapolate(j);
                 BulirschStoerSolver.estimate(results, smoothings, error);
-                columns[j] = new Column(modulus(results.result()), modulus(error), modulus(results.correction()),
+                columns[j] = new Column(modulus(results.result()), modulus(error), modulus(results.getCorrection()),
                         modulus(smoothings.result()));
             }
         }

@@ -29,7 +29,7 @@ class OrderControlTest {
     }
 
     private void assertNext(double stretch, int target) {
-        assertEquals(stretch, control.next(), 4e-15 * stretch);     // measured 4e-16
+        assertEquals(stretch, control.getNext(), 4e-15 * stretch);     // measured 4e-16
         assertEquals(2 * target + 1, control.targetExponent());
     }
 

@@ -54,7 +54,7 @@ class WorkAgainstHipparchusTest {
                     .integrate(equation, new ODEState(0, problem.exactState(0)), duration).getPrimaryState();
             problem.setState(end);
             problem.incTime(duration - problem.getTime());
-            curve.add(problem.evaluations(), problem.error());
+            curve.add(problem.getEvaluations(), problem.error());
         }
         return curve;
     }

@@ -28,7 +28,7 @@ class ExtremeNumbersTest {
         Oscillator problem = new Oscillator(1, scale, 0);
         HardRun run = HardRun.of(solver, problem, H, 32);
         assertTrue(run.failure().isEmpty(), run.message());
-        return problem.state();
+        return problem.getState();
     }
 
     /** The largest deviation from a run with numbers of about 1, relative to the scale. */
@@ -70,8 +70,8 @@ class ExtremeNumbersTest {
         DESolver made = SolverCatalog.create(solver);
         made.stepState(problem, 1e-300);
         assertEquals(1e-300, problem.getTime());
-        assertEquals(1, problem.state()[0], 1e-9);
-        assertEquals(1e300, problem.state()[1], 1e285);
+        assertEquals(1, problem.getState()[0], 1e-9);
+        assertEquals(1e300, problem.getState()[1], 1e285);
     }
 
     /** Overflow within a step is a clear failure, not a state of infinities. */

@@ -33,17 +33,17 @@ record HardRun(double error, double largest, Optional<DESolverException> failure
         DESolver made = SolverCatalog.create(solver);
         double largest = 0;
         for (int i = 0; i < steps; i++) {
-            double[] before = problem.state();
+            double[] before = problem.getState();
             double time = problem.getTime();
             try {
                 made.stepState(problem, deltaT);
             } catch (DESolverException e) {
                 assertEquals(time, problem.getTime(), "the clock after a failure");
-                IntStream.range(0, before.length).forEach(k -> assertEquals(before[k], problem.state()[k],
+                IntStream.range(0, before.length).forEach(k -> assertEquals(before[k], problem.getState()[k],
                         "entry " + k));
                 return new HardRun(problem.error(), largest, Optional.of(e));
             }
-            for (double entry : problem.state()) {
+            for (double entry : problem.getState()) {
                 assertFalse(Double.isNaN(entry), "a NaN that nobody reported");
                 largest = Math.max(largest, Math.abs(entry));
             }

@@ -28,7 +28,7 @@ class KeplerAlmostParabolicTest {
         SolverCatalog.create(solver, 1e-12, 1e-12).stepState(planet, PERIOD);
         double error = Math.sqrt(planet.squaredPositionError());
         assertTrue(error < 3 * measured, "error " + error);
-        assertTrue(planet.evaluations() < 1.2 * evaluations, "evaluations " + planet.evaluations());
+        assertTrue(planet.getEvaluations() < 1.2 * evaluations, "evaluations " + planet.getEvaluations());
     }
 
     private static HardRun orbit(String solver, Kepler planet, int steps) {

@@ -27,7 +27,7 @@ class MillionStepsTest {
         for (int i = 0; i < STEPS; i++) {
             solver.stepState(still, deltaT);
         }
-        assertEquals(0, still.state()[0], "at rest");
+        assertEquals(0, still.getState()[0], "at rest");
         return still.getTime();
     }
 

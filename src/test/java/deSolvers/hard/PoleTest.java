@@ -26,7 +26,7 @@ class PoleTest {
         String reached = run.message().replaceFirst(".*s after ([0-9.E-]+) s,.*", "$1");
         assertEquals(1, Double.parseDouble(reached), 1e-5, "the pole; measured 2.8e-6 to 6e-9 beyond it");
         assertEquals(0, pole.getTime());
-        assertTrue(pole.evaluations() < 10_000, "it does not hang: " + pole.evaluations() + " evaluations");
+        assertTrue(pole.getEvaluations() < 10_000, "it does not hang: " + pole.getEvaluations() + " evaluations");
     }
 
     /** Fixed steps overflow after the pole: 13 steps of 1/64 s late with euler, 2 with rk4. */
@@ -47,6 +47,6 @@ class PoleTest {
         HardRun run = HardRun.of(solver, pole, 1.0 / 64, 128);
         assertTrue(run.message().contains("Newton's iteration did not converge"), run.message());
         assertTrue(pole.getTime() > 0.85 && pole.getTime() <= noLaterThan, "at t = " + pole.getTime());
-        assertTrue(pole.state()[0] > 16, "y = " + pole.state()[0]);
+        assertTrue(pole.getState()[0] > 16, "y = " + pole.getState()[0]);
     }
 }

@@ -56,7 +56,7 @@ class StiffClassicsTest {
         VanDerPol problem = new VanDerPol();
         HardRun run = HardRun.of(solver, problem, VanDerPol.END, 1);
         assertTrue(run.failure().isEmpty() && run.error() < 2e-8, run.message());
-        assertTrue(problem.evaluations() < 12_000, "evaluations " + problem.evaluations());
+        assertTrue(problem.getEvaluations() < 12_000, "evaluations " + problem.getEvaluations());
     }
 
     /** Rates from 0.04 to 3e7; what is stiff is about -2,000 at t = 40. */
@@ -77,8 +77,8 @@ class StiffClassicsTest {
         Robertson problem = new Robertson();
         HardRun run = HardRun.of(solver, problem, deltaT, (int) (Robertson.END / deltaT));
         assertTrue(run.failure().isEmpty() && run.error() < 3 * error, run.message());
-        assertTrue(problem.evaluations() < 1.5 * evaluations, "evaluations " + problem.evaluations());
-        double[] s = problem.state();
+        assertTrue(problem.getEvaluations() < 1.5 * evaluations, "evaluations " + problem.getEvaluations());
+        double[] s = problem.getState();
         assertEquals(1, s[0] + s[1] + s[2], 1e-13, "the sum of the three is kept by every linear-invariant method");
     }
 

@@ -132,7 +132,7 @@ final class BlockParticles extends SecondOrderProblem implements JacobianStateSo
         for (int x = 0; x < direction.length; x += 6) {
             System.arraycopy(direction, x + 3, product, x, 3);
         }
-        forces(state(), direction, true, product);
+        forces(getState(), direction, true, product);
     }
 
     @Override
@@ -150,7 +150,7 @@ final class BlockParticles extends SecondOrderProblem implements JacobianStateSo
             Arrays.setAll(c, e -> part * p.c[e]);
             receiver.addPair(p.i, p.j, k, c);
         }
-        double[] s = state();
+        double[] s = getState();
         for (int i = 0; i < masses.length && blocks == Blocks.EXACT; i++) {
             int at = 6 * i;
             Arrays.setAll(k, e -> e % 4 == 0 ? -3 * hardness() * s[at + e / 4] * s[at + e / 4] : 0);

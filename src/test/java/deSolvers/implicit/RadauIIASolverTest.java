@@ -68,7 +68,7 @@ class RadauIIASolverTest extends AdaptiveContract {
         }
         // Both columns as measured. When sizes were those of the beginning alone, the first failed and the second took
         // 6980.
-        assertTrue(pulled.evaluations() <= 1.1 * evaluations, pulled.evaluations() + " evaluations");
+        assertTrue(pulled.getEvaluations() <= 1.1 * evaluations, pulled.getEvaluations() + " evaluations");
         assertTrue(pulled.error() < 2 * error, "error " + pulled.error());
         assertTrue(pulled.error() > error / 2, "or another bound would do: " + pulled.error());
     }

@@ -85,7 +85,7 @@ class RadauWorkTest {
                 new RadauIIASolver(tolerance, tolerance / 1000).stepState(problem, end);
                 assertEquals(end, problem.getTime());
                 squares += problem.error() * problem.error();
-                evaluations += problem.evaluations();
+                evaluations += problem.getEvaluations();
             }
             double error = Math.sqrt(squares / ends.length);
             ours.add(evaluations / ends.length, error);

@@ -42,9 +42,9 @@ class SmallUnknownsTest {
             }, start, constant);
             new BackwardEulerSolver().stepState(law, 0.1);
             double exact = root(start, 0.1, f, 0, start);
-            assertEquals(1, law.state()[0] / exact, 4e-13);         // measured at most 3.8e-14
-            assertEquals(constant, law.state()[1]);
-            assertTrue(law.evaluations() <= 100, law.evaluations() + " evaluations");      // measured 40 to 81
+            assertEquals(1, law.getState()[0] / exact, 4e-13);         // measured at most 3.8e-14
+            assertEquals(constant, law.getState()[1]);
+            assertTrue(law.getEvaluations() <= 100, law.getEvaluations() + " evaluations");      // measured 40 to 81
         }
     }
 
@@ -62,8 +62,8 @@ class SmallUnknownsTest {
         double g = midpoint ? 0.05 : 0.1;
         double middle = (Math.sqrt(1 + 4 * g * c * 0.1) - 1) / (2 * g * c);
         double exact = midpoint ? 2 * middle - 0.1 : middle;
-        assertEquals(1, law.state()[1] / exact, 2e-12);             // measured at most 2.0e-13
-        assertTrue(law.evaluations() <= 35, law.evaluations() + " evaluations");           // measured 20 to 29
+        assertEquals(1, law.getState()[1] / exact, 2e-12);             // measured at most 2.0e-13
+        assertTrue(law.getEvaluations() <= 35, law.getEvaluations() + " evaluations");           // measured 20 to 29
     }
 
     /** v' = -5 sign v, whose equation has no solution: no distance makes one of it. */
@@ -76,7 +76,7 @@ class SmallUnknownsTest {
                 dSdt[1] = -5 * Math.signum(s[1]);
             }, x, 0.1);
             assertThrows(DESolverException.class, () -> solver.stepState(law, 0.1));
-            assertTrue(law.evaluations() < 2000, law.evaluations() + " evaluations");      // measured 819 to 983
+            assertTrue(law.getEvaluations() < 2000, law.getEvaluations() + " evaluations");      // measured 819 to 983
         }
     }
 
@@ -87,9 +87,9 @@ class SmallUnknownsTest {
     @ValueSource(doubles = {1e6, 1e8, 1e9, 1e11})
     void aReactionIsSolvedForEachSpeciesOrRefused(double h) {
         Robertson robertson = new Robertson();
-        double[] before = robertson.state();
+        double[] before = robertson.getState();
         new BackwardEulerSolver().stepState(robertson, h);
-        double[] s = robertson.state();
+        double[] s = robertson.getState();
         double made = 0.04 * s[0];
         double left = before[1] - s[1] + h * (made - 1e4 * s[1] * s[2] - 3e7 * s[1] * s[1]);
         assertEquals(0, left / (h * made), 1e-14);                  // measured 1e-16
@@ -120,7 +120,7 @@ class SmallUnknownsTest {
 
             @Override
             public void getJacobianProduct(double[] w, double[] product) {
-                double[] s = state();
+                double[] s = getState();
                 for (int i = 0; i < s.length; i += 2) {
                     product[i] = (-50 - 150 * s[i] * s[i] / (large * large)) * w[i];
                     product[i + 1] = slope.applyAsDouble(s[i + 1]) * w[i + 1];
@@ -130,10 +130,10 @@ class SmallUnknownsTest {
         for (Law law : new Law[] {new Law(rates, start), new Known()}) {
             new BackwardEulerSolver().stepState(law, 0.1);
             for (int i = 1; i < start.length; i += 2) {
-                assertEquals(1, law.state()[i] / exact, 1e-12, "entry " + i);
+                assertEquals(1, law.getState()[i] / exact, 1e-12, "entry " + i);
             }
             // Measured 9 with products, up to 30 with differences, and 75 for the large system with differences.
-            assertTrue(law.evaluations() < 100, law.evaluations() + " evaluations");
+            assertTrue(law.getEvaluations() < 100, law.getEvaluations() + " evaluations");
         }
     }
 

@@ -52,7 +52,7 @@ class SpringInsideOutTest {
         public void addJacobianBlocks(ForceDerivatives blocks) {
             double[] dFdX = new double[9];
             for (int e = 0; e < 9; e++) {
-                dFdX[e] = derivative(state(), e);
+                dFdX[e] = derivative(getState(), e);
             }
             blocks.add(0, 0, dFdX, new double[9]);
         }
@@ -61,7 +61,7 @@ class SpringInsideOutTest {
         public void getJacobianProduct(double[] w, double[] product) {
             for (int e = 0; e < 9; e++) {
                 product[e / 3] = w[3 + e / 3];
-                product[3 + e / 3] = (e % 3 == 0 ? 0 : product[3 + e / 3]) + derivative(state(), e) * w[e % 3];
+                product[3 + e / 3] = (e % 3 == 0 ? 0 : product[3 + e / 3]) + derivative(getState(), e) * w[e % 3];
             }
         }
     }
@@ -86,7 +86,7 @@ class SpringInsideOutTest {
         Spring spring = new Spring();
         new ImplicitMidpointSolver().stepState(spring, 2 * G);
         double v = velocity(1);
-        assertArrayEquals(new double[] {LENGTH + 2 * G * v, 0, 0, 2 * v - SPEED, 0, 0}, spring.state(), CLOSE);
+        assertArrayEquals(new double[] {LENGTH + 2 * G * v, 0, 0, 2 * v - SPEED, 0, 0}, spring.getState(), CLOSE);
     }
 
     /**
@@ -98,7 +98,7 @@ class SpringInsideOutTest {
         for (DESolver solver : new DESolver[] {new BackwardEulerSolver(), new LinearisedEulerSolver()}) {
             Spring spring = new Spring();
             solver.stepState(spring, G);
-            assertArrayEquals(new double[] {LENGTH + G * v, 0, 0, v, 0, 0}, spring.state(), CLOSE);
+            assertArrayEquals(new double[] {LENGTH + G * v, 0, 0, v, 0, 0}, spring.getState(), CLOSE);
         }
     }
 }

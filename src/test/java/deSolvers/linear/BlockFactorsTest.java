@@ -16,7 +16,7 @@ class BlockFactorsTest {
     private final LinearWork work = new LinearWork();
 
     private double[] solve(BlockMatrix matrix, boolean symmetric, double[] b) {
-        BlockFactors factors = new BlockFactors(matrix.pattern(), work);
+        BlockFactors factors = new BlockFactors(matrix.getPattern(), work);
         assertTrue(factors.factorise(matrix, symmetric));
         double[] x = new double[b.length];
         factors.apply(b, x);
@@ -48,7 +48,7 @@ class BlockFactorsTest {
     @Test
     void aSymmetricMatrixTakesHalfTheWork() {
         BlockMatrix matrix = SparseCases.springs(SparseCases.grid(12), 10, true, work);
-        BlockFactors factors = new BlockFactors(matrix.pattern(), work);
+        BlockFactors factors = new BlockFactors(matrix.getPattern(), work);
         double[] b = SparseCases.vector(432);
         assertArrayEquals(solve(matrix, false, b), solve(matrix, true, b), 1e-13);
         assertEquals(2 * factors.products(true), factors.products(false));
@@ -72,7 +72,7 @@ class BlockFactorsTest {
     @Test
     void aSingularDiagonalBlockIsNoticed() {
         BlockMatrix zero = new BlockMatrix(SparseCases.grid(2), work);
-        assertFalse(new BlockFactors(zero.pattern(), work).factorise(zero, true));
+        assertFalse(new BlockFactors(zero.getPattern(), work).factorise(zero, true));
     }
 
     /** Every row has one place in the order, whatever the pattern is: in pieces, a clique, a chain. */
@@ -118,7 +118,7 @@ class BlockFactorsTest {
     /** A matrix whose factors would take gigabytes is refused before they are made. */
     @Test
     void factorsThatDoNotFitAreNotMade() {
-        assertFalse(new BlockFactors(SparseCases.random(4000, 60_000, new Random(3)), work).fit());
-        assertTrue(new BlockFactors(SparseCases.grid(40), work).fit());
+        assertFalse(new BlockFactors(SparseCases.random(4000, 60_000, new Random(3)), work).isFit());
+        assertTrue(new BlockFactors(SparseCases.grid(40), work).isFit());
     }
 }

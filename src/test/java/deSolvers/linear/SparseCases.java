@@ -37,10 +37,10 @@ final class SparseCases {
 
     /** Springs of this stiffness between all that touch, and a mass of 1 on each: positive definite. */
     static BlockMatrix springs(BlockPattern pattern, double stiffness, boolean symmetric, LinearWork work) {
-        Random random = new Random(pattern.rows());
+        Random random = new Random(pattern.getRows());
         BlockMatrix matrix = new BlockMatrix(pattern, work);
-        double[] value = matrix.values();
-        for (int i = 0; i < pattern.rows(); i++) {
+        double[] value = matrix.getValues();
+        for (int i = 0; i < pattern.getRows(); i++) {
             for (int e = 0; e < 9; e += 4) {
                 value[9 * pattern.diagonal(i) + e] += 1;
             }
@@ -61,13 +61,13 @@ final class SparseCases {
 
     /** The same matrix in full, by rows. */
     static double[] full(BlockMatrix matrix) {
-        BlockPattern pattern = matrix.pattern();
-        int n = 3 * pattern.rows();
+        BlockPattern pattern = matrix.getPattern();
+        int n = 3 * pattern.getRows();
         double[] full = new double[n * n];
-        for (int i = 0; i < pattern.rows(); i++) {
+        for (int i = 0; i < pattern.getRows(); i++) {
             for (int s = pattern.rowStart(i); s < pattern.rowStart(i + 1); s++) {
                 for (int e = 0; e < 9; e++) {
-                    full[(3 * i + e / 3) * n + 3 * pattern.column(s) + e % 3] = matrix.values()[9 * s + e];
+                    full[(3 * i + e / 3) * n + 3 * pattern.column(s) + e % 3] = matrix.getValues()[9 * s + e];
                 }
             }
         }

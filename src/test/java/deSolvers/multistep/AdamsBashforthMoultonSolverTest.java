@@ -80,10 +80,10 @@ class AdamsBashforthMoultonSolverTest extends MultistepContract {
         for (int i = 1; i <= to; i++) {
             solver.stepState(problem, h);
             if (i == from) {
-                start = norm(problem.state());
+                start = norm(problem.getState());
             }
         }
-        return StrictMath.pow(norm(problem.state()) / start, 1.0 / (to - from));
+        return StrictMath.pow(norm(problem.getState()) / start, 1.0 / (to - from));
     }
 
     private static double norm(double[] s) {

@@ -24,11 +24,11 @@ public abstract class MultistepContract extends FixedStepContract {
     protected abstract int evaluationsAStep();
 
     private long evaluationsOf(DESolver solver, ReferenceProblem problem, int steps) {
-        long before = problem.evaluations();
+        long before = problem.getEvaluations();
         for (int i = 0; i < steps; i++) {
             solver.stepState(problem, H);
         }
-        return problem.evaluations() - before;
+        return problem.getEvaluations() - before;
     }
 
     private long evaluationsOfACourse(int steps) {
@@ -49,7 +49,7 @@ public abstract class MultistepContract extends FixedStepContract {
         assertEquals(10L * evaluationsAStep(), evaluationsOf(solver, problem, 10), "no interruption");
         solver.reset();
         assertEquals(evaluationsOfACourse(10), evaluationsOf(solver, problem, 10), "reset()");
-        double[] state = problem.state();
+        double[] state = problem.getState();
         state[1] = -state[1];
         problem.setState(state);                        // a bounce
         assertEquals(evaluationsOfACourse(10), evaluationsOf(solver, problem, 10), "another state");
@@ -67,7 +67,7 @@ public abstract class MultistepContract extends FixedStepContract {
         ForcedOscillator problem = new ForcedOscillator();
         DESolver solver = createSolver();
         for (int bounce = 0; bounce < 5; bounce++) {
-            double[] state = problem.state();
+            double[] state = problem.getState();
             state[1] += 0.5;
             problem.setState(state);
             ForcedOscillator twin = new ForcedOscillator();
@@ -75,7 +75,7 @@ public abstract class MultistepContract extends FixedStepContract {
             twin.incTime(problem.getTime());
             evaluationsOf(solver, problem, 16);
             evaluationsOf(createSolver(), twin, 16);
-            assertArrayEquals(twin.state(), problem.state());
+            assertArrayEquals(twin.getState(), problem.getState());
         }
     }
 

@@ -9,7 +9,7 @@ public final class ArraySpySource extends SpySource implements ArrayStateSource 
     /** @param problem what is really stepped */
     public ArraySpySource(SecondOrderProblem problem) {
         super(problem);
-        own = problem.state();
+        own = problem.getState();
     }
 
     @Override

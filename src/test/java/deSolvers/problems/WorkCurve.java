@@ -39,7 +39,7 @@ public final class WorkCurve {
         for (double exponent = from; exponent <= to; exponent += 0.5) {
             problem.startAt(0);
             solver.apply(StrictMath.pow(10, -exponent)).stepState(problem, duration);
-            curve.add(problem.evaluations(), problem.error());
+            curve.add(problem.getEvaluations(), problem.error());
         }
         return curve;
     }

@@ -48,7 +48,7 @@ class ImplicitKickTest {
         }
 
         OneMoves with(int entry, double value) {
-            double[] s = state();
+            double[] s = getState();
             s[entry] = value;
             setState(s);
             return this;
@@ -94,9 +94,9 @@ class ImplicitKickTest {
         DESolverException e = assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source,
                 H));
         assertTrue(e.getMessage().contains("100 iterations; the last change is 0.5 of 0.75; "), e.getMessage());
-        assertEquals(101, source.evaluations());
+        assertEquals(101, source.getEvaluations());
         assertEquals(0, source.getTime());
-        assertEquals(0, source.state()[OneMoves.MOVING]);
+        assertEquals(0, source.getState()[OneMoves.MOVING]);
     }
 
     /**
@@ -110,8 +110,8 @@ class ImplicitKickTest {
         new VelocityVerletSolver().stepState(source, H);
         double kick = 1.0 / 64;
         // measured 1.1e-16
-        assertEquals((1 - kick) / (1 + kick), source.state()[OneMoves.MOVING], 1e-15, "implicit in the second half");
-        assertEquals(8, source.evaluations());
+        assertEquals((1 - kick) / (1 + kick), source.getState()[OneMoves.MOVING], 1e-15, "implicit in the second half");
+        assertEquals(8, source.getEvaluations());
     }
 
     /**
@@ -127,9 +127,9 @@ class ImplicitKickTest {
         int moving = 4 * d - 1;
         source.with(moving, 64);
         new VelocityVerletSolver().stepState(source, H);
-        assertEquals(0, source.state()[moving], 3e-14);           // measured 3.6e-15, a rounding of 31.5
-        assertEquals(31.5 * H, source.state()[moving - d]);       // measured 0: all of it is exact in binary
-        assertEquals(9, source.evaluations(), "the step's first one, seven, and one that sees it");
+        assertEquals(0, source.getState()[moving], 3e-14);           // measured 3.6e-15, a rounding of 31.5
+        assertEquals(31.5 * H, source.getState()[moving - d]);       // measured 0: all of it is exact in binary
+        assertEquals(9, source.getEvaluations(), "the step's first one, seven, and one that sees it");
     }
 
     /**
@@ -148,8 +148,8 @@ class ImplicitKickTest {
             }
         };
         new VelocityVerletSolver().stepState(source, H);
-        assertEquals(16.0 / 65, source.state()[4 * d - 1], 1e-15);        // measured 0
-        assertEquals(10, source.evaluations(), "the step's first one and nine");
+        assertEquals(16.0 / 65, source.getState()[4 * d - 1], 1e-15);        // measured 0
+        assertEquals(10, source.getEvaluations(), "the step's first one and nine");
     }
 
     /** The derivative that the next step would begin with is looked at in this one. */
@@ -186,7 +186,7 @@ class ImplicitKickTest {
         DESolverException e = assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source,
                 H));
         assertTrue(e.getMessage().contains("too stiff for this deltaT"), e.getMessage());
-        assertTrue(source.evaluations() < 20, "overflows soon: " + source.evaluations());
+        assertTrue(source.getEvaluations() < 20, "overflows soon: " + source.getEvaluations());
     }
 
     /** Numbers below 1e-308 have fewer digits: the iteration must not wait for more. */
@@ -199,7 +199,7 @@ class ImplicitKickTest {
             for (int i = 0; i < 3000; i++) {
                 solver.stepState(spring, h);
             }
-            for (double entry : spring.state()) {
+            for (double entry : spring.getState()) {
                 assertEquals(0, entry, 1e-300);
             }
         }
@@ -212,16 +212,16 @@ class ImplicitKickTest {
         OneMoves source = new OneMoves(v -> -factor[0] * v).with(OneMoves.MOVING, 1);
         VelocityVerletSolver solver = new VelocityVerletSolver();
         solver.stepState(source, H);
-        double[] begin = source.state();
+        double[] begin = source.getState();
         factor[0] = 100;
         assertThrows(DESolverException.class, () -> solver.stepState(source, H));
         factor[0] = 1.0 / 16;
         source.setState(begin);
-        long before = source.evaluations();
+        long before = source.getEvaluations();
         solver.stepState(source, H);
-        long after = source.evaluations();
+        long after = source.getEvaluations();
         solver.stepState(source, H);
-        assertEquals(after - before - 1, source.evaluations() - after,
+        assertEquals(after - before - 1, source.getEvaluations() - after,
                 "one evaluation less where the last one is remembered");
     }
 }

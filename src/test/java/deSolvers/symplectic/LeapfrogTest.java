@@ -48,7 +48,7 @@ class LeapfrogTest {
         DESolverException e = assertThrows(DESolverException.class, () -> new Yoshida4Solver().stepState(source, H));
         assertTrue(e.getMessage().contains("entry 0 of the derivative is NaN at t = 0.67"), e.getMessage());
         assertEquals(0, source.getTime());
-        assertArrayEquals(new double[2], source.state());
+        assertArrayEquals(new double[2], source.getState());
     }
 
     /**
@@ -63,7 +63,7 @@ class LeapfrogTest {
             grown.incTime(H);
             source.become(grown);
             solver.stepState(source, H);
-            assertArrayEquals(new double[] {-H * H / 2, -H, -H * H / 2, -H}, grown.state(), 1e-15);     // measured 0
+            assertArrayEquals(new double[] {-H * H / 2, -H, -H * H / 2, -H}, grown.getState(), 1e-15);     // measured 0
         }
     }
 }

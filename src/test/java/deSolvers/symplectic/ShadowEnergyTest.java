@@ -12,7 +12,7 @@ class ShadowEnergyTest {
     private static final int STEPS = 100_000;
 
     private static double energy(Pendulum pendulum) {
-        double[] s = pendulum.state();
+        double[] s = pendulum.getState();
         return s[1] * s[1] / 2 - StrictMath.cos(s[0]);
     }
 

@@ -85,7 +85,7 @@ class SymplecticSolverTest {
             DESolverException e = assertThrows(DESolverException.class,
                     () -> new SymplecticEulerSolver().stepState(source, H));
             assertTrue(e.getMessage().contains("entry " + bad + " of the derivative is NaN"), e.getMessage());
-            assertArrayEquals(new double[2 * d * BLOCKS], source.state());
+            assertArrayEquals(new double[2 * d * BLOCKS], source.getState());
         }
     }
 }

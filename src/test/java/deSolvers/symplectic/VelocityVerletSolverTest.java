@@ -46,10 +46,10 @@ class VelocityVerletSolverTest extends SymplecticContract {
         for (int i = 0; i < 10; i++) {
             solver.stepState(problem, 0.125);
         }
-        assertEquals(11, problem.evaluations());
+        assertEquals(11, problem.getEvaluations());
         solver.reset();
         solver.stepState(problem, 0.125);
-        assertEquals(13, problem.evaluations());
+        assertEquals(13, problem.getEvaluations());
     }
 
     /** v' = -c v from v = 1, at 0. */
@@ -77,7 +77,7 @@ class VelocityVerletSolverTest extends SymplecticContract {
     void theClosingKickIsSolvedOrRefused() {
         SecondOrderProblem mild = new Drag(1);
         createSolver().stepState(mild, 0.5);
-        assertEquals((1 - 0.25) / (1 + 0.25), mild.state()[1], 1e-12);  // (1 - hc/2) / (1 + hc/2): implicit
+        assertEquals((1 - 0.25) / (1 + 0.25), mild.getState()[1], 1e-12);  // (1 - hc/2) / (1 + hc/2): implicit
         SecondOrderProblem stiff = new Drag(6);                         // hc/2 = 1.5: the iteration diverges
         DESolverException e = assertThrows(DESolverException.class, () -> createSolver().stepState(stiff, 0.5));
         assertTrue(e.getMessage().contains("damping is too stiff"), e.getMessage());

@@ -47,10 +47,10 @@ class Yoshida4SolverTest extends SymplecticContract {
         for (int i = 0; i < 10; i++) {
             solver.stepState(problem, 0.125);
         }
-        assertEquals(31, problem.evaluations());
+        assertEquals(31, problem.getEvaluations());
         solver.reset();
         solver.stepState(problem, 0.125);
-        assertEquals(35, problem.evaluations(), "one more where the last acceleration is forgotten");
+        assertEquals(35, problem.getEvaluations(), "one more where the last acceleration is forgotten");
     }
 
     /** The trace leaves [-2, 2] where the closed form's does. */

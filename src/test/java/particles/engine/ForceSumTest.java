@@ -40,7 +40,7 @@ class ForceSumTest {
         double[] dSdt = new double[6 * N];
         system.addUpEffects(state, 0, dSdt);
         for (int e = 0; e < dSdt.length; e++) {
-            dSdt[e] = e % 6 < 3 ? state[e + 3] : dSdt[e] * particles.inverseMasses()[e / 6];
+            dSdt[e] = e % 6 < 3 ? state[e + 3] : dSdt[e] * particles.getInverseMasses()[e / 6];
         }
         return dSdt;
     }

@@ -23,7 +23,7 @@ class HistoryTest {
             if (history.wants(i * step)) {
                 history.add(frame(i * step));
             }
-            assertTrue(history.bytes() <= LIMIT, history.bytes() + " bytes");
+            assertTrue(history.getBytes() <= LIMIT, history.getBytes() + " bytes");
         }
         return history;
     }

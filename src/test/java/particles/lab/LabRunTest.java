@@ -44,9 +44,9 @@ class LabRunTest {
         for (double time : new double[] {0.1, 0.2, 0.4}) {
             run.advance(time, () -> false);
             reference.advance(time, () -> false);
-            assertEquals(time, run.shown().time());
+            assertEquals(time, run.getShown().time());
             assertEquals(1, run.getScene().simulation().getSteps());
-            assertArrayEquals(reference.shown().state(), run.shown().state(), 1e-6f);       // single precision
+            assertArrayEquals(reference.getShown().state(), run.getShown().state(), 1e-6f);       // single precision
         }
     }
 
@@ -57,14 +57,14 @@ class LabRunTest {
         assertEquals(1, run.getScene().simulation().getSteps());
         run.step();
         assertEquals(2, run.getScene().simulation().getSteps());
-        assertEquals(0.02, run.shown().time(), 1e-15);
+        assertEquals(0.02, run.getShown().time(), 1e-15);
     }
 
     @Test
     void energiesAddUpToTheTotal() {
         LabRun run = new LabRun(scene("5", 0.001));
         run.advance(1, () -> false);
-        float[] energies = run.shown().energies();
+        float[] energies = run.getShown().energies();
         double sum = 0;
         for (int i = 1; i < energies.length - 1; i++) {
             sum += energies[i];

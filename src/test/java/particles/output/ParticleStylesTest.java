@@ -254,7 +254,7 @@ class ParticleStylesTest {
             trails.takeCorner(system, 2);
         }
         assertEquals(125, trails.samples().length, "of which " + regular + " are regular");
-        assertEquals(Double.POSITIVE_INFINITY, new TrailRecorder(0, 25).nextTime(),
+        assertEquals(Double.POSITIVE_INFINITY, new TrailRecorder(0, 25).getNextTime(),
                 "who wants no trails asks for no time");
     }
 

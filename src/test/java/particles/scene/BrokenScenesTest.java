@@ -15,7 +15,8 @@ import particles.effects.EffectKind;
 
 /** Each mistake in a scene file is reported in one line with its place, what was found and what is allowed. */
 class BrokenScenesTest {
-    private static final String EFFECTS = String.join(", ", EffectCatalog.ALL.stream().map(EffectKind::name).toList());
+    private static final String EFFECTS = String.join(", ",
+            EffectCatalog.ALL.stream().map(EffectKind::getName).toList());
 
     /** Seven valid lines, so that a case's own lines begin at line 8. */
     private static final String HEAD = """

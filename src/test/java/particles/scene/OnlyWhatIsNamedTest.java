@@ -158,9 +158,9 @@ class OnlyWhatIsNamedTest {
     void everyKindIsTested() {
         String all = additions().stream().map(Addition::yaml).collect(Collectors.joining());
         for (EffectKind kind : EffectCatalog.ALL) {
-            assertTrue(all.contains(kind.name()), kind.name());
+            assertTrue(all.contains(kind.getName()), kind.getName());
         }
-        Set<String> missing = RuleKind.ALL.stream().map(RuleKind::name).filter(name -> !all.contains(name))
+        Set<String> missing = RuleKind.ALL.stream().map(RuleKind::getName).filter(name -> !all.contains(name))
                 .collect(Collectors.toSet());
         assertEquals(Set.of("plane", "circle", "glide"), missing);
     }

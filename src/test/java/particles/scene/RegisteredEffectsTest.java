@@ -59,7 +59,7 @@ class RegisteredEffectsTest {
             "penaltySphere", "penaltySphere: {centre: [1, 0.3, 0.8], radius: 1.2, stiffness: 30, loss: 0.8}");
 
     static List<String> registered() {
-        return EffectCatalog.ALL.stream().map(EffectKind::name).toList();
+        return EffectCatalog.ALL.stream().map(EffectKind::getName).toList();
     }
 
     private static Scene scene(String rest) {

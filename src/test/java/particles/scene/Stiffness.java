@@ -47,8 +47,8 @@ final class Stiffness {
                 }
                 double force = (damping ? springs.damping(s) : springs.stiffness(s)) * stretch / square;
                 for (int c = 0; c < 3; c++) {
-                    y[3 * i + c] -= force * r[c] * particles.inverseMasses()[i];
-                    y[3 * j + c] += force * r[c] * particles.inverseMasses()[j];
+                    y[3 * i + c] -= force * r[c] * particles.getInverseMasses()[i];
+                    y[3 * j + c] += force * r[c] * particles.getInverseMasses()[j];
                 }
             }
             double xy = 0;

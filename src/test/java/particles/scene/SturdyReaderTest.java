@@ -45,7 +45,7 @@ class SturdyReaderTest {
             assertEquals(particle(GOOD).position(), particle(same).position());
         }
         assertEquals(List.of("x.yaml:8:1: unknown key 'x'; known in the scene: " + String.join(", ",
-                SceneFormat.SCENE.keys().stream().map(key -> key.name()).toList())),
+                SceneFormat.SCENE.getKeys().stream().map(key -> key.name()).toList())),
                 linesFor(GOOD.replace("\n", "\r\n") + "x: 1\r\n"));
     }
 

@@ -187,7 +187,7 @@ class ThreadsTest {
         }
         for (int i = 0; i < network.getParticles().count(); i++) {
             for (int v = 6 * i + 3; v < 6 * i + 6; v++) {
-                singly[v] *= network.getParticles().inverseMasses()[i];
+                singly[v] *= network.getParticles().getInverseMasses()[i];
             }
         }
         assertArrayEquals(singly, blockwise, 1e-11);    // measured 1.1e-13: the same sums in the opposite order

@@ -28,12 +28,12 @@ public final class Failure extends RuntimeException {
     }
 
     /** @return the exit code */
-    public ExitCode exitCode() {
+    public ExitCode getExitCode() {
         return exitCode;
     }
 
     /** @return the message, line by line */
-    public List<String> lines() {
+    public List<String> getLines() {
         return lines;
     }
 }

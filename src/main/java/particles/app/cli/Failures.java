@@ -28,8 +28,8 @@ public record Failures(PrintWriter err) {
      */
     public ExitCode print(Throwable thrown) {
         if (thrown instanceof Failure failure) {
-            failure.lines().forEach(err::println);
-            return failure.exitCode();
+            failure.getLines().forEach(err::println);
+            return failure.getExitCode();
         }
         if (thrown instanceof SceneException scene) {
             scene.getLines().forEach(err::println);

@@ -22,7 +22,7 @@ public final class Mistakes {
             T value = reading.get();
             return () -> value;
         } catch (Failure e) {
-            lines.addAll(e.lines());
+            lines.addAll(e.getLines());
             return () -> {
                 throw e;
             };

@@ -18,7 +18,7 @@ public abstract class ProgramCommand {
     }
 
     /** @return the way in which options are typed, for messages */
-    public final OptionStyle style() {
+    public final OptionStyle getStyle() {
         return style;
     }
 

@@ -40,7 +40,7 @@ public abstract class ResultsCommand extends ProgramCommand {
     }
 
     /** @return the folder of its results */
-    protected final Path folder() {
+    protected final Path getFolder() {
         return folder;
     }
 

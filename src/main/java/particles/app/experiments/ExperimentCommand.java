@@ -32,13 +32,13 @@ public abstract class ExperimentCommand extends ResultsCommand {
     public final void run(PrintWriter lines) {
         estimate().ifPresent(lines::println);
         lines.flush();
-        ResultPage page = writeInto(folder(), new PrintedProgress(lines, System::nanoTime));
+        ResultPage page = writeInto(getFolder(), new PrintedProgress(lines, System::nanoTime));
         lines.println(page.title());
         lines.println();
         lines.println(page.tables().get(0).title() + ":");
         TableText.plain(page.tables().get(0)).forEach(lines::println);
         lines.println();
-        lines.println("report with pictures and numbers: " + folder().resolve(name() + ".md"));
+        lines.println("report with pictures and numbers: " + getFolder().resolve(name() + ".md"));
     }
 
     /**

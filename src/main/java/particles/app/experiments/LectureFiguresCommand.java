@@ -72,7 +72,7 @@ public final class LectureFiguresCommand extends ExperimentCommand {
     private void requireSolver(String option) {
         if (solver == null) {
             throw wrong(option,
-                    "needs " + style().option("solver") + "; the slides' figures have their own values");
+                    "needs " + getStyle().option("solver") + "; the slides' figures have their own values");
         }
     }
 

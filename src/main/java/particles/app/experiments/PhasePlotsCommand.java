@@ -63,7 +63,7 @@ public final class PhasePlotsCommand extends ExperimentCommand {
         if (about != null) {                            // picocli leaves an option null that was not given
             checkKnown("about", about, scene);
             if (axes != null) {
-                throw wrong("about", "an angle has no axis; leave " + style().option("axes") + " out");
+                throw wrong("about", "an angle has no axis; leave " + getStyle().option("axes") + " out");
             }
         }
         Optional<String> id = chosenAxes.get().contains(Axis.ANGLE) && about == null ? phase().flatMap(Phase::about)

@@ -104,7 +104,8 @@ public final class RaceCommand extends ExperimentCommand {
         SceneDescription whole = options.scene();
         double first = scene.get().duration();
         return first == whole.duration() ? Optional.empty() : Optional.of("the race is over the first "
-                + Digits.few(first) + " s of this scene and takes about a minute; " + style().option("duration") + "="
+                + Digits.few(first) + " s of this scene and takes about a minute; "
+                + getStyle().option("duration") + "="
                 + Digits.few(whole.duration()) + " races over all of it, which takes about "
                 + Digits.few(Math.ceil(whole.duration() / first)) + " minutes");
     }

@@ -93,13 +93,13 @@ public final class ReportCommand extends ResultsCommand {
         if (chosen.size() > FEW) {
             int minutes = (chosen.size() + 3) / 4;          // measured: nine experiments take 130 s
             lines.println("about " + minutes + (minutes == 1 ? " minute; " : " minutes; ")
-                    + style().option("experiments") + " with fewer names takes less");
+                    + getStyle().option("experiments") + " with fewer names takes less");
             lines.flush();
         }
         long begin = System.nanoTime();
         PrintedProgress progress = new PrintedProgress(lines, System::nanoTime);
         List<Section> sections = new ArrayList<>();
-        try (OutputFolder folder = OutputFolder.open(folder(), FILE)) {
+        try (OutputFolder folder = OutputFolder.open(getFolder(), FILE)) {
             for (ExperimentCommand experiment : chosen) {
                 double done = sections.size();
                 sections.add(section(experiment, (part, what) ->
@@ -116,7 +116,7 @@ public final class ReportCommand extends ResultsCommand {
         }
         lines.println();
         lines.printf(Locale.ROOT, "all on one page, in %.0f s: %s%n", (System.nanoTime() - begin) * NANO,
-                folder().resolve(FILE));
+                getFolder().resolve(FILE));
     }
 
     private Optional<SceneDescription> readScene() {
@@ -139,12 +139,12 @@ public final class ReportCommand extends ResultsCommand {
     private Section section(ExperimentCommand experiment, ProgressListener progress) {
         CommandLine line = new CommandLine(experiment);
         String purpose = String.join(" ", line.getCommandSpec().usageMessage().description());
-        Path into = folder().resolve(experiment.name());
+        Path into = getFolder().resolve(experiment.name());
         long begin = System.nanoTime();
         Optional<ResultPage> page = Optional.empty();
         Optional<String> failure = Optional.empty();
         try {
-            experiment.typedIn(style());
+            experiment.typedIn(getStyle());
             line.setExpandAtFiles(false).parseArgs(options(line.getCommandSpec()));
             progress.reached(0, "begins");
             List<String> mistakes = experiment.mistakes();

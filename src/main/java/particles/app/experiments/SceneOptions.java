@@ -35,7 +35,8 @@ final class SceneOptions {
 
     /** Reads the options; these scene and solvers are the default. */
     void read(Mistakes mistakes, ResultsCommand command, String standardScene, String standardSolvers) {
-        Overrides overrides = new Overrides(command.style()::option).with("deltaT", deltaT).with("duration", duration);
+        Overrides overrides = new Overrides(command.getStyle()::option).with("deltaT", deltaT)
+                .with("duration", duration);
         mistakes.check(overrides::check);
         description = mistakes.value(() -> overrides.applyTo(SceneReader.read(
                 SceneFiles.find(SCENES, scene == null ? standardScene : scene), new StudentClasses())));

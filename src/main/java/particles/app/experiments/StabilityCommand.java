@@ -52,7 +52,7 @@ public final class StabilityCommand extends ExperimentCommand {
         mistakes.check(() -> requireScene("deltaT", deltaT));
         choices = mistakes.value(() -> solverChoices(solvers == null ? "all" : solvers));
         if (!scene.isEmpty()) {
-            Overrides overrides = new Overrides(style()::option).with("deltaT", deltaT);
+            Overrides overrides = new Overrides(getStyle()::option).with("deltaT", deltaT);
             description = mistakes.value(() -> overrides.applyTo(
                     SceneReader.read(SceneFiles.find(SCENES, scene), new StudentClasses())));
             spectrum = mistakes.value(this::readSpectrum);
@@ -62,7 +62,7 @@ public final class StabilityCommand extends ExperimentCommand {
 
     private void requireScene(String option, String value) {
         if (scene.isEmpty() && value != null) {              // picocli leaves an option null that was not given
-            throw wrong(option, "goes with " + style().option("scene") + " only");
+            throw wrong(option, "goes with " + getStyle().option("scene") + " only");
         }
     }
 

@@ -56,8 +56,8 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
     protected Optional<String> estimate() {
         double seconds = SECONDS_A_CURVE * names.size() * choices.size();
         return seconds < LONG ? Optional.empty() : Optional.of("this takes about " + Math.round(seconds / 60)
-                + (seconds < 90 ? " minute" : " minutes") + "; " + style().option("problem") + " or "
-                + style().option("solvers") + " with fewer names takes less");
+                + (seconds < 90 ? " minute" : " minutes") + "; " + getStyle().option("problem") + " or "
+                + getStyle().option("solvers") + " with fewer names takes less");
     }
 
     @Override

@@ -64,7 +64,7 @@ public final class LabCommand extends ProgramCommand {
             if (isClass(description.solver())) {
                 solvers.add(description.solver());
             }
-            description.contents().effects().stream().map(effect -> effect.kind().name())
+            description.contents().effects().stream().map(effect -> effect.kind().getName())
                     .filter(name -> name.contains(".")).forEach(effects::add);
         }
         String page = builder().build(new LabBuilder.Contents(scenes, first, Optional.ofNullable(solver),

@@ -95,7 +95,7 @@ public final class RunCommand extends ResultsCommand {
     }
 
     private Overrides overrides() {
-        return new Overrides(style()::option).with("solver", solver).with("deltaT", deltaT)
+        return new Overrides(getStyle()::option).with("solver", solver).with("deltaT", deltaT)
                 .with("duration", duration).with("threads", threads);
     }
 
@@ -109,13 +109,13 @@ public final class RunCommand extends ResultsCommand {
         OutputDescription output = scene.output();
         description = scene.withOutput(!frames ? output.withoutFrames()
                 : video != null ? output.withVideo(video) : output);
-        SceneBuilder.checkPictures(description, style().option("frames"));
+        SceneBuilder.checkPictures(description, getStyle().option("frames"));
     }
 
     private void checkVideo() {
         if (!frames && video == Video.MP4) {
-            throw new Failure(ExitCode.BAD_INPUT, style().option("video") + "=mp4 needs pictures; remove "
-                    + style().option("frames") + "=false");
+            throw new Failure(ExitCode.BAD_INPUT, getStyle().option("video") + "=mp4 needs pictures; remove "
+                    + getStyle().option("frames") + "=false");
         }
     }
 
@@ -127,7 +127,7 @@ public final class RunCommand extends ResultsCommand {
             out.flush();
         });
         List<String> files = RunObservers.files(description.output(), charts.format());
-        try (OutputFolder folder = OutputFolder.open(folder(), files.toArray(String[]::new))) {
+        try (OutputFolder folder = OutputFolder.open(getFolder(), files.toArray(String[]::new))) {
             stop.addLastResort(folder::close);
             Progress progress = new Progress(out, description.duration(), System::nanoTime);
             RunObservers observers = new RunObservers(scene, folder);
@@ -138,12 +138,12 @@ public final class RunCommand extends ResultsCommand {
                 observers.attach();
                 early = simulateOrDiscard(scene, folder, observers);
             }
-            Summary summary = new Summary(name, hash, scene, observers.energy(), progress.seconds());
+            Summary summary = new Summary(name, hash, scene, observers.getEnergy(), progress.seconds());
             folder.write(Summary.FILE, summary.json());
             observers.drawCharts(charts.format());
             summary.lines(early.isPresent()).forEach(out::println);
-            out.println("files in " + folder() + ": " + String.join(", ", files));
-            FolderSize.notice(folder(), style()).ifPresent(out::println);
+            out.println("files in " + getFolder() + ": " + String.join(", ", files));
+            FolderSize.notice(getFolder(), getStyle()).ifPresent(out::println);
             early.ifPresent(why -> {
                 throw new Failure(ExitCode.STOPPED, why);
             });
@@ -173,7 +173,7 @@ public final class RunCommand extends ResultsCommand {
                 observers.showEnd((message.isBlowUp() ? "blew up" : "stopped") + " at t = "
                         + Digits.few(e.getTime()) + " s");
             }
-            return Optional.of(message.lines(style()::option));
+            return Optional.of(message.lines(getStyle()::option));
         } catch (StoppedException e) {
             return Optional.of(e.getMessage() + " at t = " + Digits.few(scene.system().getTime()) + " s of "
                     + Digits.few(description.duration()) + " s");

@@ -137,7 +137,7 @@ final class RunObservers implements AutoCloseable {
         frames.ifPresent(observer -> observer.replay(scene.system(), lastSteps.orElseThrow(), headline));
     }
 
-    EnergyRecorder energy() {
+    EnergyRecorder getEnergy() {
         return energy;
     }
 

@@ -146,7 +146,7 @@ public final class GradeCommand extends ProgramCommand {
             outcome = StudentProcess.run(List.of(CheckSolverCommand.NAME, "--solver=exercises." + name,
                     "--out=" + results.resolve(name)), Optional.of(folder));
         } catch (Failure stopped) {
-            return new Mark(false, stopped.lines());
+            return new Mark(false, stopped.getLines());
         }
         return new Mark(outcome.code() == ExitCode.DONE, outcome.lines());
     }

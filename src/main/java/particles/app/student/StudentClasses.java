@@ -11,9 +11,9 @@ public final class StudentClasses implements ClassNames {
     @Override
     public <K extends Kind> K find(String name, Class<K> type) {
         K kind = make(name, type);
-        if (!kind.name().equals(name)) {
-            throw new IllegalArgumentException("the Keys of " + name + " call it '" + kind.name() + "'; write super(\""
-                    + name + "\", ...) in their constructor");
+        if (!kind.getName().equals(name)) {
+            throw new IllegalArgumentException("the Keys of " + name + " call it '" + kind.getName()
+                    + "'; write super(\"" + name + "\", ...) in their constructor");
         }
         return kind;
     }

@@ -91,17 +91,17 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
     @Override
     public int countBlocks() {
         table.arrange();
-        return table.blocks().count();
+        return table.getBlocks().count();
     }
 
     /** @return the first spring of a block or joint; it ends where the next one begins */
     public int getPartStart(int part) {
-        return table.blocks().start(part);
+        return table.getBlocks().start(part);
     }
 
     @Override
     public int getFirstParticle(int block) {
-        return block == table.blocks().count() ? particles.count() : table.blocks().firstParticle(block);
+        return block == table.getBlocks().count() ? particles.count() : table.getBlocks().firstParticle(block);
     }
 
     @Override

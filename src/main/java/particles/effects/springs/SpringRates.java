@@ -25,7 +25,7 @@ public record SpringRates(int stiffest, double ownOmega, double omega, double da
      * @return their rates
      */
     public static SpringRates of(SpringView springs, Particles particles) {
-        double[] inverseMasses = particles.inverseMasses();
+        double[] inverseMasses = particles.getInverseMasses();
         double[] stiffness = new double[particles.count()];         // the sums of Gershgorin's rows, times the mass
         double[] damping = new double[particles.count()];
         int stiffest = -1;

@@ -103,7 +103,7 @@ final class SpringTable {
     }
 
     /** @return the blocks; valid after {@link #arrange} */
-    SpringBlocks blocks() {
+    SpringBlocks getBlocks() {
         return blocks;
     }
 

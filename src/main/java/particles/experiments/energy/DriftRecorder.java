@@ -44,12 +44,12 @@ final class DriftRecorder implements Observer {
         energy.changed(system, rule);
     }
 
-    ErrorCurve curve() {
+    ErrorCurve getCurve() {
         return curve;
     }
 
     /** @return the largest work of one kind, by damping, driving, bounces and so on (J); 0 where there is none */
-    double exchanged() {
+    double getExchanged() {
         return exchanged;
     }
 }

@@ -130,7 +130,7 @@ public final class EnergyDrift {
         List<Observer> observers = new ArrayList<>(beside);
         observers.add(recorder);
         Outcome outcome = SceneRun.run(built, MOST_EVALUATIONS, observers);
-        return judge(setting, recorder.curve(), recorder.exchanged(), scale, outcome);
+        return judge(setting, recorder.getCurve(), recorder.getExchanged(), scale, outcome);
     }
 
     /**

@@ -49,7 +49,7 @@ final class ErrorCurve {
     }
 
     double end() {
-        return error.last();
+        return error.getLast();
     }
 
     double largest() {

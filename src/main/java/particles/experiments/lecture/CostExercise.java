@@ -56,7 +56,7 @@ public final class CostExercise {
         for (int n = 0; n < steps; n++) {
             solver.stepState(oscillator, DURATION / steps);
         }
-        double[] state = oscillator.state();
+        double[] state = oscillator.getState();
         double[] exact = oscillator.exactState(DURATION);
         double dx = state[0] - exact[0];
         double dv = state[1] - exact[1];

@@ -104,7 +104,7 @@ public final class LectureFigures {
                 .map(r -> new Theory(r.amplitude(figure.steps()), r.phaseError(figure.steps(), figure.deltaT())));
         return new Result(figure, Math.sqrt(state[0] * state[0] + state[1] * state[1]),
                 turned - figure.steps() * figure.deltaT(),
-                theory, oscillator.evaluations(), x, v);
+                theory, oscillator.getEvaluations(), x, v);
     }
 
     /**

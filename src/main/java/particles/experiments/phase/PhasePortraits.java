@@ -88,10 +88,10 @@ public final class PhasePortraits {
                     Series path = path(run, p, axis);
                     boolean whole = run.outcome().failure().isEmpty();
                     PortraitChart chart = new PortraitChart(run.name(), path, exact, curve, whole);
-                    portraits.add(new Portrait(run.name(), particles.get(p), axis, chart.off(), whole,
+                    portraits.add(new Portrait(run.name(), particles.get(p), axis, chart.getDistanceOff(), whole,
                             chart.data(particles.size() > 1 || axes.size() > 1 ? "'" + particles.get(p) + "', " : "",
                                     axis)));
-                    rows.add(row(particles.get(p), axis, run, path, exact, chart.off()));
+                    rows.add(row(particles.get(p), axis, run, path, exact, chart.getDistanceOff()));
                 }
                 rows.add(row(particles.get(p), axis, reference, exact, exact, 0));
             }

@@ -42,7 +42,7 @@ final class PortraitChart {
         off = curve.largest(path.x(), path.y());
     }
 
-    double off() {
+    double getDistanceOff() {
         return off;
     }
 

@@ -62,7 +62,7 @@ public final class VectorFields {
             state[along] = field.x()[k] = xs[k % xs.length];
             state[along + 3] = field.v()[k] = field.dx()[k] = vs[k / xs.length];
             system.addUpEffects(state, system.getTime(), force);
-            field.dv()[k] = force[along + 3] * particles.inverseMasses()[free];
+            field.dv()[k] = force[along + 3] * particles.getInverseMasses()[free];
             largest = Math.max(largest, Math.abs(force[along + 3]));
             largestAcross = Math.max(largestAcross, across(force, first + 3, axis));
         }

@@ -131,13 +131,14 @@ public final class Race {
         for (Match match : shares.matches()) {
             progress.reached(0.5 + 0.5 * (lanes.size() + 1) / (solvers.size() + 1), "the race: "
                     + match.setting().solver().label());
-            lanes.add(lane(match, rate, scale, reference.states(), extent, factory));
+            lanes.add(lane(match, rate, scale, reference.getStates(), extent, factory));
         }
-        double[] times = new double[reference.states().size()];
+        double[] times = new double[reference.getStates().size()];
         for (int k = 0; k < times.length; k++) {
             times[k] = k / rate;
         }
-        return new Result(scene.title(), scene.duration(), times, equalTime, shares, scale, reference.states(), lanes);
+        return new Result(scene.title(), scene.duration(), times, equalTime, shares, scale, reference.getStates(),
+                lanes);
     }
 
     /**
@@ -169,14 +170,14 @@ public final class Race {
         List<Observer> observers = new ArrayList<>(List.of(new Fence(extent), states));
         observers.addAll(factory.of(built, Optional.of(match.setting().solver()), extent));
         Drift drift = EnergyDrift.measure(built, match.setting(), scale, observers);
-        double[] distance = new double[states.states().size()];
+        double[] distance = new double[states.getStates().size()];
         Arrays.fill(distance, Double.NaN);
         for (int k = 0; k < distance.length; k += framesAStep(match.setting())) {
-            distance[k] = distance(states.states().get(k), reference.get(k));
+            distance[k] = distance(states.getStates().get(k), reference.get(k));
         }
         OptionalDouble left = drift.outcome().failure().isPresent() ? OptionalDouble.of(drift.outcome().endTime())
                 : OptionalDouble.empty();
-        return new Lane(match, drift, states.states(), distance, left);
+        return new Lane(match, drift, states.getStates(), distance, left);
     }
 
     /**

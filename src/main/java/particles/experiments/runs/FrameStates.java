@@ -49,7 +49,7 @@ public final class FrameStates implements Observer {
     }
 
     /** @return the states so far, the first one at the beginning */
-    public List<double[]> states() {
+    public List<double[]> getStates() {
         return states;
     }
 }

@@ -140,7 +140,7 @@ final class Arnoldi {
         double[] p = new double[n];
         for (int m = 0; m < basis.size(); m++) {
             for (int k = 0; k < n; k++) {
-                q[k] += weights[2 * m] * basis.get(m)[k] / linear.frequency();
+                q[k] += weights[2 * m] * basis.get(m)[k] / linear.getFrequency();
                 p[k] += weights[2 * m] * basis.get(m)[n + k];
             }
         }
@@ -158,7 +158,7 @@ final class Arnoldi {
      * spring.
      */
     private Mode realMode(double re, double[] q, double[] p) {
-        double[] shape = Linearisation.norm(q) * linear.frequency() > Linearisation.norm(p) * Spectrum.ZERO ? q : p;
+        double[] shape = Linearisation.norm(q) * linear.getFrequency() > Linearisation.norm(p) * Spectrum.ZERO ? q : p;
         double[] image = new double[shape.length];
         double square = Linearisation.dot(shape, shape);
         linear.stiffness(shape, image);

@@ -62,7 +62,7 @@ final class Linearisation {
     }
 
     /** @return w (1/s), about the largest angular frequency; 1 if there is no restoring force */
-    double frequency() {
+    double getFrequency() {
         return frequency;
     }
 

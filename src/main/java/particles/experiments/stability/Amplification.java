@@ -104,7 +104,7 @@ public final class Amplification {
         } catch (DESolverException | IllegalStateException | ArithmeticException e) {
             return Double.POSITIVE_INFINITY;            // refused, or overflown: no step that anyone could take
         } finally {
-            evaluations += source.evaluations();
+            evaluations += source.getEvaluations();
         }
     }
 

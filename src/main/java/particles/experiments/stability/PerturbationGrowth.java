@@ -200,7 +200,7 @@ final class PerturbationGrowth {
 
         @Override
         public void started(ParticleSystem system) {
-            masses = system.getParticles().masses().clone();
+            masses = system.getParticles().getMasses().clone();
             add(system, system.getOwnState(), 0);
         }
 

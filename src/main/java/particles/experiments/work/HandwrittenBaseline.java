@@ -50,7 +50,7 @@ final class HandwrittenBaseline implements ArrayStateSource {
             damping[k] = springs.damping(s);
         }
         state = Arrays.copyOf(like.getOwnState(), like.getStateSize());
-        inverseMass = Arrays.copyOf(like.getParticles().inverseMasses(), like.getParticles().count());
+        inverseMass = Arrays.copyOf(like.getParticles().getInverseMasses(), like.getParticles().count());
     }
 
     @Override

@@ -144,10 +144,10 @@ public final class StiffGallery {
                 }
             }
         } catch (DESolverException e) {
-            return new Run(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, false, pair.evaluations());
+            return new Run(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, false, pair.getEvaluations());
         }
         double error = Math.abs(pair.centre() - StrictMath.cos(DURATION));
-        long evaluations = pair.evaluations();
+        long evaluations = pair.getEvaluations();
         boolean stable = left < UNSTABLE && staysBounded(solver, pair, DURATION / steps, toGrow - steps);
         return new Run(error, left, stable, evaluations);
     }

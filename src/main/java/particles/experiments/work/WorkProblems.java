@@ -89,7 +89,7 @@ public final class WorkProblems {
 
     private static long evaluations(DEStateSource source) {
         return source instanceof ParticleSystem system ? system.getEvaluations()
-                : ((ReferenceProblem) source).evaluations();
+                : ((ReferenceProblem) source).getEvaluations();
     }
 
     /**

@@ -116,7 +116,7 @@ public final class GifAnimation implements FrameSink {
     private void begin(int index, int[] small) throws IOException {
         first = index;
         palette = Palette.of(small, importantColours, TRANSPARENT);
-        int[] table = Arrays.copyOf(palette.colours(), TRANSPARENT + 1);
+        int[] table = Arrays.copyOf(palette.getColours(), TRANSPARENT + 1);
         byte[][] parts = new byte[3][table.length];
         for (int k = 0; k < table.length; k++) {
             parts[0][k] = (byte) (table[k] >> 16);

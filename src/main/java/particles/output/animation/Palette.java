@@ -128,7 +128,7 @@ final class Palette {
     }
 
     /** @return the colours, 0xRRGGBB */
-    int[] colours() {
+    int[] getColours() {
         return colours.clone();
     }
 

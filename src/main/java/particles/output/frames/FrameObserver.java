@@ -71,7 +71,7 @@ public final class FrameObserver implements Observer, AutoCloseable {
 
     @Override
     public double getNextTime() {
-        return Math.min(index / fps, trails.nextTime());
+        return Math.min(index / fps, trails.getNextTime());
     }
 
     @Override

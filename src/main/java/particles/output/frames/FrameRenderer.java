@@ -230,7 +230,7 @@ public final class FrameRenderer {
     private void setBackdrop(Backdrop backdrop) {
         this.backdrop = backdrop;
         shadows = backdrop.shadows.isEmpty() ? Optional.empty() : Optional.of(new ShadowPainter(shown, sizes,
-                stage.scenery(), particles, blobs.map(BlobPainter::surface), wires));
+                stage.scenery(), particles, blobs.map(BlobPainter::getSurface), wires));
     }
 
     /**

@@ -38,7 +38,7 @@ public final class TrailRecorder {
     }
 
     /** @return the time of the next sample (s); infinity if there are no trails */
-    public double nextTime() {
+    public double getNextTime() {
         return next;
     }
 

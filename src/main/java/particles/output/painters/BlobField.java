@@ -48,7 +48,7 @@ public final class BlobField {
     }
 
     /** @return the distance from node to node (m) */
-    double cell() {
+    double getCellSize() {
         return cell;
     }
 

@@ -28,7 +28,7 @@ public final class BlobPainter {
     }
 
     /** @return the surface that was drawn last */
-    public BlobSurface surface() {
+    public BlobSurface getSurface() {
         return surface;
     }
 

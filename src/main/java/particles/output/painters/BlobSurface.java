@@ -116,10 +116,10 @@ public final class BlobSurface {
             double weight = 1;
             long key = cell;
             for (int axis = 0; axis < 3; axis++) {
-                double part = (crossing[axis] * share - field.place(cell, axis)) / field.cell();
+                double part = (crossing[axis] * share - field.place(cell, axis)) / field.getCellSize();
                 boolean far = (corner >> axis & 1) == 1;
                 key += far ? BlobField.step(axis) : 0;
-                offset[axis] = (far ? part - 1 : part) * field.cell();
+                offset[axis] = (far ? part - 1 : part) * field.getCellSize();
                 weight *= far ? part : 1 - part;
             }
             int node = field.nodes.find(key);
@@ -133,7 +133,7 @@ public final class BlobSurface {
         }
         double length = Math.sqrt(gx * gx + gy * gy + gz * gz);
         double way = length > 0 ? (BlobField.LEVEL - f) / length : 0;
-        way = Math.max(-field.cell(), Math.min(field.cell(), way));
+        way = Math.max(-field.getCellSize(), Math.min(field.getCellSize(), way));
         double scale = length > 0 ? 1 / length : 0;
         offset[0] = gx * scale;
         offset[1] = gy * scale;
@@ -156,7 +156,7 @@ public final class BlobSurface {
         }
         double part = (BlobField.LEVEL - low) / (high - low);
         for (int k = 0; k < 3; k++) {
-            crossing[k] += field.place(key, k) + (k == axis ? part * field.cell() : 0);
+            crossing[k] += field.place(key, k) + (k == axis ? part * field.getCellSize() : 0);
         }
         crossing[3]++;
     }

@@ -65,7 +65,7 @@ public final class ShadowPainter {
                 map.disc(map.column(c.x(), c.y(), c.z()), map.row(c.x(), c.y(), c.z()), sphere.radius());
             }
         }
-        wires.ifPresent(painter -> painter.places().forEach(wire -> strips(map, wire, painter.radius())));
+        wires.ifPresent(painter -> painter.places().forEach(wire -> strips(map, wire, painter.getRadius())));
         blobs.ifPresent(surface -> {
             project(map, surface.places, surface.vertices);
             triangles(map, surface.corners, surface.cornerCount, surface.vertices);

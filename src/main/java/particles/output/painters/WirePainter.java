@@ -79,7 +79,7 @@ public final class WirePainter {
     }
 
     /** @return the radius of the wires (m) */
-    double radius() {
+    double getRadius() {
         return radius;
     }
 

@@ -83,7 +83,7 @@ final class PanelFilm implements Observer, AutoCloseable {
     }
 
     /** @return the picture without anything that moves */
-    int[] backdrop() {
+    int[] getBackdrop() {
         return backdrop;
     }
 

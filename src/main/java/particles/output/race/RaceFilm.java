@@ -96,7 +96,7 @@ public final class RaceFilm implements AutoCloseable {
 
     private PanelFilm film(FrameSetup stage, int colour) {
         FrameSetup coloured = new FrameSetup(stage.camera(), stage.look().inOneColour(colour), stage.scenery(), "", "");
-        return new PanelFilm(coloured, page.panelWidth(), page.panelHeight(), rate);
+        return new PanelFilm(coloured, page.getPanelWidth(), page.getPanelHeight(), rate);
     }
 
     /**
@@ -132,14 +132,15 @@ public final class RaceFilm implements AutoCloseable {
 
     /** @return each run's picture, over the ghost */
     private List<BufferedImage> panels(int index) {
-        int[] shape = new int[page.panelWidth() * page.panelHeight()];
+        int[] shape = new int[page.getPanelWidth() * page.getPanelHeight()];
         ghost.get(index, shape);
         List<BufferedImage> panels = new ArrayList<>();
         for (PanelFilm film : films) {
-            BufferedImage panel = new BufferedImage(page.panelWidth(), page.panelHeight(), BufferedImage.TYPE_INT_RGB);
+            BufferedImage panel = new BufferedImage(page.getPanelWidth(), page.getPanelHeight(),
+                    BufferedImage.TYPE_INT_RGB);
             int[] rgb = pixels(panel);
             film.get(index, rgb);
-            GhostLayer.add(rgb, shape, ghost.backdrop());
+            GhostLayer.add(rgb, shape, ghost.getBackdrop());
             panels.add(panel);
         }
         return panels;

@@ -49,11 +49,11 @@ final class RacePage {
         panelHeight = (int) Math.max(panelWidth / 2.5, Math.min(panelWidth, panelWidth / aspect));
     }
 
-    int panelWidth() {
+    int getPanelWidth() {
         return panelWidth;
     }
 
-    int panelHeight() {
+    int getPanelHeight() {
         return panelHeight;
     }
 

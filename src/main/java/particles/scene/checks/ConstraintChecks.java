@@ -202,11 +202,11 @@ final class ConstraintChecks {
      */
     private void checkFeedback() {
         Optional<Double> deltaT = scene.find(SceneFormat.DELTA_T);
-        Values constraints = scene.find(SceneFormat.CONSTRAINTS).orElse(Values.none(scene.place()));
+        Values constraints = scene.find(SceneFormat.CONSTRAINTS).orElse(Values.none(scene.getPlace()));
         if (!rods.isEmpty() || !wires.isEmpty()) {
             double rate = constraints.get(ConstraintDescription.FEEDBACK);
             if (deltaT.isPresent() && rate * deltaT.get() > MOST_FEEDBACK) {
-                problems.add(scene.find(SceneFormat.CONSTRAINTS).isPresent() ? constraints.place()
+                problems.add(scene.find(SceneFormat.CONSTRAINTS).isPresent() ? constraints.getPlace()
                         : scene.place(SceneFormat.DELTA_T), "the feedback of rods and wires, " + Digits.exact(rate)
                         + " /s, is too strong for a deltaT of " + Digits.exact(deltaT.get())
                         + " s; feedback times deltaT must be "
@@ -217,6 +217,6 @@ final class ConstraintChecks {
 
     ConstraintDescription describe() {
         return ConstraintDescription.of(rods, wires,
-                scene.find(SceneFormat.CONSTRAINTS).orElse(Values.none(scene.place())));
+                scene.find(SceneFormat.CONSTRAINTS).orElse(Values.none(scene.getPlace())));
     }
 }

@@ -68,7 +68,7 @@ final class OutsideCheck {
     private static String inside(String id, Chosen<RuleKind> rule, Obstacle solid, double distance) {
         boolean hollow = solid instanceof Sphere sphere && sphere.hollow();
         return Wording.quote(id) + " begins " + Digits.exact(-distance) + " m "
-                + (hollow ? "outside the hollow '" : "inside the '") + rule.kind().name() + "' of line "
+                + (hollow ? "outside the hollow '" : "inside the '") + rule.kind().getName() + "' of line "
                 + rule.place().line() + "; it has to begin " + (hollow ? "inside" : "outside");
     }
 

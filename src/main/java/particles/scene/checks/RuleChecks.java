@@ -56,7 +56,7 @@ final class RuleChecks {
                     .ifPresent(key -> checkAnchor(rule.values(), key, particles, shapes));
             if (rule.kind().needsSprings() && springs.isEmpty() && problems.count() == 0
                     && shapes.stream().allMatch(shape -> shape.springCount() == 0)) {
-                problems.add(rule.place(), "'" + rule.kind().name() + "' acts on springs, and the scene has none");
+                problems.add(rule.place(), "'" + rule.kind().getName() + "' acts on springs, and the scene has none");
             }
         }
     }

@@ -67,7 +67,7 @@ public final class SceneChecks {
         index = new ParticleIndex(particles, shapes);
         SizeCheck.check(scene, particles, shapes, problems);
         if (particles.isEmpty() && shapes.isEmpty() && problems.count() == 0) {
-            problems.add(scene.place(), RuleChecks.giveBirth(scene)
+            problems.add(scene.getPlace(), RuleChecks.giveBirth(scene)
                     ? "the scene has no particle at the start, and emitters add theirs only later; add one under"
                             + " 'particles', such as {id: source, position: [0, 0, 0], fixed: true}"
                     : "the scene has no particle; add some under 'particles' or 'shapes'");
@@ -96,7 +96,7 @@ public final class SceneChecks {
         if (problems.count() > 0) {
             return Optional.empty();
         }
-        Values noWords = Values.none(scene.place());
+        Values noWords = Values.none(scene.getPlace());
         return Optional.of(new SceneDescription(
                 new Lesson(scene.get(SceneFormat.TITLE), scene.get(SceneFormat.TEACHES)),
                 new Settings(new SolverDescription(scene.get(SceneFormat.SOLVER).get(SolverFormat.NAME), tolerances),
@@ -128,7 +128,7 @@ public final class SceneChecks {
     private void checkShapes() {
         long count = particles.size();
         for (Chosen<ShapeKind> chosen : scene.list(SceneFormat.SHAPES)) {
-            Key<String> id = chosen.kind().id();
+            Key<String> id = chosen.kind().getId();
             chosen.values().find(id).ifPresent(name -> take(name, chosen.values().place(id)));
             Optional<ShapeDescription> shape = chosen.values().isSound() && count <= ShapeDescription.MOST_PARTICLES
                     ? ShapeDescription.of(chosen, problems) : Optional.empty();
@@ -209,22 +209,23 @@ public final class SceneChecks {
         List<Chosen<EffectKind>> effects = scene.list(SceneFormat.EFFECTS);
         Map<String, Place> named = new HashMap<>();
         for (Chosen<EffectKind> effect : effects) {
-            Place first = named.putIfAbsent(effect.kind().name(), effect.place());
+            Place first = named.putIfAbsent(effect.kind().getName(), effect.place());
             if (first != null && !effect.kind().isRepeatable()) {
-                problems.add(effect.place(), "'" + effect.kind().name() + "' is already named at line " + first.line());
+                problems.add(effect.place(), "'" + effect.kind().getName() + "' is already named at line "
+                        + first.line());
             }
         }
         for (Chosen<EffectKind> effect : effects) {
             List<String> needs = effect.kind().needs();
             if (!needs.isEmpty() && scene.isIntact(SceneFormat.EFFECTS)     // else the missing one may be misspelt
                     && needs.stream().noneMatch(named::containsKey)) {
-                problems.add(effect.place(), "'" + effect.kind().name() + "' only acts together with '"
+                problems.add(effect.place(), "'" + effect.kind().getName() + "' only acts together with '"
                         + String.join("' or '", needs)
                         + "', which is missing; add '- " + needs.get(0) + ": ...' to 'effects'");
             }
             effect.kind().excludes().stream().filter(named::containsKey).forEach(other ->
                     problems.add(effect.place(), "'"
-                    + effect.kind().name() + "' and '" + other + "' cannot be combined; keep one of them"));
+                    + effect.kind().getName() + "' and '" + other + "' cannot be combined; keep one of them"));
         }
     }
 

@@ -24,7 +24,7 @@ final class BirthAndDeath {
     static final RuleKind TEAR = new RuleKind("tear", "Removes springs that are stretched too far.", STRAIN) {
         @Override
         public void build(Values values, SceneAssembly assembly) {
-            assembly.add(new SpringTear(assembly.springs(), values.get(STRAIN)));
+            assembly.add(new SpringTear(assembly.getSprings(), values.get(STRAIN)));
         }
 
         @Override
@@ -115,7 +115,7 @@ final class BirthAndDeath {
         @Override
         public void build(Values values, SceneAssembly assembly) {
             double farthest = values.get(FARTHEST);
-            assembly.add(new ParticleResampler(values.get(SAMPLE_ID), assembly.springs(),
+            assembly.add(new ParticleResampler(values.get(SAMPLE_ID), assembly.getSprings(),
                     farthest * values.get(CLOSEST), farthest,
                     values.get(LIGHTEST), values.get(SharedKeys.SEED)));
         }

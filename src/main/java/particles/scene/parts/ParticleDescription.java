@@ -42,6 +42,6 @@ public record ParticleDescription(String id, Vector3 position, Vector3 velocity,
     /** @return the particle with these values */
     public static ParticleDescription of(Values values) {
         return new ParticleDescription(values.get(ID), values.get(POSITION), values.get(VELOCITY), values.get(MASS),
-                values.get(FIXED), values.place());
+                values.get(FIXED), values.getPlace());
     }
 }

@@ -20,6 +20,6 @@ public record RodDescription(String from, String to, Place place) {
 
     /** @return the rod with these values */
     public static RodDescription of(Values values) {
-        return new RodDescription(values.get(FROM), values.get(TO), values.place());
+        return new RodDescription(values.get(FROM), values.get(TO), values.getPlace());
     }
 }

@@ -101,7 +101,7 @@ public abstract class RuleKind extends Kind {
 
         @Override
         public void build(Values values, SceneAssembly assembly) {
-            assembly.add(new ContactSurface(name(), solid.apply(values), values.get(RESTITUTION),
+            assembly.add(new ContactSurface(getName(), solid.apply(values), values.get(RESTITUTION),
                     values.find(FRICTION).map(RuleKind::friction).orElse(Friction.NONE), values.get(REST_SPEED)));
         }
     }

@@ -42,7 +42,7 @@ public final class SceneAssembly implements EffectContext {
         this.index = index;
     }
 
-    SpringForce springs() {
+    SpringForce getSprings() {
         return springs;
     }
 
@@ -81,7 +81,7 @@ public final class SceneAssembly implements EffectContext {
     }
 
     /** @return the mass born per second (kg/s) */
-    public double births() {
+    public double getBirths() {
         return births;
     }
 
@@ -117,7 +117,7 @@ public final class SceneAssembly implements EffectContext {
     }
 
     /** @return the surfaces of contact rules */
-    public List<ContactSurface> surfaces() {
+    public List<ContactSurface> getSurfaces() {
         return surfaces;
     }
 
@@ -137,7 +137,7 @@ public final class SceneAssembly implements EffectContext {
     }
 
     /** @return the sum of all accelerations noted (m/s&sup2;) */
-    public Vector3 acceleration() {
+    public Vector3 getAcceleration() {
         return acceleration;
     }
 
@@ -147,7 +147,7 @@ public final class SceneAssembly implements EffectContext {
     }
 
     /** @return the largest speed noted (m/s) */
-    public double speed() {
+    public double getSpeed() {
         return speed;
     }
 }

@@ -37,18 +37,18 @@ public record ShapeDescription(Lattice lattice, double mass, Vector3 velocity, B
         Values values = chosen.values();
         Lattice lattice = kind.lattice(values);
         if (lattice.size() > MOST_PARTICLES) {
-            return problems.add(chosen.place(), "'" + kind.name() + "' has " + lattice.size()
+            return problems.add(chosen.place(), "'" + kind.getName() + "' has " + lattice.size()
                     + " particles; a scene may have at most "
                     + MOST_PARTICLES);
         }
         if (!(lattice.flatness() > 1e-9)) {
-            return problems.add(chosen.place(), "'" + kind.name()
+            return problems.add(chosen.place(), "'" + kind.getName()
                     + "' has no extent in one direction: its particles would lie on top of each other");
         }
         BitSet fixed = new BitSet();
         int before = problems.count();
-        for (String part : new LinkedHashSet<>(values.get(kind.fixed()))) {
-            addPart(part, lattice, kind, fixed, values.place(kind.fixed()), problems);
+        for (String part : new LinkedHashSet<>(values.get(kind.getFixed()))) {
+            addPart(part, lattice, kind, fixed, values.place(kind.getFixed()), problems);
         }
         if (problems.count() > before) {
             return Optional.empty();
@@ -56,7 +56,7 @@ public record ShapeDescription(Lattice lattice, double mass, Vector3 velocity, B
         double mass = values.find(ShapeKind.MASS).orElseGet(() -> values.get(ShapeKind.TOTAL_MASS) / lattice.size());
         List<SpringFamily> springs = new ArrayList<>();
         for (Sort sort : Sort.values()) {
-            if (kind.keys().keys().contains(sort.key())) {
+            if (kind.getKeys().getKeys().contains(sort.key())) {
                 values.find(sort.key()).ifPresent(family -> springs.add(SpringFamily.of(sort, family)));
             }
         }
@@ -85,8 +85,8 @@ public record ShapeDescription(Lattice lattice, double mass, Vector3 velocity, B
                 boolean first = at[d] == 0;
                 boolean last = at[d] == lattice.counts().get(d) - 1;
                 extremes += first || last ? 1 : 0;
-                named += first && sides.contains(kind.sides().get(d).get(0)) || last
-                        && sides.contains(kind.sides().get(d).get(1)) ? 1 : 0;
+                named += first && sides.contains(kind.getSides().get(d).get(0)) || last
+                        && sides.contains(kind.getSides().get(d).get(1)) ? 1 : 0;
             }
             if (part.equals("corners") ? extremes == at.length : part.equals("edges") ? extremes > 0
                     : named == sides.size()) {

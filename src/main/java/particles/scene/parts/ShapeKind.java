@@ -84,16 +84,16 @@ public abstract class ShapeKind extends Kind {
     abstract Lattice lattice(Values values);
 
     /** @return the names of the two ends along each direction */
-    List<List<String>> sides() {
+    List<List<String>> getSides() {
         return sides;
     }
 
     /** @return the key of the shape's name */
-    public Key<String> id() {
+    public Key<String> getId() {
         return id;
     }
 
-    Key<List<String>> fixed() {
+    Key<List<String>> getFixed() {
         return fixed;
     }
 
@@ -109,7 +109,7 @@ public abstract class ShapeKind extends Kind {
             PARTICLES) {
         @Override
         Lattice lattice(Values values) {
-            return new Lattice(values.get(id()), List.of(values.get(PARTICLES)), values.get(START),
+            return new Lattice(values.get(getId()), List.of(values.get(PARTICLES)), values.get(START),
                     List.of(values.get(END).minus(values.get(START))));
         }
     };
@@ -130,8 +130,8 @@ public abstract class ShapeKind extends Kind {
             List.of(Sort.values()), true, TOP_LEFT, ACROSS, DOWN, COLUMNS, ROWS) {
         @Override
         Lattice lattice(Values values) {
-            return new Lattice(values.get(id()), List.of(values.get(COLUMNS), values.get(ROWS)), values.get(TOP_LEFT),
-                    List.of(values.get(ACROSS), values.get(DOWN)));
+            return new Lattice(values.get(getId()), List.of(values.get(COLUMNS), values.get(ROWS)),
+                    values.get(TOP_LEFT), List.of(values.get(ACROSS), values.get(DOWN)));
         }
     };
 
@@ -157,7 +157,7 @@ public abstract class ShapeKind extends Kind {
                     new Vector3(0, 0, size.z()))
                     .map(edge -> turned(edge, values.get(TURN))).toList();
             Vector3 diagonal = edges.get(0).plus(edges.get(1)).plus(edges.get(2));
-            return new Lattice(values.get(id()), List.of(values.get(COLUMNS), values.get(JELLY_ROWS),
+            return new Lattice(values.get(getId()), List.of(values.get(COLUMNS), values.get(JELLY_ROWS),
                     values.get(LAYERS)),
                     values.get(CENTRE).minus(diagonal.times(0.5)), edges);
         }

@@ -38,6 +38,6 @@ public record SpringDescription(String from, String to, double stiffness, Option
     /** @return the spring with these values */
     public static SpringDescription of(Values values) {
         return new SpringDescription(values.get(FROM), values.get(TO), values.get(STIFFNESS), values.find(REST_LENGTH),
-                values.get(DAMPING), values.place());
+                values.get(DAMPING), values.getPlace());
     }
 }

@@ -38,7 +38,7 @@ public final class Reference {
     }
 
     private void tell(MappingType mapping, String heading, String sentence) {
-        if (!told.add(mapping.name() + mapping.keys())) {
+        if (!told.add(mapping.getName() + mapping.getKeys())) {
             return;                                     // several shapes have springs of the same sort
         }
         if (!lines.isEmpty()) {
@@ -51,42 +51,42 @@ public final class Reference {
         lines.add("");
         lines.add("| key | value | default | meaning |");
         lines.add("| --- | --- | --- | --- |");
-        for (Key<?> key : mapping.keys()) {
+        for (Key<?> key : mapping.getKeys()) {
             String standard = key.required() ? "*required*" : key.defaultJson().map(Reference::written).orElse("");
             String meaning = key.sentence().replace("|", "\\|");
             lines.add("| `" + key.name() + "` | " + values(key.type()) + " | " + standard + " | " + meaning + " |");
         }
-        mapping.keys().forEach(key -> tellWithin(key.type(), heading));
+        mapping.getKeys().forEach(key -> tellWithin(key.type(), heading));
     }
 
     private void tellWithin(Type<?> type, String heading) {
         if (type instanceof MappingType mapping) {
             tell(mapping, heading, "");
         } else if (type instanceof ListType<?> list) {
-            tellWithin(list.element(), heading);
+            tellWithin(list.getElement(), heading);
         } else if (type instanceof KindType<?> kinds) {
-            kinds.kinds().forEach(kind -> tell(kind.keys(), heading, kind.sentence()));
+            kinds.getKinds().forEach(kind -> tell(kind.getKeys(), heading, kind.getSentence()));
         }
     }
 
     private static String values(Type<?> type) {
         if (type instanceof MappingType mapping) {
-            Optional<Key<?>> brief = mapping.shortForm();
+            Optional<Key<?>> brief = mapping.getShortForm();
             return brief.map(key -> values(key.type()) + "; or with keys of its own, ").orElse("") + "see "
                     + link(mapping);
-        } else if (type instanceof ListType<?> list && list.element() instanceof MappingType mapping) {
+        } else if (type instanceof ListType<?> list && list.getElement() instanceof MappingType mapping) {
             return "a list, see " + link(mapping);
-        } else if (type instanceof ListType<?> list && !(list.element() instanceof NameType)) {
-            return "a list of: " + values(list.element());
+        } else if (type instanceof ListType<?> list && !(list.getElement() instanceof NameType)) {
+            return "a list of: " + values(list.getElement());
         } else if (type instanceof KindType<?> kinds) {
-            return String.join(", ", kinds.kinds().stream().map(kind -> "`" + kind.name() + "`").toList())
+            return String.join(", ", kinds.getKinds().stream().map(kind -> "`" + kind.getName() + "`").toList())
                     + kinds.orClass();
         }
         return type.describe();
     }
 
     private static String heading(MappingType mapping) {
-        return capital(mapping.name().replace('\'', '`'));
+        return capital(mapping.getName().replace('\'', '`'));
     }
 
     /** A link to the table of a mapping, as Markdown viewers name the places of headings. */

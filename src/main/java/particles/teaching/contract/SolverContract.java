@@ -76,7 +76,7 @@ public final class SolverContract {
         WindyOscillators larger = new WindyOscillators(4);
         maker.get().stepState(small, H);
         maker.get().stepState(larger, H);
-        int particles = larger.evaluations() > 2 * small.evaluations() ? SOME : MANY;
+        int particles = larger.getEvaluations() > 2 * small.getEvaluations() ? SOME : MANY;
         WindyOscillators source = new WindyOscillators(particles);
         String text = "with a source of " + particles + " particles, " + 6 * particles + " numbers, ";
         String cause = ": an array or a loop has a fixed length; source.getStateSize() has to be asked in every step";
@@ -88,7 +88,7 @@ public final class SolverContract {
             return;
         }
         List<double[]> states = new ArrayList<>(source.evaluatedAt());
-        states.add(source.state());
+        states.add(source.getState());
         for (double[] state : states) {
             for (int k = 0; k < state.length; k++) {
                 if (!(Math.abs(state[k] - state[k % 6]) <= ALIKE)) {    // differences for a Jacobian are smaller
@@ -103,7 +103,7 @@ public final class SolverContract {
     /** Whether it steps backwards, or says that it does not. */
     private void checkNegative() {
         WindyOscillators source = new WindyOscillators(1);
-        double[] before = source.state();
+        double[] before = source.getState();
         try {
             maker.get().stepState(source, -H);
         } catch (EndlessLoop e) {
@@ -114,7 +114,7 @@ public final class SolverContract {
             note("it refuses a negative deltaT (" + e.getMessage() + ")");
             return;
         }
-        if (distance(before, source.state()) == 0) {
+        if (distance(before, source.getState()) == 0) {
             wrong("a step of negative deltaT does nothing, and says nothing: step backwards, or throw an exception "
                     + "that says why not");
         }
@@ -122,7 +122,7 @@ public final class SolverContract {
 
     private void checkZero() {
         WindyOscillators source = new WindyOscillators(1);
-        double[] before = source.state();
+        double[] before = source.getState();
         try {
             maker.get().stepState(source, 0);
         } catch (RuntimeException e) {
@@ -132,7 +132,7 @@ public final class SolverContract {
             note("it refuses deltaT = 0 (" + e.getMessage() + "); the built-in solvers change nothing then");
             return;
         }
-        double change = distance(before, source.state());
+        double change = distance(before, source.getState());
         if (change > 1e-12 && Double.isFinite(change)) {
             wrong("a step of deltaT = 0 moves the state by " + Formula.number(change) + "; it has to change nothing");
         } else if (!Double.isFinite(change)) {

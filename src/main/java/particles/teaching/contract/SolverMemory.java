@@ -42,7 +42,7 @@ final class SolverMemory {
     static Optional<Finding> mistake(Supplier<DESolver> maker, boolean remembers, boolean multistep) {
         SolverMemory memory = new SolverMemory(maker, remembers, multistep);
         return memory.after("the state was set from outside, as a collision does,", (solver, source) -> {
-            double[] moved = source.state();
+            double[] moved = source.getState();
             Arrays.setAll(moved, k -> moved[k] + 1);
             source.setState(moved);
         })
@@ -65,7 +65,7 @@ final class SolverMemory {
             solver.stepState(source, H);
         }
         change.accept(solver, source);
-        double[] start = source.state();
+        double[] start = source.getState();
         double[] expected = fresh(source);
         source.startRecord();
         solver.stepState(source, H);
@@ -85,11 +85,11 @@ final class SolverMemory {
     private double[] fresh(WindyOscillators source) {
         WindyOscillators twin = source.copy();
         maker.get().stepState(twin, H);
-        return twin.state();
+        return twin.getState();
     }
 
     private static boolean isSame(double[] expected, WindyOscillators source) {
-        return SolverContract.distance(expected, source.state()) <= SAME;
+        return SolverContract.distance(expected, source.getState()) <= SAME;
     }
 
     private Optional<String> otherSizes() {
@@ -97,7 +97,7 @@ final class SolverMemory {
         int last = 3;
         for (int pairs : new int[] {3, 6, 3, 1}) {
             WindyOscillators source = new WindyOscillators(pairs);
-            double[] start = source.state();
+            double[] start = source.getState();
             double[] expected = fresh(source);
             String text = "the solver stepped a source of " + 6 * last + " numbers and then one of " + 6 * pairs
                     + ", and ";
@@ -111,7 +111,7 @@ final class SolverMemory {
             if (source.wrongLength() >= 0) {
                 return Optional.of(text + "handed it an array of " + source.wrongLength() + cause);
             }
-            if (Arrays.equals(start, source.state()) && source.getTime() == 0) {
+            if (Arrays.equals(start, source.getState()) && source.getTime() == 0) {
                 return Optional.of(text + "the second one stays as it was: the first source is kept in a field. Each"
                         + " step has to use the source that it is given");
             }
@@ -158,7 +158,7 @@ final class SolverMemory {
             first.stepState(one, H);
             second.stepState(two, H);
         }
-        return isSame(alone.state(), one) ? Optional.empty() : Optional.of("two solvers of this class step in turn,"
+        return isSame(alone.getState(), one) ? Optional.empty() : Optional.of("two solvers of this class step in turn,"
                 + " each its own source, and one disturbs the other: something is static, and shared by all of them");
     }
 
@@ -171,7 +171,7 @@ final class SolverMemory {
             maker.get().stepState(twin, deltaT);
             boolean changed = source.getTime() > H;
             solver.stepState(source, deltaT);
-            if (changed && !isSame(twin.state(), source)) {
+            if (changed && !isSame(twin.getState(), source)) {
                 return Optional.of("deltaT changes from one step to the next, and the step is not the one that a new"
                         + " solver makes with it" + (remembers ? FORGET : ": deltaT of an earlier step is kept. It is"
                         + " an argument of each call, and may differ in each"));

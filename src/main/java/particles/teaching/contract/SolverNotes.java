@@ -51,7 +51,7 @@ final class SolverNotes {
     private void checkFailure() {
         for (int evaluation = 0; evaluation < 2; evaluation++) {
             WindyOscillators source = new WindyOscillators(1);
-            double[] before = source.state();
+            double[] before = source.getState();
             source.failFromEvaluation(evaluation);
             try {
                 maker.get().stepState(source, H);
@@ -62,7 +62,7 @@ final class SolverNotes {
                 }
             } catch (RuntimeException expected) {
                 if (evaluation > 0 && source.hasFailed()
-                        && (SolverContract.distance(before, source.state()) != 0 || source.getTime() != 0)) {
+                        && (SolverContract.distance(before, source.getState()) != 0 || source.getTime() != 0)) {
                     note("when the source fails within a step, state and time stay where they were then;"
                             + " deSolvers.FixedStepSolver puts them back");
                 }

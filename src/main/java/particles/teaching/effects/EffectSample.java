@@ -72,10 +72,10 @@ public final class EffectSample {
         }
         EffectKind kind = named(name).orElseGet(() -> byClass(name, classes));
         Sample scene = new Sample(particles);
-        kind.build(kind.keys().samples(), scene);
+        kind.build(kind.getKeys().samples(), scene);
         if (scene.effects.isEmpty()) {                  // wind has no force of its own
             checkedThrough(name).flatMap(EffectSample::named).stream()
-                    .forEach(other -> other.build(other.keys().samples(), scene));
+                    .forEach(other -> other.build(other.getKeys().samples(), scene));
         }
         if (scene.effects.isEmpty()) {
             throw new IllegalArgumentException("the Keys of " + name + " add no effect to the scene");
@@ -97,17 +97,17 @@ public final class EffectSample {
      */
     public static List<String> actingThrough(String name) {
         return EffectCatalog.ALL.stream().filter(kind -> kind.needs().stream().findFirst().equals(Optional.of(name)))
-                .map(EffectKind::name).toList();
+                .map(EffectKind::getName).toList();
     }
 
     private static Optional<EffectKind> named(String name) {
-        return EffectCatalog.ALL.stream().filter(kind -> kind.name().equals(name)).findFirst();
+        return EffectCatalog.ALL.stream().filter(kind -> kind.getName().equals(name)).findFirst();
     }
 
     private static EffectKind byClass(String name, ClassNames classes) {
         if (Character.isLowerCase(name.charAt(0)) && !name.contains(".")) {
             TreeSet<String> known = new TreeSet<>(List.of(SPRINGS, DAMPED_SPRINGS));
-            EffectCatalog.ALL.forEach(kind -> known.add(kind.name()));
+            EffectCatalog.ALL.forEach(kind -> known.add(kind.getName()));
             throw new NoSuchElementException("no effect is called '" + name + "'"
                     + DidYouMean.hint(name, known, "'%s'"::formatted) + " known effects: "
                     + String.join(", ", known));

@@ -29,7 +29,7 @@ final class Leaf extends ReferenceProblem {
         for (int n = 0; n < steps; n++) {
             made.stepState(this, deltaT);
         }
-        return state()[0];
+        return getState()[0];
     }
 
     /**
@@ -43,7 +43,7 @@ final class Leaf extends ReferenceProblem {
      * @return v after these steps (m/s)
      */
     double afterMistake(int steps, double deltaT, double[] times, double[][] stages, double[] weight) {
-        double v = state()[0];
+        double v = getState()[0];
         double time = 0;
         for (int n = 0; n < steps; n++) {
             double[] k = new double[times.length];

@@ -37,15 +37,15 @@ final class Spring extends SecondOrderProblem {
     }
 
     double x() {
-        return state()[0];
+        return getState()[0];
     }
 
     double v() {
-        return state()[1];
+        return getState()[1];
     }
 
     double energy() {
-        double[] s = state();
+        double[] s = getState();
         return (mass * s[1] * s[1] + stiffness * s[0] * s[0]) / 2;
     }
 

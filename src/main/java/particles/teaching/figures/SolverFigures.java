@@ -125,7 +125,7 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
             }
             source.incTime(8 - source.getTime());
             if (made) {
-                points.add(new double[] {source.evaluations(), source.error()});
+                points.add(new double[] {source.getEvaluations(), source.error()});
             }
         }
         return points;
@@ -194,17 +194,17 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         DESolver solver = maker.get();
         long before = 0;
         for (int step = 0; step < BEGINNING; step++) {
-            before = springs.evaluations();
+            before = springs.getEvaluations();
             if (!accepts(solver, springs, h)) {
                 return REFUSED;
             }
         }
-        return springs.evaluations() - before;
+        return springs.getEvaluations() - before;
     }
 
     private static List<Object> back(WindyOscillators there) {
-        double[] before = new WindyOscillators(1).state();
-        double[] after = there.state();
+        double[] before = new WindyOscillators(1).getState();
+        double[] after = there.getState();
         double distance = 0;
         for (int k = 0; k < before.length; k++) {
             distance = Math.max(distance, Math.abs(after[k] - before[k]));

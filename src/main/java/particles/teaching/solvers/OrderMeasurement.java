@@ -55,7 +55,7 @@ public record OrderMeasurement(double order, List<double[]> points) {
         for (int steps = FEWEST; steps <= USUAL || steps <= MOST && slopes.isEmpty() && last > ROUNDING; steps *= 2) {
             StudentSource source = sources.get();
             double error = error(maker.get(), source, steps);
-            double cost = (double) source.evaluations() / steps;
+            double cost = (double) source.getEvaluations() / steps;
             points.add(new double[] {TIME / steps, error});
             if (error > ROUNDING && last > ROUNDING && Math.abs(cost - lastCost) < 0.05 * cost + 0.5) {
                 slopes.add(StrictMath.log(last / error) / StrictMath.log(2));
@@ -83,7 +83,8 @@ public record OrderMeasurement(double order, List<double[]> points) {
         }
         source.incTime(start + TIME - source.getTime());
         double error = source.error();
-        return Double.isNaN(error) || Arrays.stream(source.state()).anyMatch(Double::isNaN) ? Double.POSITIVE_INFINITY
+        return Double.isNaN(error) || Arrays.stream(source.getState()).anyMatch(Double::isNaN)
+                ? Double.POSITIVE_INFINITY
                 : error;
     }
 

@@ -205,7 +205,7 @@ final class SolvedEquation {
         static Made by(Supplier<DESolver> maker, double h, int steps, double amplitude) {
             NonlinearOscillators source = new NonlinearOscillators(2);
             source.startAt(START);
-            double[] s = source.state();
+            double[] s = source.getState();
             Arrays.setAll(s, k -> amplitude * (1 + k / 64.0) * s[k]);       // no two entries alike
             source.setState(s);
             DESolver solver = maker.get();
@@ -213,14 +213,14 @@ final class SolvedEquation {
             double start = START;
             try {
                 for (int step = 0; step < steps; step++) {
-                    before.add(0, source.state());
+                    before.add(0, source.getState());
                     start = source.getTime();
                     solver.stepState(source, h);
                 }
             } catch (RuntimeException e) {              // too long a step for it
                 return new Made(source, h, before, new double[] {Double.POSITIVE_INFINITY}, start);
             }
-            return new Made(source, h, before, source.state(), start);
+            return new Made(source, h, before, source.getState(), start);
         }
 
         double[][] columns(int old, List<Term> terms) {

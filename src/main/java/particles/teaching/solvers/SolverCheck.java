@@ -64,14 +64,14 @@ public final class SolverCheck {
     private SolverVerdict verdict() {
         try {
             WindyOscillators source = new WindyOscillators(2);
-            double[] before = source.state();
+            double[] before = source.getState();
             DESolver solver = maker.get();
             solver.stepState(source, SHORT);
-            if (Arrays.equals(before, source.state()) && (solver instanceof FixedStepSolver || !source.isSet()
+            if (Arrays.equals(before, source.getState()) && (solver instanceof FixedStepSolver || !source.isSet()
                     && source.timeMoves() == 0)) {
                 return stopped("It makes no step.", Phrase.NOTHING_YET.of());
             }
-            if (!Double.isFinite(Arrays.stream(source.state()).sum())) {
+            if (!Double.isFinite(Arrays.stream(source.getState()).sum())) {
                 return stopped("It makes no step.", Phrase.NOT_FINITE.of());
             }
         } catch (RuntimeException e) {
@@ -134,7 +134,7 @@ public final class SolverCheck {
         WindyOscillators two = one.copy();
         maker.get().stepState(one, SHORT);
         maker.get().stepState(two, SHORT);
-        return Arrays.equals(one.state(), two.state()) && one.getTime() == two.getTime();
+        return Arrays.equals(one.getState(), two.getState()) && one.getTime() == two.getTime();
     }
 
     /** Whether a later step differs from the one that a new solver makes from the same place. */
@@ -145,7 +145,7 @@ public final class SolverCheck {
             WindyOscillators twin = source.copy();
             maker.get().stepState(twin, SHORT);
             solver.stepState(source, SHORT);
-            if (!(SolverContract.distance(twin.state(), source.state()) <= 1e-11)) {
+            if (!(SolverContract.distance(twin.getState(), source.getState()) <= 1e-11)) {
                 return true;
             }
         }
@@ -158,9 +158,9 @@ public final class SolverCheck {
         WindyOscillators source = new WindyOscillators(1);
         DESolver solver = maker.get();
         solver.stepState(source, SHORT);
-        long once = source.evaluations();
+        long once = source.getEvaluations();
         solver.stepState(source, SHORT);
-        if (source.evaluations() == once) {
+        if (source.getEvaluations() == once) {
             found.add(Phrase.STALE.of());
         }
         clock().ifPresent(found::add);
@@ -274,6 +274,6 @@ public final class SolverCheck {
         } catch (RuntimeException e) {
             return -1;                                  // too long for it, which a multistep method would not notice
         }
-        return source.evaluations();
+        return source.getEvaluations();
     }
 }

@@ -92,7 +92,7 @@ final class StepReading {
         /** @return the state at an evaluation, then that before the last step, then the new state */
         double[] state(int i) {
             int n = probe.recorded().size();
-            return i < n ? probe.recorded().get(i).state() : i == n ? before : probe.state();
+            return i < n ? probe.recorded().get(i).state() : i == n ? before : probe.getState();
         }
     }
 
@@ -122,7 +122,7 @@ final class StepReading {
         double[] before = start;
         double time = START;
         for (int step = 0; step < steps; step++) {
-            before = probe.state();
+            before = probe.getState();
             time = probe.getTime();
             solver.stepState(probe, h);
         }

@@ -65,7 +65,7 @@ final class UnreadMethod {
             source.startAt(START);
             maker.get().stepState(source, H);
             List<double[]> at = source.evaluatedAt();
-            return source.evaluations() == SIZE && evaluations(1) == SIZE / 2 && !Arrays.equals(at.get(0), at.get(1))
+            return source.getEvaluations() == SIZE && evaluations(1) == SIZE / 2 && !Arrays.equals(at.get(0), at.get(1))
                     ? Optional.of(Phrase.ENTRY_BY_ENTRY.of(SIZE)) : Optional.empty();
         });
     }
@@ -156,14 +156,14 @@ final class UnreadMethod {
         state[coordinate] = start;
         springs.setState(state);
         maker.get().stepState(springs, SWING);
-        double[] after = springs.state();
+        double[] after = springs.getState();
         return new double[] {start * after[coordinate], start * after[coordinate + 3]};
     }
 
     private long evaluations(int particles) {
         NonlinearOscillators source = new NonlinearOscillators(particles);
         maker.get().stepState(source, H);
-        return source.evaluations();
+        return source.getEvaluations();
     }
 
     /** @return the mistake if the state after a step is that of another time than t + deltaT */

@@ -14,13 +14,13 @@ public final class Springs extends StudentSource implements SecondOrderStateSour
 
     /** @return the matrix by which the steps so far multiplied the state of one coordinate */
     public StepMatrix steps() {
-        double[] s = state();
+        double[] s = getState();
         return new StepMatrix(s[0], s[1], s[3], s[4], 0);
     }
 
     /** @return the energy of the first coordinate */
     public double energy() {
-        double[] s = state();
+        double[] s = getState();
         return (s[0] * s[0] + s[3] * s[3]) / 2;
     }
 

@@ -17,7 +17,7 @@ public final class StiffDecay extends StudentSource {
 
     /** @return the largest entry */
     public double size() {
-        return Arrays.stream(state()).map(Math::abs).max().orElseThrow();
+        return Arrays.stream(getState()).map(Math::abs).max().orElseThrow();
     }
 
     @Override

@@ -95,11 +95,11 @@ public abstract class StudentSource extends ReferenceProblem {
 
     @Override
     public void getStateDerivative(double[] dSdt) {
-        if (evaluations() == MOST_EVALUATIONS) {
+        if (getEvaluations() == MOST_EVALUATIONS) {
             throw new EndlessLoop("the derivative was evaluated " + MOST_EVALUATIONS + " times");
         }
         if (evaluatedAt.size() < MOST_RECORDED) {
-            evaluatedAt.add(state());
+            evaluatedAt.add(getState());
         }
         super.getStateDerivative(dSdt);
     }

@@ -38,7 +38,7 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
     /** @return a copy in the same state and time */
     public WindyOscillators copy() {
         WindyOscillators copy = new WindyOscillators(getStateSize() / 6);
-        copy.setState(state());
+        copy.setState(getState());
         copy.incTime(getTime());
         return copy;
     }
@@ -74,7 +74,7 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
      */
     public void spoilDerivative(long most) {
         spoilt = true;
-        endFrom = evaluations() + most;
+        endFrom = getEvaluations() + most;
     }
 
     @Override
@@ -89,11 +89,11 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
 
     @Override
     protected void rates(double t, double[] s, double[] dSdt) {
-        if (evaluations() - 1 >= failFrom) {
+        if (getEvaluations() - 1 >= failFrom) {
             failed = true;
             throw new Failure();
         }
-        if (spoilt && evaluations() > endFrom) {
+        if (spoilt && getEvaluations() > endFrom) {
             throw new EndlessLoop("the derivative was evaluated " + endFrom + " times");
         }
         double field = 3 * StrictMath.cos(t);

@@ -63,9 +63,9 @@ class SpringTableTest {
     private static void assertArranged(List<Spring> expected, SpringTable table) {
         table.arrange();
         assertEquals(sorted(expected), springs(table));
-        assertEquals(1, table.blocks().count());
-        assertEquals(0, table.blocks().start(0));
-        assertEquals(expected.size(), table.blocks().start(1));
+        assertEquals(1, table.getBlocks().count());
+        assertEquals(0, table.getBlocks().start(0));
+        assertEquals(expected.size(), table.getBlocks().start(1));
         long owners = expected.stream().mapToInt(Spring::from).distinct().count();
         assertEquals(expected.size() >= 2 * owners, table.isGrouped());
     }
@@ -142,7 +142,7 @@ class SpringTableTest {
         SpringTable table = new SpringTable();
         List<Spring> springs = random(count, 3000, 40, table);
         table.arrange();
-        SpringBlocks blocks = table.blocks();
+        SpringBlocks blocks = table.getBlocks();
         assertEquals(count < 8192 ? 1 : count < 16_384 ? 2 : count < 32_768 ? 4 : 8, blocks.count());
         List<List<Spring>> before = parts(table);
         assertEquals(springs.size(), before.stream().mapToInt(List::size).sum());
@@ -167,7 +167,7 @@ class SpringTableTest {
             begin += part.size();
         }
         table.remove(gone);
-        assertSame(blocks, table.blocks());
+        assertSame(blocks, table.getBlocks());
         assertEquals(left, parts(table));
         table.arrange();
         assertEquals(left, parts(table), "removals need no new sorting");
@@ -175,7 +175,7 @@ class SpringTableTest {
 
     /** The springs of each block and of each joint. */
     private static List<List<Spring>> parts(SpringTable table) {
-        SpringBlocks blocks = table.blocks();
+        SpringBlocks blocks = table.getBlocks();
         assertEquals(0, blocks.start(0));
         List<List<Spring>> parts = new ArrayList<>();
         for (int b = 0; b < 2 * blocks.count() - 1; b++) {
@@ -193,11 +193,11 @@ class SpringTableTest {
         SpringTable table = new SpringTable();
         List<Spring> springs = sorted(random(count, 3000, 40, table));
         table.arrange();
-        int blocks = table.blocks().count();
+        int blocks = table.getBlocks().count();
         int[] first = new int[blocks + 1];
         for (int b = 1; b < blocks; b++) {
             first[b] = springs.get((int) ((long) count * b / blocks)).from;
-            assertEquals(first[b], table.blocks().firstParticle(b));
+            assertEquals(first[b], table.getBlocks().firstParticle(b));
         }
         first[blocks] = Integer.MAX_VALUE;
         List<Spring> rest = new ArrayList<>(springs);
@@ -226,8 +226,8 @@ class SpringTableTest {
                 table.add(s, s < joining ? 5000 : s + 1, s, s + 0.25, s + 0.5);
             }
             table.arrange();
-            assertEquals(joining < 2048 ? 2 : 1, table.blocks().count(), joining + " and one more join two ranges");
-            assertEquals(joining < 2048 ? 8192 - 2048 : 8192, table.blocks().start(table.blocks().count()));
+            assertEquals(joining < 2048 ? 2 : 1, table.getBlocks().count(), joining + " and one more join two ranges");
+            assertEquals(joining < 2048 ? 8192 - 2048 : 8192, table.getBlocks().start(table.getBlocks().count()));
         }
     }
 
@@ -245,7 +245,7 @@ class SpringTableTest {
             each.add(2950, 2951, 9000, 9000.25, 9000.5);        // begins behind the last, which joins two blocks
             each.arrange();
         }
-        assertEquals(2, table.blocks().count());
+        assertEquals(2, table.getBlocks().count());
         assertEquals(parts(fresh).stream().map(List::size).toList(), parts(table).stream().map(List::size).toList());
         for (int b = 0; b < 2; b++) {
             assertEquals(sorted(parts(table).get(b)), parts(table).get(b), "in order, block " + b);

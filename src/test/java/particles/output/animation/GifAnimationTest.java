@@ -145,7 +145,7 @@ class GifAnimationTest {
             rgb[p] = 0x101010 + p % 64 * 0x030202;
         }
         Palette palette = Palette.of(rgb, new int[] {0xff0000}, 255);
-        int[] colours = palette.colours();
+        int[] colours = palette.getColours();
         assertTrue(colours.length <= 65);
         for (int colour : new int[] {rgb[0], rgb[30], rgb[63], 0xff0000}) {
             int nearest = Arrays.stream(colours).map(c -> difference(c, colour)).min().orElseThrow();

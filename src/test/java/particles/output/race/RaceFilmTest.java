@@ -79,7 +79,7 @@ class RaceFilmTest {
         film.get(5, last);
         film.get(99, after);
         assertArrayEquals(last, after);
-        assertTrue(middle(first, film.backdrop()) < 32 && middle(last, film.backdrop()) > 32, "it falls");
+        assertTrue(middle(first, film.getBackdrop()) < 32 && middle(last, film.getBackdrop()) > 32, "it falls");
     }
 
     /** @return the height in the picture of what is not backdrop (pixels from the top) */
