@@ -88,9 +88,9 @@ class ArchitectureTest {
                                            particles.experiments.runs particles.law particles.scene
                                            particles.scene.format particles.view
             particles.experiments.runs:    deSolvers deSolvers.catalog particles particles.law particles.scene
-                                           particles.scene.format
+                                           particles.scene.format particles.view
             particles.experiments.spectrum: particles particles.law org.ejml
-            particles.experiments.stability: deSolvers deSolvers.catalog deSolvers.problems particles
+            particles.experiments.stability: deSolvers deSolvers.catalog deSolvers.problems deSolvers.text particles
                                            particles.experiments.runs particles.experiments.spectrum particles.law
                                            particles.scene particles.scene.format particles.view
             particles.experiments.work:    deSolvers deSolvers.catalog deSolvers.implicit deSolvers.problems

@@ -98,7 +98,8 @@ public final class LectureFiguresCommand extends ExperimentCommand {
             pictures.add(Picture.of(fileName(figure), caption(result), panel).again());
         }
         pictures.add(0, Picture.panels("all-figures", "All figures beside each other; each has its own scale.",
-                "Euler and midpoint spiral outwards, RK4 inwards: how fast depends on the step", panels));
+                "Euler and midpoint spiral outwards, RK4 inwards: how fast depends on the step", panels)
+                .onSlides(List.of()));
         return new ResultPage(name(),
                 LectureFigures.finding(results.subList(0, LectureFigures.onSlides().size())),
                 List.of("""

@@ -39,18 +39,19 @@ final class SceneStabilityPage {
                 ? solvers.stream().filter(solver -> solver.info().isPresent()).map(SolverChoice::name)
                 .toList() : OUTLINES;
         List<Picture> pictures = new ArrayList<>();
-        pictures.add(Picture.of("eigenvalues",
-                """
+        List<ChartData> plane = SceneStabilityCharts.plane(planeTitle(scene, fastest), spectrum, scene.deltaT(),
+                outlined);
+        String caption = """
                 Each point is deltaT times an eigenvalue of the scene's linearised start: the fastest, and what else \
                 the iteration found. A step is safe where all points to the left of the imaginary axis, or on it, \
-                lie inside the solver's outline.""",
-                Panel.map(SceneStabilityCharts.plane(planeTitle(scene, fastest), spectrum, scene.deltaT(), outlined))));
-        ChartData growth = SceneStabilityCharts.growth(
-                "Steps are safe until the factor of some mode exceeds 1", spectrum, limits);
+                lie inside the solver's outline.""";
+        pictures.add(Picture.of("eigenvalues", caption, Panel.map(plane.get(0))).onSlides(List.of(
+                Picture.of("eigenvalues", caption, Panel.map(plane.get(1))))));
+        ChartData growth = SceneStabilityCharts.growth(spectrum, limits);
         if (!growth.series().isEmpty()) {
             pictures.add(Picture.chart("growth",
-                    "Lines: the largest factor of any mode in one step, as predicted. Points: the step at"
-                    + " which pairs of runs began to move apart, by bisection.", growth));
+                    "Lines: the largest factor of any mode in one step, as predicted; they end at 2."
+                    + " Points: the step at which pairs of runs began to move apart, by bisection.", growth));
         }
         return new ResultPage(NAME, title(scene, limits, fastest), text(spectrum, fastest), pictures,
                 List.of(SceneStability.table(limits, scene.deltaT()), modes(spectrum)));

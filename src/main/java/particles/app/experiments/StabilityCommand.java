@@ -100,42 +100,46 @@ public final class StabilityCommand extends ExperimentCommand {
                         and yoshida4 refuse a step whose last kick they cannot solve; that counts as unstable, and \
                         with strong damping it is their limit."""),
                 List.of(new Region("slides",
-                                "Explicit methods are stable in the shaded region: deltaT times each eigenvalue"
-                                + " has to lie there",
                                 """
-                                The slides' solvers and adams. Of the imaginary axis, only 0 belongs to the regions \
-                                of euler, midpoint and adams; the outline of adams runs so close beside the axis, up \
-                                to 0.9, that the picture cannot show it: at 0.8 a step still grows by 0.7 %.""",
-                                List.of("euler", "midpoint", "rk4", "adams"), new Window(-3.5, 1, 3.5, 0.05))
+                                The slides' solvers and adams; stable in the shaded region. Of the imaginary axis, \
+                                only 0 belongs to the regions of euler, midpoint and adams; the outline of adams runs \
+                                so close beside the axis, up to 0.9, that the picture cannot show it: at 0.8 a step \
+                                still grows by 0.7 %.""",
+                                List.of("euler", "midpoint", "rk4", "adams"), new Window(-3.5, 1, 3.5, 0.05), 5.5)
                                         .draw(progress, 0.5),
                         new Region("adaptive",
-                                "One sub-step of the explicit adaptive solvers is stable in the shaded region",
-                                "Longer steps are divided, so these outlines show the cost of a stiff system.",
+                                "One sub-step. Longer steps are divided, so these outlines show the cost of a stiff"
+                                        + " system.",
                                 List.of("step-doubling", "dormand-prince", "bulirsch-stoer"),
-                                new Window(-14, 4, 12, 0.15)).draw(progress, 0.6),
+                                new Window(-14, 4, 12, 0.15), 18).draw(progress, 0.6),
                         new Region("symplectic",
-                                "Symplectic methods on a damped spring are stable in the shaded region",
-                                "Without damping, on the imaginary axis, the limit is 2 (1.57 for yoshida4);"
-                                        + " damping lowers it.",
-                                List.of("symplectic-euler", "verlet", "yoshida4"), new Window(-2.5, 1, 2.5, 0.04))
+                                "A damped spring. Without damping, on the imaginary axis, the limit is 2 (1.57 for"
+                                        + " yoshida4); damping lowers it.",
+                                List.of("symplectic-euler", "verlet", "yoshida4"), new Window(-2.5, 1, 2.5, 0.04), 4)
                                         .draw(progress, 0.7),
                         new Region("implicit",
-                                "Implicit methods are stable for all that decays, and for fast growth too",
                                 """
-                                        All that decays is stable. The boundary of implicit-midpoint is the \
-                                        imaginary axis: it reproduces growth as growth and decay as decay. The \
-                                        others also damp growth, if it is fast.""",
-                                List.of("backward-euler", "implicit-midpoint", "radau"), new Window(-3, 13, 8, 0.15))
-                                        .draw(progress, 0.85)),
+                                        Stable in the shaded region: left of the outline of implicit-midpoint, the \
+                                        imaginary axis, which reproduces growth as growth and decay as decay, and \
+                                        outside the others, which also damp growth, if it is fast. Beyond the frame \
+                                        the regions go on.""",
+                                List.of("backward-euler", "implicit-midpoint", "radau"), new Window(-3, 13, 8, 0.15),
+                                3).draw(progress, 0.85)),
                 List.of(limits));
     }
 
-    /** A picture of stability regions: its name, title and caption, and the solvers shown in a part of the plane. */
-    private record Region(String name, String title, String caption, List<String> solvers, Window window) {
+    /**
+     * A picture of stability regions: its name and caption, the solvers shown in a part of the plane, and how far the
+     * plane reaches to the left on a slide, which is wide and shows its upper half.
+     */
+    private record Region(String name, String caption, List<String> solvers, Window window, double left) {
         Picture draw(ProgressListener progress, double done) {
             progress.reached(done, "regions of " + String.join(", ", solvers));
-            return Picture.compared("region-" + name, caption, title,
-                    solvers.stream().map(solver -> Panel.map(StabilityRegion.filled(solver, window))).toList());
+            Window wide = new Window(-left, window.right(), window.top(), window.cell());
+            String file = "region-" + name;
+            return Picture.compared(file, caption, StabilityRegion.finding(solvers, window),
+                    solvers.stream().map(solver -> Panel.map(StabilityRegion.filled(solver, window))).toList())
+                    .onSlides(List.of(Picture.of(file, caption, Panel.map(StabilityRegion.half(solvers, wide)))));
         }
     }
 }

@@ -9,6 +9,7 @@ import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.energy.EnergyDrift.Drift;
 import particles.experiments.energy.EnergyDrift.Kind;
 import particles.view.ChartData;
+import particles.view.ChartData.Finding;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 import particles.view.DataTable;
@@ -52,9 +53,10 @@ public final class DriftCharts {
             logarithmic.add(new Series(STOPPED, Mark.FAILURES, failures.stream().mapToDouble(f -> f[0]).toArray(),
                     failures.stream().mapToDouble(f -> f[1]).toArray()));
         }
-        return List.of(new ChartData(finding(comparison), "time (s)", "|energy error| / scale", false, true,
+        Finding finding = drawn -> DriftHeadline.of(comparison.of(drawn));
+        return List.of(new ChartData(finding, "time (s)", "|energy error| / scale", false, true,
                 logarithmic),
-                new ChartData("", "time (s)", "energy error / scale", false, false, linear));
+                new ChartData(finding, "time (s)", "energy error / scale", false, false, linear));
     }
 
     /**

@@ -3,13 +3,16 @@ package particles.experiments.energy;
 import deSolvers.text.Digits;
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.energy.EnergyDrift.Drift;
 import particles.experiments.energy.EnergyDrift.Kind;
+import particles.experiments.runs.SolverChoice;
 
 /** One sentence about a comparison: each solver's energy error with its size, the worst first. */
 final class DriftHeadline {
@@ -24,14 +27,25 @@ final class DriftHeadline {
     static String of(Comparison comparison) {
         List<Drift> drifts = comparison.drifts().stream().sorted(WORST_FIRST).toList();
         boolean exchanges = drifts.stream().anyMatch(drift -> drift.kind() == Kind.EXCHANGING);
-        int named = drifts.size() <= NAMED + 1 ? drifts.size() : NAMED;
-        Stream<String> others = named == drifts.size() ? Stream.empty()
-                : Stream.of("the other " + (drifts.size() - named) + " are off by at most "
-                + part(size(drifts.get(named))));
-        String parts = Stream.concat(drifts.stream().limit(named).map(drift -> label(drift) + " " + verdict(drift)),
-                others).collect(Collectors.joining("; "));
-        return comparison.scene() + (exchanges ? ", numerical energy error: " : ": ") + parts
+        Map<String, List<String>> verdicts = new LinkedHashMap<>();     // equal ones share a place
+        for (Drift drift : drifts) {
+            verdicts.computeIfAbsent(verdict(drift), verdict -> new ArrayList<>()).add(label(drift));
+        }
+        int places = verdicts.size() <= NAMED + 1 ? verdicts.size() : NAMED;
+        String parts = verdicts.entrySet().stream().limit(places).map(place -> said(place.getValue(), place.getKey()))
+                .collect(Collectors.joining("; "));
+        long named = verdicts.values().stream().limit(places).mapToLong(List::size).sum();
+        String others = named == drifts.size() ? "" : "; the other " + (drifts.size() - named)
+                + " are off by at most " + part(drifts.stream().filter(drift -> verdicts.keySet().stream().skip(places)
+                .anyMatch(verdict(drift)::equals)).mapToDouble(DriftHeadline::size).max().orElse(0));
+        return comparison.scene() + (exchanges ? ", numerical energy error: " : ": ") + parts + others
                 + (comparison.equalWork() ? " (equal evaluations)" : "");
+    }
+
+    /** One solver gains, stays, blows up; several gain, stay, blow up. */
+    private static String said(List<String> solvers, String verdict) {
+        return SolverChoice.together(solvers) + " " + (solvers.size() == 1 ? verdict
+                : verdict.replaceFirst("^is ", "are ").replaceFirst("^(\\w+)s ", "$1 "));
     }
 
     /** Failures come first, by the time that they reached, then the others by the size of their error. */

@@ -15,6 +15,7 @@ import particles.experiments.runs.SceneRun.Setting;
 import particles.experiments.runs.SolverChoice;
 import particles.scene.Scene;
 import particles.scene.format.SceneDescription;
+import particles.view.ChartData.Series;
 
 /**
  * Compares the energy drift of solvers on a scene. The drift is the energy ledger's numerical error - the change that
@@ -95,6 +96,11 @@ public final class EnergyDrift {
      * @param drifts    the result of each solver
      */
     public record Comparison(String scene, double duration, double scale, boolean equalWork, List<Drift> drifts) {
+        /** @return the drifts of the solvers that are drawn */
+        Comparison of(List<Series> drawn) {
+            return new Comparison(scene, duration, scale, equalWork, drifts.stream()
+                    .filter(drift -> drift.setting().solver().isIn(drawn)).toList());
+        }
     }
 
     private EnergyDrift() {

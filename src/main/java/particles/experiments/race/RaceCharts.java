@@ -43,8 +43,7 @@ public final class RaceCharts {
     public static ChartData energy(Result race) {
         Comparison comparison = new Comparison(race.scene(), race.duration(), race.scale(), !race.equalTime(),
                 race.lanes().stream().map(Lane::drift).toList());
-        ChartData chart = DriftCharts.charts(comparison).get(0);
-        return new ChartData("", chart.xLabel(), chart.yLabel(), false, true, chart.series());
+        return DriftCharts.charts(comparison).get(0);
     }
 
     /**

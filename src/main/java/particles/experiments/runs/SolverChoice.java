@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.NoSuchElementException;
 import java.util.Optional;
+import particles.view.ChartData.Series;
 import particles.scene.format.Tolerances;
 
 /**
@@ -18,6 +19,7 @@ import particles.scene.format.Tolerances;
 public record SolverChoice(String name, Optional<SolverInfo> info) {
     /** The solver for whatever is only to be accurate enough. */
     public static final SolverChoice RK4 = of("rk4");
+    private static final int MOST_NAMED = 3;
     /** The solver that makes references. */
     public static final SolverChoice ACCURATE = of("dormand-prince");
 
@@ -59,6 +61,16 @@ public record SolverChoice(String name, Optional<SolverInfo> info) {
     /** @return the names in a list separated by commas, each once */
     public static List<String> separated(String names) {
         return Arrays.stream(names.split(",")).map(String::strip).filter(name -> !name.isEmpty()).distinct().toList();
+    }
+
+    /** @return whether one of these series is its curve: with its label for a name, or for the begin of the name */
+    public boolean isIn(List<Series> drawn) {
+        return drawn.stream().anyMatch(series -> (series.name() + ",").startsWith(label() + ","));
+    }
+
+    /** @return the names as in a sentence, or only their number if they are more than three */
+    public static String few(List<String> names) {
+        return names.size() > MOST_NAMED ? names.size() + " solvers" : together(names);
     }
 
     /** @return whether it chooses its own sub-steps and takes tolerances */

@@ -6,7 +6,10 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Predicate;
+import particles.experiments.runs.SolverChoice;
 import particles.view.ChartData;
+import particles.view.ChartData.Finding;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 
@@ -30,18 +33,27 @@ public final class StabilityRegion {
     }
 
     /**
-     * @param title   the title of the chart
      * @param solvers the solvers
      * @param window  the part of the plane
-     * @return a line for each solver, broken where the outline is in pieces, and the imaginary axis
+     * @return a line for each solver, broken where the outline is in pieces, and the imaginary axis, with what they
+     *         show in the title
      */
-    public static ChartData outlines(String title, List<String> solvers, Window window) {
+    public static ChartData outlines(List<String> solvers, Window window) {
+        return chart(drawn -> finding(solvers, window), outlines(solvers, window, true), window, -window.top);
+    }
+
+    /** @return the same above the real axis, below which it is mirrored */
+    public static ChartData half(List<String> solvers, Window window) {
+        return chart(drawn -> finding(solvers, window), outlines(solvers, window, false), window, 0);
+    }
+
+    private static List<Series> outlines(List<String> solvers, Window window, boolean mirrored) {
         List<Series> series = new ArrayList<>();
         for (String solver : solvers) {
-            series.add(new StabilityMap(Amplification.of(SolverCatalog.info(solver))::at, window,
-                    true).outline(solver));
+            series.add(new StabilityMap(Amplification.of(SolverCatalog.info(solver))::at, window, mirrored)
+                    .outline(solver));
         }
-        return chart(title, series, window);
+        return series;
     }
 
     /**
@@ -52,15 +64,43 @@ public final class StabilityRegion {
     public static ChartData filled(String solver, Window window) {
         SolverInfo info = SolverCatalog.info(solver);
         StabilityMap map = new StabilityMap(Amplification.of(info)::at, window, true);
-        return chart(solver + ": " + limits(info),
-                new ArrayList<>(List.of(map.filled("stable"), map.outline(solver))), window);
+        return chart(drawn -> solver + ": " + limits(info),
+                new ArrayList<>(List.of(map.filled("stable"), map.outline(solver))), window, -window.top);
     }
 
-    private static ChartData chart(String title, List<Series> series, Window window) {
-        series.add(new Series("imaginary axis", Mark.LINE, new double[] {0, 0},
-                new double[] {-window.top, window.top}));
-        return new ChartData(title, "Re(deltaT lambda): decay to the left", "Im(deltaT lambda): oscillation",
-                false, false, series);
+    private static ChartData chart(Finding finding, List<Series> series, Window window, double bottom) {
+        series.add(new Series("imaginary axis", Mark.LINE, new double[] {0, 0}, new double[] {bottom, window.top}));
+        return new ChartData(finding, "Re(deltaT lambda): decay to the left", "Im(deltaT lambda): oscillation",
+                false, false, series).scaledTo(List.of(new Series("window", Mark.POINTS,
+                new double[] {window.left, window.right}, new double[] {bottom, window.top})));
+    }
+
+    /**
+     * @param solvers the solvers
+     * @param window  the part of the plane
+     * @return a sentence about undamped springs and decay, and about growth up to the window's right edge
+     */
+    public static String finding(List<String> solvers, Window window) {
+        List<String> parts = new ArrayList<>();
+        for (String solver : solvers) {
+            double limit = SolverCatalog.info(solver).imaginaryLimit();
+            if (limit > 0 && limit < Double.POSITIVE_INFINITY) {
+                parts.add(digits(limit) + " with " + solver);
+            }
+        }
+        List<String> never = those(solvers, info -> info.imaginaryLimit() == 0);
+        List<String> always = those(solvers, info -> info.imaginaryLimit() == Double.POSITIVE_INFINITY
+                && info.dampedLimit() == Double.POSITIVE_INFINITY);
+        List<String> fast = those(solvers, info -> Amplification.of(info).at(window.right, 0) < 1);
+        String springs = (parts.isEmpty() ? "" : " up to deltaT omega = " + String.join(", ", parts))
+                + (never.isEmpty() ? "" : (parts.isEmpty() ? "" : ", at") + " no step with " + SolverChoice.few(never));
+        return (springs.isEmpty() ? "" : "Undamped springs are stable" + (parts.isEmpty() ? " at" : "") + springs)
+                + (always.isEmpty() ? "" : "All that decays is stable at any step with " + SolverChoice.few(always))
+                + (fast.isEmpty() ? "" : "; " + SolverChoice.few(fast) + " also make fast growth decay");
+    }
+
+    private static List<String> those(List<String> solvers, Predicate<SolverInfo> which) {
+        return solvers.stream().filter(solver -> which.test(SolverCatalog.info(solver))).toList();
     }
 
     private static String digits(double limit) {

@@ -12,6 +12,7 @@ import java.util.function.LongSupplier;
 import particles.Simulation;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SceneRun;
+import particles.experiments.runs.SolverChoice;
 import particles.scene.Scene;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
@@ -29,6 +30,9 @@ import particles.view.DataTable;
 public final class EffectCost {
     private static final double DELTA_T = 1e-3;
     private static final double TWO_DECIMALS = 10;
+    private static final double DEAR = 10;
+    /** Times of the same step differ by less than this factor. */
+    private static final double SPREAD = 1.2;
 
     /** Structural and shear springs; the top row is fixed. It moves, so that nothing is at rest. */
     private static final String CLOTH = """
@@ -144,25 +148,39 @@ public final class EffectCost {
 
     /**
      * @param costs the measured costs
-     * @return a bar for each, in a row with its name and value, the cheapest above; 1 is springs alone
+     * @return a bar for each that costs more than the spread of the measurements, in a row with its name and value, the
+     *         cheapest above; one bar for all others; 1 is springs alone
      */
     public static ChartData chart(List<Cost> costs) {
-        List<Cost> sorted = costs.stream().sorted(Comparator.comparingDouble(Cost::overBase)).toList();
-        double[] x = new double[3 * sorted.size()];
-        double[] y = new double[3 * sorted.size()];
-        for (int k = 0; k < sorted.size(); k++) {
+        List<Cost> bars = new ArrayList<>(costs.stream().filter(cost -> cost.overBase() > SPREAD)
+                .sorted(Comparator.comparingDouble(Cost::overBase)).toList());
+        costs.stream().filter(cost -> cost.overBase() <= SPREAD).mapToDouble(Cost::overBase).max().ifPresent(most ->
+                bars.add(0, new Cost("the other " + (costs.size() - bars.size()) + ", at most", 0, most)));
+        double[] x = new double[3 * bars.size()];
+        double[] y = new double[3 * bars.size()];
+        for (int k = 0; k < bars.size(); k++) {
             x[3 * k] = 1;
-            x[3 * k + 1] = sorted.get(k).overBase();
+            x[3 * k + 1] = bars.get(k).overBase();
             x[3 * k + 2] = Double.NaN;                  // the pen is lifted between bars
             y[3 * k] = k;
             y[3 * k + 1] = k;
             y[3 * k + 2] = Double.NaN;
         }
-        Cost dearest = sorted.get(sorted.size() - 1);
-        List<String> rows = sorted.stream().map(cost -> cost.name() + ": " + times(cost)).toList();
-        return new ChartData("The dearest is '" + dearest.name() + "': a step takes " + times(dearest)
-                + " times as long as with springs alone", "time for a step / time with springs alone",
-                "what the scene names", true, false, rows, List.of(new Series("time for a step", Mark.BAND, x, y)));
+        List<String> rows = bars.stream().map(cost -> cost.name() + ": " + times(cost)).toList();
+        return new ChartData(finding(costs), "time for a step / time with springs alone", "what the scene names", true,
+                false, List.of(new Series("time for a step", Mark.BAND, x, y))).inRows(rows);
+    }
+
+    /** Says no more than a second measurement would: factors of 2, and powers of ten. */
+    private static String finding(List<Cost> costs) {
+        List<String> dear = costs.stream().filter(cost -> cost.overBase() >= DEAR).map(Cost::name).toList();
+        double rest = costs.stream().mapToDouble(Cost::overBase).filter(times -> times < DEAR).max().orElse(1);
+        double bound = rest < 2 ? 2 : rest < 5 ? 5 : DEAR;
+        String expensive = dear.isEmpty() ? "nothing makes" : SolverChoice.together(dear).replace("+ ", "")
+                + (dear.size() > 1 ? " make" : " makes");
+        return expensive.substring(0, 1).toUpperCase(Locale.ROOT) + expensive.substring(1)
+                + " a step of springs more than 10 times as long; all else less than "
+                + Math.round(bound) + " times";
     }
 
     /** @return the time of springs alone, divided by that of the hand-written code, in words */

@@ -2,13 +2,20 @@ package particles.experiments.work;
 
 import static particles.view.DataTable.column;
 
+import deSolvers.text.Digits;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
-import java.util.Optional;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Collectors;
+import particles.experiments.runs.SolverChoice;
 import particles.experiments.work.StiffGallery.Cost;
 import particles.experiments.work.StiffGallery.Sweep;
 import particles.view.ChartData;
@@ -21,6 +28,9 @@ public final class StiffCharts {
     private static final String STIFFNESS = "stiffness k (N/m)";
     /** Smaller values are drawn as this one: the vibration is gone. */
     private static final double GONE = 1e-16;
+    /** Below this part a vibration is lost, and up to this factor it is kept. */
+    private static final double LOST = 1e-9;
+    private static final double KEPT = 2;
 
     private StiffCharts() {
     }
@@ -44,22 +54,27 @@ public final class StiffCharts {
             }
         }
         List<ChartData> charts = new ArrayList<>();
-        charts.add(new ChartData(finding(sweeps), STIFFNESS, "evaluations for 1 %", true, true, precise));
+        charts.add(new ChartData(drawn -> growth("Evaluations for 1 %", in(drawn, sweeps), Sweep::preciseExponent),
+                STIFFNESS, "evaluations for 1 %", true, true, precise));
         List<String> rows = sweeps.stream().filter(sweep -> sweep.neverStable()
                 || sweep.costs().stream().anyMatch(cost ->
                         Double.isNaN(cost.toOnePercent()))).map(StiffCharts::name).toList();
         if (!rows.isEmpty()) {
-            charts.add(new ChartData("", STIFFNESS, "never", true, false, rows, failures(sweeps, rows)));
+            charts.add(new ChartData("", STIFFNESS, "never", true, false, failures(sweeps, rows)).inRows(rows));
         }
         if (!stable.isEmpty()) {
-            charts.add(new ChartData("Cost of a run that only has to be stable", STIFFNESS,
-                    "evaluations to be stable", true, true, stable));
+            charts.add(new ChartData(drawn -> growth("Evaluations for stability", in(drawn, sweeps),
+                    Sweep::stableExponent), STIFFNESS, "evaluations to be stable", true, true, stable));
         }
         if (!left.isEmpty()) {
-            charts.add(new ChartData("Fast vibration that is left in the cheapest run within 1 % of the swing",
-                    STIFFNESS, "fast-mode energy, end / start", true, true, left));
+            charts.add(new ChartData(StiffCharts::vibration, STIFFNESS, "fast-mode energy, end / start", true, true,
+                    left));
         }
         return charts;
+    }
+
+    private static List<Sweep> in(List<Series> drawn, List<Sweep> sweeps) {
+        return sweeps.stream().filter(sweep -> sweep.solver().isIn(drawn)).toList();
     }
 
     private static Series series(Sweep sweep, ToDoubleFunction<Cost> what) {
@@ -95,30 +110,52 @@ public final class StiffCharts {
 
     /**
      * @param sweeps the sweep of each solver
-     * @return a sentence about the growth of the cost of stability with the stiffness
+     * @return a sentence about the growth of the cost with the stiffness, and the solvers that are never stable
      */
     public static String finding(List<Sweep> sweeps) {
-        List<String> parts = new ArrayList<>();
-        most(sweeps, sweep -> !sweep.solver().implicit()).ifPresent(power -> parts.add("as " + power + " (explicit)"));
-        most(sweeps, sweep -> sweep.solver().implicit() && !unlimited(sweep))
-                .ifPresent(power -> parts.add("as " + power + " (implicit)"));
-        boolean unlimited = sweeps.stream().anyMatch(StiffCharts::unlimited);
         List<String> never = sweeps.stream().filter(Sweep::neverStable).map(StiffCharts::name).toList();
-        String finding = (parts.isEmpty() ? "What a stiff spring costs"
-                : "Evaluations for stability grow " + String.join(", ", parts))
-                + (unlimited ? "; implicit solvers are stable at any step" : "");
-        return never.isEmpty() ? finding
-                : finding + "; " + String.join(", ", never) + (never.size() == 1 ? " is" : " are") + " never stable";
+        return growth("Evaluations for 1 %", sweeps, Sweep::preciseExponent) + (never.isEmpty() ? ""
+                : "; " + SolverChoice.few(never) + (never.size() == 1 ? " is" : " are") + " never stable");
+    }
+
+    /** Solvers with equal exponents, to one decimal, share a place; the largest exponent comes first. */
+    private static String growth(String what, List<Sweep> sweeps, ToDoubleFunction<Sweep> exponent) {
+        Map<Double, List<String>> powers = new TreeMap<>(Comparator.reverseOrder());
+        for (Sweep sweep : sweeps) {
+            double power = exponent.applyAsDouble(sweep);
+            if (!Double.isNaN(power)) {
+                powers.computeIfAbsent(Math.round(10 * power) / 10.0, same -> new ArrayList<>()).add(name(sweep));
+            }
+        }
+        List<String> flat = powers.getOrDefault(0.0, List.of());
+        powers.remove(0.0);
+        String growing = powers.entrySet().stream().map(power -> "k^" + Digits.few(power.getKey()) + " ("
+                + SolverChoice.few(power.getValue()) + ")").collect(Collectors.joining(", "));
+        return growing.isEmpty() ? flat.isEmpty() ? what : what + " stay the same at any stiffness with "
+                + SolverChoice.few(flat)
+                : what + " grow as " + growing + (flat.isEmpty() ? "" : ", not with " + SolverChoice.few(flat));
+    }
+
+    /** What becomes of the stiff vibration, by the last value of each solver and by the largest. */
+    private static String vibration(List<Series> drawn) {
+        Map<String, List<String>> fates = new LinkedHashMap<>();
+        double most = 1;
+        for (Series series : drawn) {
+            double[] y = Arrays.stream(series.y()).filter(Double::isFinite).toArray();
+            double largest = Arrays.stream(y).max().orElse(Double.NaN);
+            double last = y.length == 0 ? Double.NaN : y[y.length - 1];
+            most = Math.max(most, largest);
+            fates.computeIfAbsent(largest > KEPT ? "is borrowed" : last >= 1 / KEPT ? "stays" : last <= LOST ? "is gone"
+                    : "fades", fate -> new ArrayList<>()).add(series.name());
+        }
+        String borrowed = "up to " + Digits.few(new BigDecimal(most).round(new MathContext(1)).doubleValue())
+                + " times is borrowed";
+        return "The stiff vibration " + fates.entrySet().stream().map(fate -> fate.getKey().replace("is borrowed",
+                borrowed) + " with " + SolverChoice.few(fate.getValue())).collect(Collectors.joining(", "));
     }
 
     private static boolean unlimited(Sweep sweep) {
         return sweep.solver().info().map(info -> info.imaginaryLimit() == Double.POSITIVE_INFINITY).orElse(false);
-    }
-
-    /** The largest exponent of these sweeps, as a power of k. */
-    private static Optional<String> most(List<Sweep> sweeps, Predicate<Sweep> which) {
-        return sweeps.stream().filter(which).map(Sweep::stableExponent).filter(exponent -> !exponent.isNaN())
-                .max(Comparator.naturalOrder()).map(exponent -> String.format(Locale.ROOT, "k^%.1f", exponent));
     }
 
     /**

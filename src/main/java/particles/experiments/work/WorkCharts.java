@@ -18,7 +18,10 @@ import particles.view.ChartData.Series;
 public final class WorkCharts {
     private static final double ROUGH = 1e-2;
     private static final double FINE = 1e-6;
-    private static final int MOST_NAMED = 3;
+    /** Errors that are 0 count as this one. */
+    private static final double ROUND_OFF = 1e-17;
+    /** Evaluations at a crossing between two runs are known to this part. */
+    private static final double READ = 0.025;
 
     private WorkCharts() {
     }
@@ -47,11 +50,9 @@ public final class WorkCharts {
             unreduced(curve, fitted).ifPresent(series::add);
         }
         series.add(new Series("filled: fitted; in brackets: theory", Mark.POINTS, new double[0], new double[0]));
-        String title = problem.title() + ": " + reduction(curves).orElseGet(() -> cheapest(curves, Point::evaluations,
-                "is cheapest for", "for"));
-        return charts(new ChartData(title, "evaluations of the derivative", problem.errorLabel(), true, true, series),
-                curves,
-                Point::evaluations);
+        return charts(new ChartData(drawn -> problem.title() + ": " + reduction(in(drawn, curves)).orElseGet(() ->
+                first(in(drawn, curves), false)), "evaluations of the derivative", problem.errorLabel(), true, true,
+                series), curves, Point::evaluations);
     }
 
     /**
@@ -76,10 +77,12 @@ public final class WorkCharts {
             }
             series.add(new Series(curve.solver().label(), Mark.BARS, x, y));
         }
-        String title = problem.title() + ": " + first(curves);
-        return charts(new ChartData(title, "CPU time, median (s)", problem.errorLabel(), true, true,
-                series), curves,
-                Point::seconds);
+        return charts(new ChartData(drawn -> problem.title() + ": " + first(in(drawn, curves), true),
+                "CPU time, median (s)", problem.errorLabel(), true, true, series), curves, Point::seconds);
+    }
+
+    private static List<Curve> in(List<Series> drawn, List<Curve> curves) {
+        return curves.stream().filter(curve -> curve.solver().isIn(drawn)).toList();
     }
 
     private static boolean isResult(Point point) {
@@ -112,7 +115,7 @@ public final class WorkCharts {
                         unstable ? Mark.FAILURES : Mark.GIVEN_UP, of, f -> f[0], f -> f[1]));
             }
         }
-        return List.of(errors, new ChartData("", errors.xLabel(), "no result", true, false, rows, series));
+        return List.of(errors, new ChartData("", errors.xLabel(), "no result", true, false, series).inRows(rows));
     }
 
     /** @return the fitted slope and the theoretical one, as text for the legend */
@@ -145,53 +148,60 @@ public final class WorkCharts {
                         curve.solver().label(), curve.solver().order(), curve.fit().slope(), curve.expected()));
     }
 
-    /** The solvers that need the least work for a rough and for a fine result. */
-    private static String cheapest(List<Curve> curves, ToDoubleFunction<Point> work, String verb, String preposition) {
-        Optional<String> rough = cheapest(curves, work, ROUGH);
-        Optional<String> fine = cheapest(curves, work, FINE);
+    /** Which solver gets to a rough and to a fine error first; all of them where several cannot be told apart. */
+    private static String first(List<Curve> curves, boolean time) {
+        List<String> rough = first(curves, ROUGH, time);
+        List<String> fine = first(curves, FINE, time);
         if (rough.isEmpty()) {
             return "none has an error of 0.01";
         }
-        String result = rough.get() + " " + verb + " 0.01";
-        return fine.isEmpty() ? result + ", none has 1e-6" : rough.equals(fine)
-                ? result + " and 1e-6"
-                : result + ", " + fine.get() + " " + preposition + " 1e-6";
-    }
-
-    private static Optional<String> cheapest(List<Curve> curves, ToDoubleFunction<Point> work, double error) {
-        record Way(String solver, double work) {
+        if (curves.size() == 1) {
+            return rough.get(0) + " has 0.01" + (fine.isEmpty() ? ", not 1e-6" : " and 1e-6");
         }
-        return curves.stream().flatMap(curve -> curve.points().stream().filter(point -> point.error() <= error)
-                        .map(point -> new Way(curve.solver().label(), work.applyAsDouble(point))))
-                .min(Comparator.comparingDouble(Way::work)).map(Way::solver);
+        return said(rough, time) + " 0.01" + (fine.isEmpty() ? ", none has 1e-6" : rough.equals(fine) ? " and 1e-6"
+                : ", " + said(fine, time) + " 1e-6");
     }
 
-    /** The fastest solver for a rough result, and for a fine one; all whose times overlap the fastest, if any do. */
-    private static String first(List<Curve> curves) {
-        List<String> rough = fastest(curves, ROUGH);
-        List<String> fine = fastest(curves, FINE);
-        if (rough.isEmpty()) {
-            return "none has an error of 0.01";
+    private static String said(List<String> solvers, boolean time) {
+        return SolverChoice.few(solvers) + (solvers.size() > 1 ? " tie for" : time ? " is first to"
+                : " is cheapest for");
+    }
+
+    /** The work at which the line through a solver's points comes down to an error. */
+    private record Crossing(String solver, double lower, double middle, double upper) {
+    }
+
+    /**
+     * @param time whether work is CPU time, whose quartiles tell which solvers tie, or evaluations
+     * @return the solver with the least work for an error, then every other one that cannot be told from it
+     */
+    static List<String> first(List<Curve> curves, double error, boolean time) {
+        List<Crossing> all = curves.stream().flatMap(curve -> crossing(curve, error, time).stream())
+                .sorted(Comparator.comparingDouble(Crossing::middle)).toList();
+        return all.stream().filter(one -> one.lower() <= all.get(0).upper()).map(Crossing::solver).toList();
+    }
+
+    private static Optional<Crossing> crossing(Curve curve, double error, boolean time) {
+        List<Point> points = curve.points().stream().filter(point -> point.failure().isEmpty()).toList();
+        List<Crossing> found = new ArrayList<>();
+        for (int k = 0; k < points.size(); k++) {
+            Point from = points.get(Math.max(0, k - 1));
+            Point to = points.get(k);
+            if (to.error() <= error && (k == 0 || from.error() > error)) {
+                double part = k == 0 ? 1 : Math.log(from.error() / error)
+                        / Math.log(from.error() / Math.max(ROUND_OFF, to.error()));
+                double evaluations = between(from, to, part, Point::evaluations);
+                found.add(time ? new Crossing(curve.solver().label(), between(from, to, part, Point::lower),
+                        between(from, to, part, Point::seconds), between(from, to, part, Point::upper))
+                        : new Crossing(curve.solver().label(), evaluations * (1 - READ), evaluations,
+                        evaluations * (1 + READ)));
+            }
         }
-        return said(rough) + " 0.01" + (fine.isEmpty() ? ", none has 1e-6" : rough.equals(fine) ? " and 1e-6"
-                : ", " + said(fine) + " 1e-6");
+        return found.stream().min(Comparator.comparingDouble(Crossing::middle));
     }
 
-    private static String said(List<String> solvers) {
-        String all = solvers.size() > MOST_NAMED ? solvers.size() + " solvers" : SolverChoice.together(solvers);
-        return all + (solvers.size() == 1 ? " is first to" : " tie for");
-    }
-
-    /** @return the solver with the shortest median time, then every other one whose quartiles overlap with it */
-    static List<String> fastest(List<Curve> curves, double error) {
-        record Way(String solver, Point point) {
-        }
-        List<Way> ways = curves.stream().flatMap(curve -> curve.points().stream()
-                .filter(point -> point.failure().isEmpty() && point.error() <= error)
-                .min(Comparator.comparingDouble(Point::seconds)).stream()
-                .map(point -> new Way(curve.solver().label(), point)))
-                .sorted(Comparator.comparingDouble(way -> way.point().seconds())).toList();
-        return ways.stream().filter(way -> way.point().lower() <= ways.get(0).point().upper()).map(Way::solver)
-                .toList();
+    /** On a straight line between two points, on logarithmic axes. */
+    private static double between(Point from, Point to, double part, ToDoubleFunction<Point> work) {
+        return Math.pow(work.applyAsDouble(from), 1 - part) * Math.pow(work.applyAsDouble(to), part);
     }
 }

@@ -65,13 +65,29 @@ public final class ChartStyle {
     /** The mark of a run that was given up: a ring. */
     static final Shape GIVEN_UP = ring(4.2, 2.2);
 
+    /** Lines are made narrower by this factor as long as they do not get more. */
+    private static final double BALANCE = 0.96;
+
     private ChartStyle() {
     }
 
-    /** @return the text in lines of at most this width, if its words are not wider */
+    /**
+     * @return the text in lines of at most this width, if its words are not wider; a number stays with its %, and lines
+     *         are about equally long
+     */
     static List<String> wrapped(String text, FontMetrics metrics, double width) {
+        List<String> lines = filled(text, metrics, width);
+        double narrow = width;
+        for (List<String> next = lines; next.size() == lines.size() && narrow > width / 2; narrow *= BALANCE) {
+            lines = next;
+            next = filled(text, metrics, narrow * BALANCE);
+        }
+        return lines;
+    }
+
+    private static List<String> filled(String text, FontMetrics metrics, double width) {
         List<String> lines = new ArrayList<>();
-        for (String word : text.split(" ")) {
+        for (String word : text.replace(" %", "\u00a0%").split(" ")) {
             int last = lines.size() - 1;
             if (last >= 0 && metrics.stringWidth(lines.get(last) + " " + word) <= width) {
                 lines.set(last, lines.get(last) + " " + word);

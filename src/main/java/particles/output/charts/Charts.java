@@ -27,6 +27,9 @@ final class Charts {
     /** Values that differ by less than this part of their size differ by round-off, which needs no axis of its own. */
     private static final double ROUNDING = 1e-13;
 
+    /** An axis that begins this near to zero, as a part of its end, begins at zero. */
+    private static final double NEAR_ZERO = 0.1;
+
     /** The height of a row, in pixels as the other charts' heights, roughly. */
     static final int ROW = 17;
 
@@ -70,7 +73,20 @@ final class Charts {
                     : ofQuantities > 1 ? 255 : main);
             looks += series;
         }
+        if (data.stream().anyMatch(Charts::isPart)) {
+            all.getDomainAxis().setRange(stacked(data.stream().map(Charts::whole).toList(), main).getDomainAxis()
+                    .getRange());
+        }
         return all;
+    }
+
+    private static boolean isPart(ChartData data) {
+        return data.scale() != data.series();
+    }
+
+    /** What is drawn if nothing is left out. */
+    private static ChartData whole(ChartData data) {
+        return data.with(data.rows(), data.scale());
     }
 
     static FittedChart finished(String title, XYPlot plot, Panel.Kind kind) {
@@ -103,6 +119,13 @@ final class Charts {
         plot.setRangeGridlineStroke(new BasicStroke(0.7f));
         plot.setOutlinePaint(ChartStyle.AXIS);
         plot.setAxisOffset(RectangleInsets.ZERO_INSETS);
+        if (isPart(given)) {
+            XYPlot whole = plot(whole(given));
+            plot.getDomainAxis().setRange(whole.getDomainAxis().getRange());
+            if (given.rows().isEmpty()) {
+                plot.getRangeAxis().setRange(whole.getRangeAxis().getRange());
+            }
+        }
         return plot;
     }
 
@@ -111,8 +134,8 @@ final class Charts {
         List<Series> solvers = new ArrayList<>(data.series().stream().filter(Charts::isSolverLine).toList());
         solvers.sort(Comparator.comparing(series -> SolverStyle.orGrey(series.name()).hasDashes()));
         Iterator<Series> next = solvers.iterator();
-        return new ChartData(data.title(), data.xLabel(), data.yLabel(), data.xLog(), data.yLog(), data.rows(),
-                data.series().stream().map(series -> isSolverLine(series) ? next.next() : series).toList());
+        return data.with(data.rows(), data.series().stream()
+                .map(series -> isSolverLine(series) ? next.next() : series).toList());
     }
 
     private static boolean isSolverLine(Series series) {
@@ -135,6 +158,10 @@ final class Charts {
         if (tight) {
             axis.setLowerMargin(0);
             axis.setUpperMargin(0);
+            if (!log && range != null && range.getLowerBound() > 0
+                    && range.getLowerBound() < NEAR_ZERO * range.getUpperBound()) {
+                axis.setRange(0, range.getUpperBound());
+            }
         }
         return inStyle(axis, label);
     }
@@ -152,8 +179,7 @@ final class Charts {
 
     /** Ticks at powers of ten; an axis that would show less than two of them is widened to whole decades. */
     private static ValueAxis logAxis(Range range) {
-        LogAxis axis = new LogAxis();
-        axis.setNumberFormatOverride(new PowerFormat());
+        LogAxis axis = new DecadeAxis();
         axis.setStandardTickUnits(new NumberTickUnitSource(true));
         axis.setSmallestValue(Double.MIN_NORMAL);
         if (range != null) {

@@ -93,10 +93,11 @@ final class EndLabels {
     /** Draws a name beside the chart, with a thin line from the end of the series. */
     private void drawOutside(Graphics2D g, int k, Rectangle2D area, double place) {
         double x = area.getMaxX();
-        g.setPaint(renderer.lookupSeriesFillPaint(k).equals(Color.WHITE) ? renderer.lookupSeriesPaint(k)
-                : renderer.lookupSeriesFillPaint(k));
+        g.setPaint(ChartStyle.FIELD);                   // a coloured one would look like more of the curve
         g.setStroke(THIN);
         g.draw(new Line2D.Double(endX(k, area), endY(k, area), x + LEADER - 1, place));
+        g.setPaint(renderer.lookupSeriesFillPaint(k).equals(Color.WHITE) ? renderer.lookupSeriesPaint(k)
+                : renderer.lookupSeriesFillPaint(k));
         g.setStroke(renderer.lookupSeriesStroke(k));
         g.draw(new Line2D.Double(x + LEADER, place, x + LEADER + SAMPLE, place));
         if (renderer.getItemShapeVisible(k, 0)) {

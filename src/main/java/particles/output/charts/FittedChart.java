@@ -1,6 +1,5 @@
 package particles.output.charts;
 
-import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
@@ -10,6 +9,8 @@ import java.util.List;
 import java.util.Locale;
 import org.jfree.chart.ChartRenderingInfo;
 import org.jfree.chart.JFreeChart;
+import org.jfree.chart.axis.NumberAxis;
+import org.jfree.chart.axis.NumberTickUnit;
 import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.plot.CombinedDomainXYPlot;
 import org.jfree.chart.plot.PlotRenderingInfo;
@@ -29,12 +30,13 @@ final class FittedChart extends JFreeChart {
     private static final double WIDENED = 1.12;
     /** Axes whose ranges differ by less than this factor have equal units. */
     private static final double ALIKE = 1.34;
-    private static final int TRIALS = 6;
+    private static final int TRIALS = 10;
     /** The part of the width for a line of the title; JFreeChart measures otherwise, and breaks none of these again. */
     private static final double NARROWER = 0.95;
 
     private final String title;
     private final transient List<EndLabels> labels = new ArrayList<>();
+    private final boolean map;
     private final boolean equalUnits;
     private final boolean tellsUnits;
     private transient Range x;
@@ -54,7 +56,8 @@ final class FittedChart extends JFreeChart {
         if (kind == Panel.Kind.CHART) {
             subplots(plot).forEach(part -> labels.add(new EndLabels(part)));
         }
-        equalUnits = !combined && (kind == Panel.Kind.MAP || kind == Panel.Kind.PHASE
+        map = kind == Panel.Kind.MAP;
+        equalUnits = !combined && (map || kind == Panel.Kind.PHASE
                 && areAlike(plot.getDomainAxis().getRange(), plot.getRangeAxis().getRange()));
         tellsUnits = kind == Panel.Kind.PHASE && !equalUnits;
         if (tellsUnits) {
@@ -101,16 +104,16 @@ final class FittedChart extends JFreeChart {
     @Override
     public void draw(Graphics2D g, Rectangle2D area, Point2D anchor, ChartRenderingInfo info) {
         ChartRenderingInfo seen = info == null ? new ChartRenderingInfo() : info;
-        RectangleInsets padding = getPadding();
         double room = labelRoom(g);
-        setPadding(new RectangleInsets(padding.getTop(), padding.getLeft(), padding.getBottom(),
-                padding.getRight() + room));
         if (equalUnits || tellsUnits) {
             fitUnits(area);
+        } else {
+            RectangleInsets least = XYPlot.DEFAULT_INSETS;
+            getXYPlot().setInsets(new RectangleInsets(least.getTop(), least.getLeft(), least.getBottom(),
+                    least.getRight() + room));
         }
         breakTitle(g, NARROWER * (area.getWidth() - getPadding().getLeft() - getPadding().getRight()));
         super.draw(g, area, anchor, seen);
-        setPadding(padding);
         PlotRenderingInfo plots = seen.getPlotInfo();
         for (int k = 0; k < labels.size(); k++) {
             labels.get(k).draw(g, plots.getSubplotCount() > k ? plots.getSubplotInfo(k).getDataArea()
@@ -118,23 +121,20 @@ final class FittedChart extends JFreeChart {
         }
     }
 
+    /** @return the frame of the points, or those of the uppermost chart, if it is drawn there */
+    Rectangle2D frame(Graphics2D g, Rectangle2D area) {
+        ChartRenderingInfo info = new ChartRenderingInfo();
+        draw(g, area, null, info);
+        PlotRenderingInfo plots = info.getPlotInfo();
+        return plots.getSubplotCount() > 0 ? plots.getSubplotInfo(0).getDataArea() : plots.getDataArea();
+    }
+
     /** Breaks the title at spaces; JFreeChart would break it within a number, too. */
     private void breakTitle(Graphics2D g, double width) {
-        if (getTitle() == null) {
-            return;
+        if (getTitle() != null) {
+            getTitle().setText(String.join("\n", ChartStyle.wrapped(title,
+                    g.getFontMetrics(getTitle().getFont()), width)));
         }
-        FontMetrics metrics = g.getFontMetrics(getTitle().getFont());
-        StringBuilder lines = new StringBuilder();
-        String line = "";
-        for (String word : title.split(" ")) {
-            if (!line.isEmpty() && metrics.stringWidth(line + " " + word) > width) {
-                lines.append(line).append('\n');
-                line = word;
-            } else {
-                line = line.isEmpty() ? word : line + " " + word;
-            }
-        }
-        getTitle().setText(lines + line);
     }
 
     /** Fits equal units by trial: the room of axes depends on their labels, and these on the room. */
@@ -148,6 +148,8 @@ final class FittedChart extends JFreeChart {
         if (tellsUnits) {
             units.setText(" ");                         // as high as the text that will stand there
         }
+        plot.getDomainAxis().setAutoTickUnitSelection(true);
+        plot.getRangeAxis().setAutoTickUnitSelection(true);
         for (int trial = 0; trial < TRIALS; trial++) {
             Rectangle2D inside = trial(area);
             if (tellsUnits) {
@@ -173,7 +175,18 @@ final class FittedChart extends JFreeChart {
             double beside = (width - unit * shownX.getLength()) / 2;
             double above = (height - unit * shownY.getLength()) / 2;
             plot.setInsets(new RectangleInsets(above, beside, above, beside));
+            if (trial == 1) {
+                shareTicks((NumberAxis) plot.getDomainAxis(), (NumberAxis) plot.getRangeAxis());
+            }
         }
+    }
+
+    /** Where units are equally long, both axes have the same ticks. */
+    private static void shareTicks(NumberAxis across, NumberAxis up) {
+        NumberTickUnit larger = across.getTickUnit().getSize() > up.getTickUnit().getSize() ? across.getTickUnit()
+                : up.getTickUnit();
+        across.setTickUnit(larger);
+        up.setTickUnit(larger);
     }
 
     /** The unit stands in brackets at the end of an axis' label. */
@@ -190,8 +203,9 @@ final class FittedChart extends JFreeChart {
         return info.getPlotInfo().getDataArea();
     }
 
-    private static Range widened(Range range, double length) {
-        double half = Math.min(length, WIDENED * range.getLength()) / 2;
+    /** A map ends where it was computed. */
+    private Range widened(Range range, double length) {
+        double half = Math.min(length, (map ? 1 : WIDENED) * range.getLength()) / 2;
         return new Range(range.getCentralValue() - half, range.getCentralValue() + half);
     }
 }

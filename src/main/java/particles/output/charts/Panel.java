@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.IntPredicate;
@@ -56,6 +57,14 @@ public record Panel(List<ChartData> charts, Kind kind, Optional<VectorField> fie
         return new Panel(List.of(data), Kind.PHASE, field);
     }
 
+    /**
+     * @param data the charts, the uppermost first
+     * @return charts above each other
+     */
+    public static Panel stacked(List<ChartData> data) {
+        return new Panel(data, Kind.CHART, Optional.empty());
+    }
+
     /** @return the title above it */
     public String title() {
         return charts.get(0).title();
@@ -73,53 +82,72 @@ public record Panel(List<ChartData> charts, Kind kind, Optional<VectorField> fie
                 && SolverStyle.of(series.name()).isPresent();
     }
 
-    /** @return each chart of a quantity as a panel of its own; rows stay below the chart that they follow */
-    public List<Panel> apart() {
+    /**
+     * @param rows whether rows stay below the chart that they follow; a slide has no room for them
+     * @return each chart of a quantity as a panel of its own
+     */
+    public List<Panel> apart(boolean rows) {
         List<List<ChartData>> parts = new ArrayList<>();
         for (ChartData chart : charts) {
             if (parts.isEmpty() || chart.rows().isEmpty()) {
-                parts.add(new ArrayList<>());
+                parts.add(new ArrayList<>(List.of(chart)));
+            } else if (rows) {
+                parts.get(parts.size() - 1).add(chart);
             }
-            parts.get(parts.size() - 1).add(chart);
         }
-        return parts.stream().map(part -> new Panel(part, kind, field)).toList();
+        return parts.stream().map(this::of).toList();
     }
 
-    /** @return the panel for use by itself: with its quantity in the title if the title is a family's or missing */
-    public Panel named() {
-        ChartData first = charts.get(0);
-        boolean ofFamily = Arrays.stream(SolverFamily.values()).anyMatch(family -> family.title().equals(title()));
-        if (!title().isEmpty() && !ofFamily) {
-            return this;
-        }
+    /** @return a panel of this kind */
+    private Panel of(List<ChartData> parts) {
+        return new Panel(parts, kind, field);
+    }
+
+    /** @return the panel on the axes that these charts would have, each of them one with this one's quantities */
+    public Panel scaledTo(List<Panel> all) {
+        return of(List.of(charts.get(0).scaledTo(all.stream()
+                .flatMap(panel -> panel.charts.get(0).scale().stream()).toList())));
+    }
+
+    /** @return the panel with another title */
+    public Panel titled(String title) {
         List<ChartData> renamed = new ArrayList<>(charts);
-        renamed.set(0, new ChartData((ofFamily ? title() + ": " : "") + first.yLabel(), first.xLabel(), first.yLabel(),
-                first.xLog(), first.yLog(), first.rows(), first.series()));
-        return new Panel(renamed, kind, field);
+        renamed.set(0, charts.get(0).titled(title));
+        return of(renamed);
     }
 
-    /** @return a panel for each family of its solvers; series without a solver are in all */
-    public List<Panel> byFamily() {
-        Map<SolverFamily, List<ChartData>> families = new EnumMap<>(SolverFamily.class);
-        charts.get(0).series().forEach(series -> SolverStyle.of(series.name())
-                .ifPresent(look -> families.put(look.family(), new ArrayList<>())));
-        families.forEach((family, parts) -> {
-            for (ChartData chart : charts) {
-                part(chart, family, parts.isEmpty()).ifPresent(parts::add);
+    /** @return what is drawn, as a part of a file's name: its quantity without a unit, such as energy-error */
+    public String quantity() {
+        return fileName(charts.get(0).yLabel());
+    }
+
+    /** @return the begin of a text, up to a colon, comma or bracket, as a part of a file's name */
+    public static String fileName(String text) {
+        return text.replaceFirst("[:(/].*", "").toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9.]+", "-")
+                .replaceAll("^-|-$", "");
+    }
+
+    /** @return a panel for each family of its solvers, on the same axes; series without a solver are in all */
+    public Map<SolverFamily, Panel> byFamily() {
+        Map<SolverFamily, Panel> families = new EnumMap<>(SolverFamily.class);
+        charts.get(0).series().forEach(series -> SolverStyle.of(series.name()).map(SolverStyle::family)
+                .ifPresent(family -> families.computeIfAbsent(family, this::part)));
+        return families;
+    }
+
+    private Panel part(SolverFamily family) {
+        List<ChartData> parts = new ArrayList<>();
+        for (ChartData chart : charts) {
+            List<String> rows = chart.rows().stream().filter(row -> isOf(row, family)).toList();
+            List<Series> lines = chart.series().stream().filter(some -> isOf(some.name(), family)).toList();
+            List<Series> series = (chart.rows().isEmpty() ? lines.stream().map(some -> atEnds(some, lines))
+                    : chart.series().stream().map(some -> inRows(some, chart.rows(), rows)))
+                    .filter(some -> some.x().length > 0).toList();
+            if (parts.isEmpty() || !series.isEmpty()) {
+                parts.add(chart.with(rows, series));
             }
-        });
-        return families.values().stream().map(parts -> new Panel(parts, kind, field)).toList();
-    }
-
-    private static Optional<ChartData> part(ChartData chart, SolverFamily family, boolean first) {
-        List<String> rows = chart.rows().stream().filter(row -> isOf(row, family)).toList();
-        List<Series> lines = chart.series().stream().filter(some -> isOf(some.name(), family)).toList();
-        List<Series> series = chart.rows().isEmpty() ? lines.stream().map(some -> atEnds(some, lines))
-                .filter(some -> some.x().length > 0).toList()
-                : chart.series().stream().map(some -> inRows(some, chart.rows(), rows))
-                        .filter(some -> some.x().length > 0).toList();
-        return series.isEmpty() && !first ? Optional.empty() : Optional.of(new ChartData(first ? family.title() : "",
-                chart.xLabel(), chart.yLabel(), chart.xLog(), chart.yLog(), rows, series));
+        }
+        return of(parts);
     }
 
     private static boolean isOf(String name, SolverFamily family) {

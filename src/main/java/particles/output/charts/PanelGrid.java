@@ -7,8 +7,6 @@ import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.Comparator;
 import java.util.List;
-import java.util.function.Function;
-import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.block.RectangleConstraint;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.title.LegendTitle;
@@ -20,6 +18,8 @@ import org.jfree.data.Range;
 public final class PanelGrid {
     private static final int CELL = 360;
     private static final int CHART_CELL = 500;
+    /** With two columns there is room for the names of rows and of lines, too. */
+    private static final int WIDE_CELL = 640;
     private static final int LEAST_WIDTH = 1100;
     /** The height of a chart above rows. */
     private static final int MAIN = 250;
@@ -27,10 +27,11 @@ public final class PanelGrid {
     /** Taller maps are narrower than their cells. */
     private static final double TALLEST_SHAPE = 2.4;
     private static final double AXES = 0.85;
-    private static final double HEIGHT_OF_WIDTH = 0.72;
+    private static final double HEIGHT_OF_WIDTH = 0.66;
     private static final int LINE = 21;
     private static final int MARGIN = 10;
     private static final int TALLEST = 400;
+    private static final int TRIALS = 8;
 
     private final String title;
     private final int columns;
@@ -41,13 +42,13 @@ public final class PanelGrid {
     private final double cellHeight;
     private final int rows;
     private final boolean legendInCell;
+    private final boolean compared;
 
     /**
-     * @param title    the title over all panels
-     * @param panels   the panels, row by row
-     * @param oneScale whether all have the same axes, so that they can be compared
+     * @param title  the title over all panels
+     * @param panels the panels, row by row
      */
-    public PanelGrid(String title, List<Panel> panels, boolean oneScale) {
+    public PanelGrid(String title, List<Panel> panels) {
         this.title = title;
         charts = panels.stream().map(panel -> Charts.of(panel, MAIN)).toList();
         legend = ChartLegend.of(charts.stream().flatMap(chart -> FittedChart.subplots(chart.getXYPlot()).stream())
@@ -58,17 +59,15 @@ public final class PanelGrid {
             chart.getTitle().setFont(ChartStyle.PANEL);
             chart.setPadding(new RectangleInsets(4, 4, 4, 8));
         }
-        if (oneScale) {
-            share(chart -> chart.getXYPlot().getDomainAxis());
-            share(chart -> FittedChart.subplots(chart.getXYPlot()).get(0).getRangeAxis());
-        }
         boolean round = charts.stream().allMatch(FittedChart::hasEqualUnits);
         int tallest = panels.stream().flatMap(panel -> panel.charts().stream()).mapToInt(data -> data.rows().size())
                 .max().orElse(0);
-        double shape = oneScale && round ? Math.min(TALLEST_SHAPE, shape(charts.get(0).getXYPlot())) : 1;
+        double shape = round ? Math.min(TALLEST_SHAPE, shape(charts.get(0).getXYPlot())) : 1;
+        compared = panels.stream().allMatch(panel ->
+                panel.charts().get(0).scale().equals(panels.get(0).charts().get(0).scale()));
         columns = shape > TALL ? panels.size() : columns(panels.size());
         rows = (charts.size() + columns - 1) / columns;
-        width = Math.max(LEAST_WIDTH, columns * (round ? CELL : CHART_CELL));
+        width = Math.max(LEAST_WIDTH, columns * (round ? CELL : columns > 2 ? CHART_CELL : WIDE_CELL));
         cellWidth = (width - 2.0 * MARGIN) / columns;
         cellHeight = (round ? 1.02 + AXES * (shape - 1) : HEIGHT_OF_WIDTH) * cellWidth
                 + (tallest == 0 ? 0 : Charts.ROW * (tallest + 1));
@@ -85,28 +84,41 @@ public final class PanelGrid {
         return map.getRangeAxis().getRange().getLength() / map.getDomainAxis().getRange().getLength();
     }
 
-    private void share(Function<FittedChart, ValueAxis> axis) {
-        List<ValueAxis> axes = charts.stream().map(axis).toList();
-        Range all = axes.stream().map(ValueAxis::getRange).reduce(Range::combine).orElseThrow();
-        axes.forEach(one -> one.setRange(all));
+    /** Pads charts on the same axes until their frames are equal: text around them takes different room. */
+    private void alignPanels(Graphics2D g) {
+        for (int trial = 0; trial < TRIALS; trial++) {
+            List<Rectangle2D> frames = charts.stream().map(chart -> chart.frame(g,
+                    new Rectangle2D.Double(0, 0, cellWidth, cellHeight))).toList();
+            double left = frames.stream().mapToDouble(Rectangle2D::getMinX).max().orElse(0);
+            double top = frames.stream().mapToDouble(Rectangle2D::getMinY).max().orElse(0);
+            double right = frames.stream().mapToDouble(Rectangle2D::getMaxX).min().orElse(0);
+            double bottom = frames.stream().mapToDouble(Rectangle2D::getMaxY).min().orElse(0);
+            for (int k = 0; k < charts.size(); k++) {
+                RectangleInsets padding = charts.get(k).getPadding();
+                Rectangle2D frame = frames.get(k);
+                charts.get(k).setPadding(new RectangleInsets(padding.getTop() + top - frame.getMinY(),
+                        padding.getLeft() + left - frame.getMinX(), padding.getBottom() + frame.getMaxY() - bottom,
+                        padding.getRight() + frame.getMaxX() - right));
+            }
+        }
     }
 
-    /**
-     * @param writer writes the picture
-     * @param name   the file's name
-     */
-    public void write(ChartWriter writer, String name) {
+    /** @return the page with all panels */
+    public ChartPage page() {
         Graphics2D trial = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
         List<String> lines = ChartStyle.wrapped(title, trial.getFontMetrics(ChartStyle.TITLE), width - 4.0 * MARGIN);
         double room = charts.stream().mapToDouble(chart -> chart.labelRoom(trial)).max().orElse(0);
         charts.forEach(chart -> chart.keepRoom(room));
+        if (compared) {
+            alignPanels(trial);
+        }
         Size2D size = legend.arrange(trial, new RectangleConstraint(new Range(0, legendInCell
                 ? cellWidth : width - 2.0 * MARGIN), new Range(0, TALLEST)));
         trial.dispose();
         double head = LINE * (lines.size() + 1);
         double bottom = head + rows * cellHeight;
         int height = (int) Math.ceil(bottom + (legendInCell ? 0 : size.height) + MARGIN);
-        writer.write(name, width, height, g -> {
+        return new ChartPage(width, height, g -> {
             g.setColor(Color.WHITE);
             g.fill(new Rectangle2D.Double(0, 0, width, height));
             g.setColor(ChartStyle.TEXT);

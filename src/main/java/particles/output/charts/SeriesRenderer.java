@@ -32,6 +32,7 @@ final class SeriesRenderer {
         XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer();
         renderer.setDrawSeriesLineAsPath(true);         // dashes run on from point to point
         renderer.setUseOutlinePaint(true);
+        renderer.setDataBoundsIncludesVisibleSeriesOnly(false);     // or y is not that of a point at the end of x
         renderer.setUseFillPaint(true);
         List<SolverStyle> looks = looks(data, firstLook);
         for (int k = 0; k < data.series().size(); k++) {

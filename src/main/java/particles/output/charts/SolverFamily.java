@@ -1,5 +1,7 @@
 package particles.output.charts;
 
+import java.util.Locale;
+
 /** The families of solvers in charts: each has its own hue, and its own panel if there are many solvers. */
 public enum SolverFamily {
     /** Runge-Kutta and multistep methods with a fixed step. */
@@ -17,6 +19,11 @@ public enum SolverFamily {
 
     SolverFamily(String title) {
         this.title = title;
+    }
+
+    /** @return a word for it, in names of files */
+    public String word() {
+        return name().toLowerCase(Locale.ROOT);
     }
 
     /** @return the title of its panel */

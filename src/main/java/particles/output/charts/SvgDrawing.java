@@ -1,11 +1,9 @@
 package particles.output.charts;
 
 import java.awt.Dimension;
-import java.awt.Graphics2D;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
-import java.util.function.Consumer;
 import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.parsers.ParserConfigurationException;
 import org.apache.batik.svggen.SVGGraphics2D;
@@ -20,14 +18,14 @@ final class SvgDrawing {
     private SvgDrawing() {
     }
 
-    static void write(OutputFolder folder, String name, int width, int height, Consumer<Graphics2D> drawing) {
+    static void write(OutputFolder folder, String name, ChartPage page) {
         try (OutputFile file = folder.create(name); StringWriter text = new StringWriter()) {
             DOMImplementation dom = DocumentBuilderFactory.newInstance().newDocumentBuilder().getDOMImplementation();
             SVGGraphics2D g = new SVGGraphics2D(dom.createDocument("http://www.w3.org/2000/svg", "svg", null));
-            g.setSVGCanvasSize(new Dimension(width, height));
-            drawing.accept(g);
+            g.setSVGCanvasSize(new Dimension(page.width(), page.height()));
+            page.drawing().accept(g);
             Element root = g.getRoot();
-            root.setAttribute("viewBox", "0 0 " + width + " " + height);
+            root.setAttribute("viewBox", "0 0 " + page.width() + " " + page.height());
             g.stream(root, text, true, false);
             // without the document type, which names an address that some programs would wait for
             file.write(text.toString().replaceFirst("<!DOCTYPE[^>]*>", "").getBytes(StandardCharsets.UTF_8));

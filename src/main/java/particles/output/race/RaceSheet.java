@@ -6,6 +6,7 @@ import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Locale;
+import particles.output.charts.ChartPage;
 import particles.output.charts.ChartStyle;
 import particles.output.charts.ChartWriter;
 import particles.output.charts.StripChart;
@@ -47,7 +48,7 @@ final class RaceSheet {
         int height = width * one.getHeight() / one.getWidth();
         int beside = (WIDTH - columns * (width + GAP) + GAP) / 2;
         int bottom = HEAD + rows * (RacePage.LABEL + height + GAP);
-        writer.write(name, WIDTH, HEIGHT, g -> {
+        writer.write(name, new ChartPage(WIDTH, HEIGHT, g -> {
             RacePage.smooth(g);
             g.setColor(Color.WHITE);
             g.fillRect(0, 0, WIDTH, HEIGHT);
@@ -64,6 +65,6 @@ final class RaceSheet {
                         words.get(k).left(), time);
             }
             chart.draw(g, new Rectangle2D.Double(0, bottom, WIDTH, HEIGHT - bottom));
-        });
+        }));
     }
 }

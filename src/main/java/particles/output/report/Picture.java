@@ -1,12 +1,14 @@
 package particles.output.report;
 
-import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import particles.output.charts.ChartFormat;
-import particles.output.charts.ChartWriter;
+import particles.output.charts.ChartPage;
 import particles.output.charts.Panel;
 import particles.output.charts.PanelGrid;
+import particles.output.charts.SolverFamily;
 import particles.view.ChartData;
 import particles.view.VectorField;
 
@@ -17,15 +19,15 @@ import particles.view.VectorField;
  * @param caption  the caption
  * @param file     the name of the picture's file
  * @param title    the title over several panels
- * @param oneScale whether all panels have the same axes
  * @param panels   the charts; none if the picture is made elsewhere
+ * @param slides   what is shown on slides instead, if it is not each panel by itself
  * @param repeated whether it shows a part of another one again, in a file of its own
  */
-public record Picture(String name, String caption, String file, String title, boolean oneScale, List<Panel> panels,
-        boolean repeated) {
+public record Picture(String name, String caption, String file, String title, List<Panel> panels,
+        Optional<List<Picture>> slides, boolean repeated) {
 
-    private Picture(String name, String caption, String title, boolean oneScale, List<Panel> panels) {
-        this(name, caption, name + ".png", title, oneScale, panels, false);
+    private Picture(String name, String caption, String title, List<Panel> panels) {
+        this(name, caption, name + ".png", title, panels, Optional.empty(), false);
     }
 
     /**
@@ -35,7 +37,7 @@ public record Picture(String name, String caption, String file, String title, bo
      * @return a picture with one panel
      */
     public static Picture of(String name, String caption, Panel panel) {
-        return new Picture(name, caption, panel.title(), false, List.of(panel));
+        return new Picture(name, caption, panel.title(), List.of(panel));
     }
 
     /**
@@ -55,7 +57,7 @@ public record Picture(String name, String caption, String file, String title, bo
      * @return a picture with charts above each other over the same x axis
      */
     public static Picture stacked(String name, String caption, List<ChartData> data) {
-        return of(name, caption, new Panel(data, Panel.Kind.CHART, Optional.empty()));
+        return of(name, caption, Panel.stacked(data));
     }
 
     /**
@@ -77,7 +79,7 @@ public record Picture(String name, String caption, String file, String title, bo
      * @return a picture with many charts, each with its own scale
      */
     public static Picture panels(String name, String caption, String title, List<Panel> panels) {
-        return new Picture(name, caption, title, false, panels);
+        return new Picture(name, caption, title, panels);
     }
 
     /**
@@ -88,7 +90,7 @@ public record Picture(String name, String caption, String file, String title, bo
      * @return a picture with many charts that have the same axes
      */
     public static Picture compared(String name, String caption, String title, List<Panel> panels) {
-        return new Picture(name, caption, title, true, panels);
+        return new Picture(name, caption, title, panels.stream().map(panel -> panel.scaledTo(panels)).toList());
     }
 
     /**
@@ -97,12 +99,18 @@ public record Picture(String name, String caption, String file, String title, bo
      * @return a picture that is not drawn again, such as an animation
      */
     public static Picture made(String file, String caption) {
-        return new Picture(file.replaceFirst("[.].*", ""), caption, file, "", false, List.of(), false);
+        return new Picture(file.replaceFirst("[.].*", ""), caption, file, "", List.of(),
+                Optional.empty(), false);
     }
 
     /** @return the picture, marked as a repetition of a part of a larger picture of the page */
     public Picture again() {
-        return new Picture(name, caption, file, title, oneScale, panels, true);
+        return new Picture(name, caption, file, title, panels, slides, true);
+    }
+
+    /** @return the picture, replaced on slides by these, each of them without more than one panel */
+    public Picture onSlides(List<Picture> others) {
+        return new Picture(name, caption, file, title, panels, Optional.of(others), repeated);
     }
 
     List<ChartData> data() {
@@ -111,36 +119,43 @@ public record Picture(String name, String caption, String file, String title, bo
 
     /**
      * Splits a picture as the format needs: on slides each chart is a picture of its own; elsewhere only charts with
-     * too many curves are split by solver families.
+     * too many curves are split by solver families. The names of files say what is in them.
      */
     List<Picture> laidOut(ChartFormat format) {
         boolean crowded = panels.stream().anyMatch(panel -> panel.curves() > format.mostCurves());
-        if (repeated && format.slide()) {
-            return List.of();                           // the larger picture is slides
+        if (format.slide() && slides.isPresent()) {
+            return slides.get().stream().flatMap(slide -> slide.laidOut(format).stream()).toList();
         }
         if (panels.isEmpty() || !crowded && !format.slide()) {
             return List.of(this);
         }
-        List<Picture> pictures = new ArrayList<>();
-        for (Panel part : panels.stream().flatMap(panel -> panel.apart().stream()).toList()) {
-            List<Panel> families = part.curves() > format.mostCurves() ? part.byFamily() : List.of(part);
-            if (!format.slide()) {
-                pictures.add(new Picture(next(pictures), captionOf(part, pictures), heading(part), true, families));
-            } else {
-                families.forEach(family ->
-                        pictures.add(of(next(pictures), captionOf(part, pictures), family.named())));
+        Map<String, Picture> pictures = new LinkedHashMap<>();
+        for (Panel panel : panels) {
+            List<Panel> parts = panel.apart(!format.slide());
+            for (Panel part : parts) {
+                String file = name + (panels.size() == 1 ? "" : "-" + Panel.fileName(panel.title()))
+                        + (part == parts.get(0) ? "" : "-" + part.quantity());
+                String text = pictures.isEmpty() ? caption : heading(part) + ".";   // the first explains all
+                Map<SolverFamily, Panel> families = part.byFamily();
+                if (part.curves() <= format.mostCurves()) {
+                    add(pictures, of(file, text, part.titled(heading(part))), panel);
+                } else if (format.slide()) {
+                    families.forEach((family, some) -> add(pictures, of(file + "-" + family.word(),
+                            pictures.isEmpty() ? caption : heading(some) + ".", some.titled(heading(some))), panel));
+                } else {
+                    add(pictures, new Picture(file, text, heading(part), families.entrySet().stream().map(some ->
+                            some.getValue().titled(some.getKey().title())).toList()), panel);
+                }
             }
         }
-        return pictures;
+        return List.copyOf(pictures.values());
     }
 
-    /** The caption explains all parts and stands below the first one; each other part has its heading. */
-    private String captionOf(Panel part, List<Picture> before) {
-        return before.isEmpty() ? caption : heading(part) + ".";
-    }
-
-    private String next(List<Picture> before) {
-        return before.isEmpty() ? name : name + "-" + (before.size() + 1);
+    /** Panels that show the same along another axis have its quantity in the name, too. */
+    private static void add(Map<String, Picture> pictures, Picture picture, Panel panel) {
+        String name = pictures.containsKey(picture.name()) ? picture.name() + "-"
+                + Panel.fileName(panel.charts().get(0).xLabel()) : picture.name();
+        pictures.put(name, new Picture(name, picture.caption(), picture.title(), picture.panels()));
     }
 
     /** The title of a panel; a chart without a title of its own shows its quantity. */
@@ -148,11 +163,9 @@ public record Picture(String name, String caption, String file, String title, bo
         return panel.title().isEmpty() ? panel.charts().get(0).yLabel() : panel.title();
     }
 
-    void write(ChartWriter writer) {
-        if (panels.size() == 1) {
-            writer.write(file, panels.get(0));
-        } else if (!panels.isEmpty()) {
-            new PanelGrid(title, panels, oneScale).write(writer, file);
-        }
+    /** @return the page to be drawn; none if the picture is made elsewhere */
+    public Optional<ChartPage> page(ChartFormat format) {
+        return panels.isEmpty() ? Optional.empty() : Optional.of(panels.size() == 1
+                ? ChartPage.of(panels.get(0), format) : new PanelGrid(title, panels).page());
     }
 }

@@ -34,7 +34,7 @@ public final class ResultPageWriter {
         ResultPage laidOut = page.laidOut(format);
         ChartWriter writer = new ChartWriter(folder, format);
         for (Picture picture : laidOut.pictures()) {
-            picture.write(writer);
+            picture.page(format).ifPresent(drawn -> writer.write(picture.file(), drawn));
             if (!picture.data().isEmpty()) {
                 writeLines(folder, picture.name() + ".csv", points(picture.data()));
             }

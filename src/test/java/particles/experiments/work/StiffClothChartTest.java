@@ -16,13 +16,14 @@ class StiffClothChartTest {
     private static final Row STIFF = new Row(1e9, 5000, 5, 0.2, 0.1, Double.NaN);
 
     @Test
-    void theFindingSaysWhereRk4IsCheaperAndHowMuchItCostsInTheEnd() {
-        assertEquals("One frame of stiff cloth: rk4 is cheaper up to 10 steps; where rk4 needs 5000, a step of"
-                + " linearised-euler is 50 times cheaper", StiffCloth.finding(List.of(SOFT, MIDDLE, EQUAL, STIFF)));
-        assertEquals("One frame of stiff cloth: rk4 is cheaper up to 10 steps",
+    void theFindingSaysWhereRk4IsCheaperAndWhereItIsNot() {
+        assertEquals("One frame of stiff cloth: rk4 takes less than half the time up to 10 steps,"
+                + " linearised-euler from 5000 on", StiffCloth.finding(List.of(SOFT, MIDDLE, EQUAL, STIFF)));
+        assertEquals("One frame of stiff cloth: rk4 takes less than half the time up to 10 steps",
                 StiffCloth.finding(List.of(SOFT, MIDDLE)));
-        assertEquals("One frame of stiff cloth: where rk4 needs 5000, a step of linearised-euler is 50 times cheaper",
+        assertEquals("One frame of stiff cloth: linearised-euler takes less than half the time from 5000 on",
                 StiffCloth.finding(List.of(STIFF)));
+        assertEquals("One frame of stiff cloth: both take about as long", StiffCloth.finding(List.of(EQUAL)));
     }
 
     @Test

@@ -111,7 +111,7 @@ class ChartsTest {
     }
 
     private static FittedChart stacked(ChartData... charts) {
-        return Charts.of(new Panel(List.of(charts), Panel.Kind.CHART, Optional.empty()));
+        return Charts.of(Panel.stacked(List.of(charts)));
     }
 
     /** Runs without a result stand in rows below, named, from above in the order given; the legend has their mark. */
@@ -119,8 +119,9 @@ class ChartsTest {
     void rowsAreNamedAndFailuresAreInTheLegend() {
         Series hollow = new Series("rk4, 4.00", Mark.LINE_AND_OPEN_POINTS, new double[] {1, 10}, new double[] {1, 2});
         Series filled = new Series("rk4, 4.00", Mark.POINTS, new double[] {10}, new double[] {2});
-        ChartData below = new ChartData("", "x (m)", "no result", true, false, List.of("euler", "rk4"),
-                List.of(new Series("did not converge", Mark.GIVEN_UP, new double[] {1000}, new double[] {1})));
+        ChartData below = new ChartData("", "x (m)", "no result", true, false,
+                List.of(new Series("did not converge", Mark.GIVEN_UP, new double[] {1000}, new double[] {1})))
+                .inRows(List.of("euler", "rk4"));
         FittedChart chart = stacked(chart(true, hollow, filled), below);
         CombinedDomainXYPlot plot = assertInstanceOf(CombinedDomainXYPlot.class, chart.getPlot());
         SymbolAxis rows = assertInstanceOf(SymbolAxis.class, plot.getSubplots().get(1).getRangeAxis());
@@ -227,8 +228,8 @@ class ChartsTest {
     @Test
     void exponentsHaveOneStyleOnAllAxes() {
         assertEquals(List.of("100", "0.01", "1e-6", "1e7"), DoubleStream.of(100, 0.01, Math.pow(10, -6), 1e7)
-                .mapToObj(new PowerFormat()::format).toList());
+                .mapToObj(new DecadeAxis.PowerFormat()::format).toList());
         ValueAxis axis = Charts.of(chart(true, series("y", 1e-8, 1))).getXYPlot().getRangeAxis();
-        assertInstanceOf(PowerFormat.class, ((LogAxis) axis).getNumberFormatOverride());
+        assertInstanceOf(DecadeAxis.PowerFormat.class, ((LogAxis) axis).getNumberFormatOverride());
     }
 }

@@ -105,8 +105,8 @@ class ResultPageWriterTest {
                 List.of("verlet", "yoshida4", "symplectic-euler", "stopped")),
                 pages.get(0).data().stream().map(data -> data.series().stream().map(Series::name).toList()).toList());
         List<Picture> slides = six.laidOut(new ChartFormat(true, false));
-        assertEquals(List.of("many", "many-2"), slides.stream().map(Picture::name).toList());
-        assertEquals(List.of("explicit, fixed step: y", "symplectic: y"),
+        assertEquals(List.of("many-explicit", "many-symplectic"), slides.stream().map(Picture::name).toList());
+        assertEquals(List.of("t", "t"),
                 slides.stream().map(slide -> slide.data().get(0).title()).toList());
     }
 }

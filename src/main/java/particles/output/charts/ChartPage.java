@@ -1,0 +1,38 @@
+package particles.output.charts;
+
+import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
+import java.util.List;
+import java.util.function.Consumer;
+import particles.view.ChartData;
+
+/**
+ * A page to be drawn.
+ *
+ * @param width   the width, in pixels of the layout
+ * @param height  the height
+ * @param drawing draws the page
+ */
+public record ChartPage(int width, int height, Consumer<Graphics2D> drawing) {
+    private static final int WIDTH = 900;
+    private static final int HEIGHT = 560;
+    private static final int STACKED_HEIGHT = 760;
+    private static final int SQUARE_WIDTH = 720;
+    private static final int SQUARE_HEIGHT = 700;
+
+    /**
+     * @param panel  the chart
+     * @param format the format of the picture
+     * @return a page with one chart, or charts above each other
+     */
+    public static ChartPage of(Panel panel, ChartFormat format) {
+        FittedChart chart = Charts.of(panel);
+        List<ChartData> charts = panel.charts();
+        int rows = charts.stream().mapToInt(data -> data.rows().size()).max().orElse(0);
+        long ofQuantities = charts.stream().filter(data -> data.rows().isEmpty()).count();
+        int width = format.width(chart.hasEqualUnits() ? SQUARE_WIDTH : WIDTH);
+        int height = format.height(chart.hasEqualUnits() ? SQUARE_HEIGHT
+                : (ofQuantities > 1 ? STACKED_HEIGHT : HEIGHT) + (rows == 0 ? 0 : Charts.ROW * (rows + 2)));
+        return new ChartPage(width, height, g -> chart.draw(g, new Rectangle2D.Double(0, 0, width, height)));
+    }
+}

@@ -1,0 +1,133 @@
+package particles.app.experiments;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Graphics2D;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import particles.app.cli.OptionStyle;
+import particles.output.charts.ChartFormat;
+import particles.output.charts.ChartPage;
+import particles.output.charts.Layout;
+import particles.output.charts.Panel;
+import particles.output.files.OutputFolder;
+import particles.output.report.Picture;
+import particles.output.report.ResultPage;
+import particles.view.ChartData;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+import picocli.CommandLine;
+
+/** The layout of every chart of the experiments, as page and as slide: boxes, type, labels and titles, as data. */
+class ChartLayoutTest {
+    private static final ChartFormat SLIDE = new ChartFormat(true, false);
+    private static final Panel LINE = Panel.chart(new ChartData("rk4 rises", "time (s)", "height (m)", false, false,
+            List.of(new Series("rk4", Mark.LINE, new double[] {0, 1}, new double[] {0, 1}))));
+
+    @TempDir
+    Path top;
+
+    @ParameterizedTest
+    @ValueSource(strings = {"lectureFigures", "phasePlots", "energyDrift --duration=2",
+        "energyDrift --scene=3 --solvers=rk4,verlet,midpoint", "stiffGallery --decades=5 --solvers=euler,rk4,radau",
+        "effectCost --columns=3 --rounds=1", "stability --scene=4",
+        "workPrecision --problem=oscillator --solvers=rk4,euler"})
+    void boxesDoNotOverlapAndAxesCanBeRead(String task) {
+        try (OutputFolder folder = OutputFolder.open(top.resolve("out"))) {
+            ResultPage page = measured(task, folder);
+            List<String> faults = new ArrayList<>();
+            for (ChartFormat format : List.of(ChartFormat.PAGE, SLIDE)) {
+                for (Picture picture : page.laidOut(format).pictures()) {
+                    String where = (format.slide() ? "slide " : "page ") + picture.name() + ": ";
+                    picture.page(format).ifPresent(drawn -> Layout.faults(drawn, picture.panels(), format)
+                            .forEach(fault -> faults.add(where + fault)));
+                }
+            }
+            assertEquals("", String.join("\n", faults));
+        }
+    }
+
+    @Tag("slow")
+    @ParameterizedTest
+    @ValueSource(strings = {"stiffGallery", "stability", "workPrecision", "stiffCloth", "race", "energyDrift"})
+    void wholeExperimentsAreLaidOutAsWell(String task) {
+        boxesDoNotOverlapAndAxesCanBeRead(task);
+    }
+
+    static ResultPage measured(String task, OutputFolder folder) {
+        List<String> words = List.of(task.split(" "));
+        ExperimentCommand command = Stream.of(new LectureFiguresCommand(), new PhasePlotsCommand(),
+                new EnergyDriftCommand(), new StiffGalleryCommand(), new EffectCostCommand(), new StabilityCommand(),
+                new WorkPrecisionCommand(), new StiffClothCommand(), new RaceCommand())
+                .filter(one -> new CommandLine(one).getCommandName().equals(words.get(0))).findFirst().orElseThrow();
+        command.typedIn(OptionStyle.GRADLE);
+        new CommandLine(command).parseArgs(words.subList(1, words.size()).toArray(String[]::new));
+        assertEquals(List.of(), command.mistakes());
+        return command.measure(folder, (part, what) -> { });
+    }
+
+    static Stream<Arguments> broken() {
+        return Stream.of(
+                Arguments.of("runs into", (Consumer<Graphics2D>) g -> g.drawString("of the rows", 300, 20)),
+                Arguments.of("leaves the page", (Consumer<Graphics2D>) g -> g.drawString("far out", 620, 300)),
+                Arguments.of("crosses the frame", (Consumer<Graphics2D>) g -> g.drawString("in the way", 520, 150)),
+                Arguments.of("type of", (Consumer<Graphics2D>) g -> {
+                    g.scale(0.5, 0.5);
+                    g.drawString("tiny", 1000, 700);
+                }));
+    }
+
+    @ParameterizedTest
+    @MethodSource("broken")
+    void whatIsInTheWayIsSeen(String fault, Consumer<Graphics2D> besides) {
+        ChartPage page = ChartPage.of(LINE, SLIDE);
+        assertEquals(List.of(), Layout.faults(page, List.of(LINE), SLIDE));
+        List<String> faults = Layout.faults(new ChartPage(page.width(), page.height(),
+                page.drawing().andThen(besides)), List.of(LINE), SLIDE);
+        assertTrue(faults.size() > 0 && faults.stream().allMatch(line -> line.contains(fault)), faults.toString());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"height (m)", ""})
+    void titlesWithoutAFindingAreSeen(String title) {
+        Panel panel = LINE.titled(title);
+        List<String> faults = Layout.faults(ChartPage.of(panel, SLIDE), List.of(panel), SLIDE);
+        assertEquals(List.of("no finding, but '" + title + "'"), faults);
+    }
+
+    /** From 1.2 to 1.8 a logarithmic axis has no power of ten, and 5e-3 to 5e-2 one; both get labels between. */
+    @ParameterizedTest
+    @CsvSource({"1.2, 1.8", "5e-3, 5e-2", "1e-17, 1e3", "0.9, 110"})
+    void logarithmicAxesHaveThreeLabels(double low, double high) {
+        Panel panel = Panel.chart(new ChartData("rk4 rises", "time (s)", "height (m)", true, true,
+                List.of(new Series("rk4", Mark.LINE, new double[] {low, high}, new double[] {low, high}))));
+        assertEquals(List.of(), Layout.faults(ChartPage.of(panel, SLIDE), List.of(panel), SLIDE));
+    }
+
+    @Test
+    void panelsThatAreComparedHaveEqualFrames() {
+        List<Panel> two = List.of(LINE, LINE);
+        ChartPage one = ChartPage.of(LINE, SLIDE);
+        ChartPage unequal = new ChartPage(2 * one.width(), one.height(), g -> {
+            one.drawing().accept(g);
+            g.translate(one.width(), 0);
+            g.scale(0.9, 0.9);
+            one.drawing().accept(g);
+        });
+        assertTrue(Layout.faults(unequal, two, ChartFormat.PAGE).stream().allMatch(line ->
+                line.startsWith("panels that are compared differ")), "and nothing else");
+        assertEquals(1, Layout.faults(unequal, two, ChartFormat.PAGE).size());
+    }
+}

@@ -1,0 +1,149 @@
+package particles.output.charts;
+
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import particles.output.charts.PageRecorder.Text;
+
+/** What is wrong with the layout of a page: a line for each fault. */
+public final class Layout {
+    /** The least type of a slide, as a part of its height. */
+    private static final double TYPE = 1.0 / 45;
+    private static final int LABELS = 3;
+    /** Boxes may share this much (pixels of the layout). */
+    private static final double TOUCH = 1;
+    /** The labels of an axis are this near to its panel. */
+    private static final double NEAR = 14;
+
+    private final ChartPage page;
+    private final List<Text> texts;
+    private final List<Rectangle2D> panels;
+    private final List<String> faults = new ArrayList<>();
+
+    private Layout(ChartPage page) {
+        this.page = page;
+        PageRecorder recorder = new PageRecorder(page);
+        texts = recorder.texts();
+        panels = recorder.panels();
+    }
+
+    /**
+     * @param page   a page
+     * @param panels what is drawn on it
+     * @param format its format
+     * @return the faults of its layout; none if it is right
+     */
+    public static List<String> faults(ChartPage page, List<Panel> panels, ChartFormat format) {
+        Layout layout = new Layout(page);
+        layout.place();
+        layout.readAxes();
+        layout.compare(panels);
+        panels.stream().flatMap(panel -> panel.charts().stream()).flatMap(chart -> chart.rows().stream())
+                .filter(row -> layout.texts.stream().noneMatch(text -> text.text().equals(row)))
+                .forEach(row -> layout.faults.add("the row '" + row + "' has no label"));
+        if (format.slide()) {
+            layout.texts.stream().filter(text -> text.size() < TYPE * page.height())
+                    .forEach(text -> layout.faults.add(text.text() + ": type of " + text.size()));
+        }
+        if (panels.stream().anyMatch(panel -> panel.title().isBlank() || panel.charts().stream()
+                .anyMatch(chart -> panel.title().equals(chart.yLabel())))) {
+            layout.faults.add("no finding, but '" + panels.get(0).title() + "'");
+        }
+        return layout.faults;
+    }
+
+    /** @return the first line of text on a page, which is the begin of its title */
+    public static String firstLine(ChartPage page) {
+        return new PageRecorder(page).texts().get(0).text();
+    }
+
+    private void place() {
+        Rectangle2D all = new Rectangle2D.Double(0, 0, page.width(), page.height());
+        for (int k = 0; k < texts.size(); k++) {
+            Rectangle2D box = texts.get(k).box();
+            if (!all.contains(box)) {
+                faults.add(say(texts.get(k)) + " leaves the page");
+            }
+            for (Text other : texts.subList(k + 1, texts.size())) {
+                if (overlap(box, other.box())) {
+                    faults.add(say(texts.get(k)) + " runs into " + say(other));
+                }
+            }
+            for (Rectangle2D panel : panels) {
+                if (overlap(box, panel) && !grown(panel).contains(box)) {
+                    faults.add(say(texts.get(k)) + " crosses the frame of a panel");
+                }
+            }
+        }
+        for (int k = 0; k < panels.size(); k++) {
+            Rectangle2D panel = panels.get(k);
+            if (!all.contains(panel) || panels.subList(k + 1, panels.size()).stream()
+                    .anyMatch(other -> overlap(panel, other) && !panel.equals(other))) {
+                faults.add("a panel leaves the page or covers another: " + panel);
+            }
+        }
+    }
+
+    private static Rectangle2D grown(Rectangle2D box) {
+        return new Rectangle2D.Double(box.getX() - TOUCH, box.getY() - TOUCH, box.getWidth() + 2 * TOUCH,
+                box.getHeight() + 2 * TOUCH);
+    }
+
+    private static String say(Text text) {
+        Rectangle2D box = text.box();
+        return "'%s' (%.0f, %.0f to %.0f, %.0f)".formatted(text.text(), box.getMinX(), box.getMinY(), box.getMaxX(),
+                box.getMaxY());
+    }
+
+    private static boolean overlap(Rectangle2D a, Rectangle2D b) {
+        return a.getMaxX() > b.getMinX() + TOUCH && b.getMaxX() > a.getMinX() + TOUCH
+                && a.getMaxY() > b.getMinY() + TOUCH && b.getMaxY() > a.getMinY() + TOUCH;
+    }
+
+    private void readAxes() {
+        if (panels.isEmpty()) {
+            faults.add("no panel");
+        }
+        for (Rectangle2D panel : panels) {
+            List<Text> beside = texts.stream().filter(text -> text.isTick()
+                    && text.box().getCenterY() > panel.getMinY() - TOUCH
+                    && text.box().getCenterY() < panel.getMaxY() + TOUCH
+                    && Math.abs(panel.getMinX() - text.box().getMaxX()) < NEAR).toList();
+            if (beside.stream().allMatch(Text::isNumber)) {
+                count(beside, "beside " + panel);
+            }
+            boolean carriesAxis = panels.stream().noneMatch(other -> other.getMinX() == panel.getMinX()
+                    && other.getMinY() > panel.getMaxY() && other.getMinY() < panel.getMaxY() + 2 * NEAR);
+            if (carriesAxis) {
+                count(texts.stream().filter(text -> text.isTick()
+                        && text.box().getCenterX() > panel.getMinX() - TOUCH
+                        && text.box().getCenterX() < panel.getMaxX() + TOUCH
+                        && Math.abs(text.box().getMinY() - panel.getMaxY()) < NEAR).toList(), "below " + panel);
+            }
+        }
+    }
+
+    private void count(List<Text> labels, String where) {
+        if (labels.size() < LABELS) {
+            faults.add("only " + labels.stream().map(Text::text).collect(Collectors.toList()) + " " + where);
+        }
+    }
+
+    /** Panels with the same scale have frames of the same size and the same labels. */
+    private void compare(List<Panel> charts) {
+        boolean equal = charts.size() > 1 && charts.stream().allMatch(panel -> panel.charts().get(0).scale().equals(
+                charts.get(0).charts().get(0).scale()) && panel.charts().get(0).rows().isEmpty());
+        if (equal) {
+            List<Rectangle2D> main = panels.stream().filter(panel -> panels.stream().noneMatch(other ->
+                    other.getMinX() == panel.getMinX() && other.getMaxY() < panel.getMinY()
+                    && other.getMaxY() > panel.getMinY() - 2 * NEAR)).toList();
+            for (Rectangle2D panel : main) {
+                if (Math.abs(panel.getWidth() - main.get(0).getWidth()) > TOUCH
+                        || Math.abs(panel.getHeight() - main.get(0).getHeight()) > TOUCH) {
+                    faults.add("panels that are compared differ in size: " + panel + " and " + main.get(0));
+                }
+            }
+        }
+    }
+}
