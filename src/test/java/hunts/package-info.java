@@ -9,8 +9,8 @@
  *     for twenty minutes ({@code -Pseconds} sets another time).</li>
  * <li>{@code gradle mutationTests -Ppackage=deSolvers.symplectic} changes the classes of a package, one instruction
  *     at a time, and counts the changes that a test notices: at least 85 % must be noticed. On two cores this takes
- *     one to ten minutes, and about twenty for {@code deSolvers.implicit}. Without a package it tests all of them
- *     and prints a table at the end.</li>
+ *     one to ten minutes, and about twenty for {@code deSolvers.implicit}. Without a package it tests all of
+ *     them.</li>
  * </ul>
  */
 package hunts;

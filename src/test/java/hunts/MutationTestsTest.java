@@ -14,31 +14,8 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** Counting of mutants, and options of the task. */
-class MutationTableTest {
-    private static final List<String> CSV = List.of(
-            "A.java,deSolvers.A,org.Math,stepState,12,KILLED,deSolvers.ATest",
-            "A.java,deSolvers.A$Inner,org.Math,stepState,13,SURVIVED,none",
-            "A.java,deSolvers.A,org.Math,stepState,14,TIMED_OUT,none",
-            "A.java,deSolvers.A,org.Math,stepState,14,NO_COVERAGE,none",
-            "B.java,deSolvers.B,org.Math,stepState,7,MEMORY_ERROR,none");
-
-    @Test
-    void everyMutantIsCountedOnceWithItsClass() {
-        MutationTable table = MutationTable.ofClasses(CSV);
-        assertEquals(new MutationTable.Count(5, 3, 1), table.total());
-        assertEquals(60, table.total().percent(), 1e-12);
-        assertEquals(String.format("""
-                class  mutants  killed  timed out      %%
-                A            4       2          1   50.0
-                B            1       1          0  100.0
-                all          5       3          1   60.0
-                """), table.print("class").replace(System.lineSeparator(), "\n"));
-        assertEquals(List.of("A"), table.below(85));
-        assertEquals(List.of(), table.below(50));
-        assertThrows(IllegalArgumentException.class, () -> MutationTable.ofClasses(List.of("nothing")));
-    }
-
+/** Options of the task. */
+class MutationTestsTest {
     @Test
     void optionsThatDoNotExistAreRefused() {
         assertEquals(List.of("deSolvers.adaptive"),
