@@ -39,6 +39,10 @@ final class EffectCases {
             "penaltyPlane", List.of("penaltyPlane: {point: [0, 1, 0], stiffness: 1, loss: 0.1}"),
             "penaltySphere", List.of("penaltySphere: {centre: [0, -3, 0], radius: 6, stiffness: 1, loss: 0.1}")));
 
+    static {
+        LINES.put("repulsion", List.of("repulsion: {radius: 0.04, stiffness: 1}"));
+    }
+
     private EffectCases() {
     }
 

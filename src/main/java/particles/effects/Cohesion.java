@@ -1,8 +1,5 @@
 package particles.effects;
 
-import deSolvers.ForceDerivatives;
-import java.util.Set;
-import particles.law.DifferentiableEffect;
 import particles.law.Particles;
 import particles.spec.Key;
 import particles.spec.NumberType;
@@ -19,26 +16,16 @@ import particles.spec.Values;
  * The potential is -e at the distance d, where the force is 0, and is smooth everywhere: at |r| = 0 the force is 0, and
  * at |r| = h it goes to 0 as u&sup3;, so that solvers keep their order as neighbours come and go.
  *
- * <p>Forces are central and opposite, so momentum and angular momentum are conserved. Neighbours come from a {@link
- * NeighbourGrid}, rebuilt for all particles in every call, so that the work is proportional to their number; not
- * thread-safe. Source: the idea, B. Nixon and R. Lobb (2002); the potential is the Lennard-Jones law with the inverse
- * powers replaced by powers of u.
+ * <p>Neighbours come from a {@link NeighbourGrid}, rebuilt for all particles in every call, so that the work is
+ * proportional to their number. Source: the idea, B. Nixon and R. Lobb (2002); the potential is the Lennard-Jones law
+ * with the inverse powers replaced by powers of u.
  */
-public final class Cohesion implements DifferentiableEffect {
-    private static final int STRIDE = Particles.STRIDE;
-
-    private final Particles particles;
+public final class Cohesion extends PairForce {
     private final NeighbourGrid grid = new NeighbourGrid();
     private final double range;
     private final double inverseSquare;                 // 1/h^2
     private final double depth;
     private final double scale;                         // 1/u0^4
-    private final double damping;
-    private final double[] r = new double[3];
-    private final double[] w = new double[3];
-    private final double[] dFdX = new double[9];
-    private final double[] dFdV = new double[9];
-    private int[] near = {};
 
     /**
      * @param particles the particles on which it acts
@@ -49,6 +36,7 @@ public final class Cohesion implements DifferentiableEffect {
      * @throws IllegalArgumentException if a number is out of its range
      */
     public Cohesion(Particles particles, double range, double distance, double depth, double damping) {
+        super(particles, damping);
         if (!(distance > 0 && distance < range && range <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException("cohesion's distance of balance has to be over 0 and less than"
                     + " its range, not "
@@ -59,13 +47,11 @@ public final class Cohesion implements DifferentiableEffect {
                     + " not " + depth + ", "
                     + damping);
         }
-        this.particles = particles;
         this.range = range;
         inverseSquare = 1 / (range * range);
         double u0 = 1 - distance * distance * inverseSquare;
         scale = 1 / (u0 * u0 * u0 * u0);
         this.depth = depth;
-        this.damping = damping;
     }
 
     @Override
@@ -74,17 +60,7 @@ public final class Cohesion implements DifferentiableEffect {
     }
 
     @Override
-    public Set<Trait> getTraits() {
-        return Set.of(Trait.INTERNAL, Trait.TRANSLATION_INVARIANT, Trait.ROTATION_INVARIANT,
-                damping > 0 ? Trait.DISSIPATIVE : Trait.CONSERVATIVE);
-    }
-
-    @Override
-    public boolean dependsOnVelocity() {
-        return damping > 0;
-    }
-
-    private void findNeighbours(double[] state) {
+    void findNeighbours(double[] state) {
         int n = particles.count();
         if (near.length < n) {
             near = new int[n + n / 3];
@@ -93,34 +69,29 @@ public final class Cohesion implements DifferentiableEffect {
     }
 
     @Override
-    public void addForces(double[] state, double time, double[] force) {
-        findNeighbours(state);
-        for (int p = 0; p < particles.count(); p++) {
-            int i = STRIDE * p;
-            int count = grid.findLater(p, near);
-            for (int k = 0; k < count; k++) {
-                int j = STRIDE * near[k];
-                double rx = state[i] - state[j];
-                double ry = state[i + 1] - state[j + 1];
-                double rz = state[i + 2] - state[j + 2];
-                double u = 1 - (rx * rx + ry * ry + rz * rz) * inverseSquare;
-                if (u <= 0) {
-                    continue;
-                }
-                double perLength = 2 * inverseSquare * slope(u);
-                if (damping > 0) {
-                    double parting = rx * (state[i + 3] - state[j + 3]) + ry * (state[i + 4] - state[j + 4])
-                            + rz * (state[i + 5] - state[j + 5]);
-                    perLength -= damping * u * u * inverseSquare * parting;
-                }
-                force[i + 3] += perLength * rx;
-                force[i + 4] += perLength * ry;
-                force[i + 5] += perLength * rz;
-                force[j + 3] -= perLength * rx;
-                force[j + 4] -= perLength * ry;
-                force[j + 5] -= perLength * rz;
-            }
-        }
+    int first(int i, boolean all) {
+        return 0;
+    }
+
+    @Override
+    int end(int i) {
+        return grid.findLater(i, near);
+    }
+
+    private double u(double square) {
+        return 1 - square * inverseSquare;
+    }
+
+    @Override
+    boolean reaches(int i, int j, double square) {
+        return u(square) > 0;
+    }
+
+    @Override
+    double perLength(int i, int j, double square, double parting) {
+        double u = u(square);
+        double perLength = 2 * inverseSquare * slope(u);
+        return damping > 0 ? perLength - damping * u * u * inverseSquare * parting : perLength;
     }
 
     /** Derivative of a pair's potential with respect to u: 2 e (X - 1) dX/du. */
@@ -129,74 +100,26 @@ public final class Cohesion implements DifferentiableEffect {
         return 8 * depth * (u * cube - 1) * cube;
     }
 
-    /** Second derivative of it: e (56 u^6/u0^8 - 24 u^2/u0^4). */
-    private double curvature(double u) {
-        double square = u * u * scale;
-        return depth * square * (56 * u * u * square - 24);
+    /** {@inheritDoc} The second derivative of the potential is e (56 u^6/u0^8 - 24 u^2/u0^4). */
+    @Override
+    double bySquare(int i, int j, double square, double parting) {
+        double u = u(square);
+        double part = u * u * scale;
+        double curvature = depth * part * (56 * u * u * part - 24);
+        return 2 * inverseSquare * inverseSquare * (damping * u * parting - curvature);
     }
 
     @Override
-    public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
-        findNeighbours(state);
-        for (int p = 0; p < particles.count(); p++) {
-            int count = grid.findLater(p, near);
-            for (int k = 0; k < count; k++) {
-                double square = 0;
-                double parting = 0;
-                for (int c = 0; c < 3; c++) {
-                    r[c] = state[STRIDE * p + c] - state[STRIDE * near[k] + c];
-                    w[c] = state[STRIDE * p + 3 + c] - state[STRIDE * near[k] + 3 + c];
-                    square += r[c] * r[c];
-                    parting += r[c] * w[c];
-                }
-                double u = 1 - square * inverseSquare;
-                if (u <= 0) {
-                    continue;
-                }
-                double drag = damping * u * u * inverseSquare;
-                double straight = 2 * inverseSquare * slope(u) - drag * parting;
-                double outer = inverseSquare * inverseSquare * (4 * damping * u * parting - 4 * curvature(u));
-                for (int e = 0; e < 9; e++) {
-                    dFdX[e] = (e % 4 == 0 ? straight : 0) + outer * r[e / 3] * r[e % 3] - drag * r[e / 3] * w[e % 3];
-                    dFdV[e] = -drag * r[e / 3] * r[e % 3];
-                }
-                derivatives.addPair(p, near[k], dFdX, dFdV);
-            }
-        }
+    double byParting(int i, int j, double square, double parting) {
+        double u = u(square);
+        return -damping * u * u * inverseSquare;
     }
 
     @Override
-    public double getPotentialEnergy(double[] state, double time) {
-        return sum(state, false);
-    }
-
-    @Override
-    public double getDissipatedPower(double[] state, double time) {
-        return damping > 0 ? sum(state, true) : 0;
-    }
-
-    /** Sum over all pairs of the dissipated power or the potential energy. */
-    private double sum(double[] state, boolean power) {
-        findNeighbours(state);
-        double sum = 0;
-        for (int p = 0; p < particles.count(); p++) {
-            int count = grid.findLater(p, near);
-            for (int k = 0; k < count; k++) {
-                double square = 0;
-                double parting = 0;
-                for (int c = 0; c < 3; c++) {
-                    double r = state[STRIDE * p + c] - state[STRIDE * near[k] + c];
-                    square += r * r;
-                    parting += r * (state[STRIDE * p + 3 + c] - state[STRIDE * near[k] + 3 + c]);
-                }
-                double u = 1 - square * inverseSquare;
-                if (u > 0) {
-                    double x = u * u * u * u * scale;
-                    sum += power ? damping * u * u * inverseSquare * parting * parting : depth * x * (x - 2);
-                }
-            }
-        }
-        return sum;
+    double potential(int i, int j, double square) {
+        double u = u(square);
+        double x = u * u * u * u * scale;
+        return depth * x * (x - 2);
     }
 
     /** Cohesion in scenes. */

@@ -13,6 +13,7 @@ public final class EffectCatalog {
             new QuadraticDrag.Keys(),
             new PointAttraction.Keys(),
             new Cohesion.Keys(),
+            new Repulsion.Keys(),
             new PenaltyPlane.Keys(),
             new PenaltySphere.Keys());
 

@@ -1,5 +1,6 @@
 package particles.effects;
 
+import java.util.Optional;
 import particles.law.Effect;
 import particles.law.Obstacle;
 import particles.law.Particles;
@@ -10,6 +11,11 @@ public interface EffectContext {
 
     /** @return the particles */
     Particles particles();
+
+    /** @return the radius that the scene gives a particle's ball (m), if it gives any */
+    default Optional<Double> ownRadius(int particle) {
+        return Optional.empty();
+    }
 
     /** @return the wind, {@link Wind#STILL} unless the scene has one */
     Wind wind();

@@ -27,6 +27,11 @@ public abstract class EffectKind extends Kind {
      */
     public abstract void build(Values values, EffectContext scene);
 
+    /** @return the radius with which balls are drawn unless the scene says otherwise (m); 0 if the effect has none */
+    public double ballRadius(Values values) {
+        return 0;
+    }
+
     /** @return names of effects of which the scene must have at least one, as wind needs drag; may be empty */
     public List<String> needs() {
         return List.of();

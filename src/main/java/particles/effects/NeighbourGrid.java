@@ -39,7 +39,7 @@ public final class NeighbourGrid {
             for (int c = 0; c < 3; c++) {
                 cubes[3 * i + c] = floor(state[STRIDE * i + c] / range);
             }
-            bucketStart[bucket(cubes[3 * i], cubes[3 * i + 1], cubes[3 * i + 2])]++;
+            bucketStart[bucket(hash(cubes[3 * i], cubes[3 * i + 1]), cubes[3 * i + 2])]++;
         }
         int end = 0;
         // bucketStart holds ends here; sorting from the last particle down turns them into starts
@@ -48,7 +48,7 @@ public final class NeighbourGrid {
             bucketStart[b] = end;
         }
         for (int i = count - 1; i >= 0; i--) {
-            sorted[--bucketStart[bucket(cubes[3 * i], cubes[3 * i + 1], cubes[3 * i + 2])]] = i;
+            sorted[--bucketStart[bucket(hash(cubes[3 * i], cubes[3 * i + 1]), cubes[3 * i + 2])]] = i;
         }
     }
 
@@ -57,11 +57,15 @@ public final class NeighbourGrid {
         return quotient < whole ? whole - 1 : whole;
     }
 
-    private int bucket(long x, long y, long z) {
-        long hash = x * 73856093L ^ y * 19349663L ^ z * 83492791L;
+    private static long hash(long x, long y) {
+        long hash = x * 73856093L ^ y * 19349663L;
         hash ^= hash >>> 32;
-        hash ^= hash >>> 16;
-        return (int) hash & bucketStart.length - 2;
+        return hash ^ hash >>> 16;
+    }
+
+    /** Cubes in a row along z have buckets in a row, so that three of them are one stretch of particles. */
+    private int bucket(long hash, long z) {
+        return (int) (hash + z) & bucketStart.length - 2;
     }
 
     /**
@@ -73,19 +77,53 @@ public final class NeighbourGrid {
      * @return the number of candidates
      */
     public int findLater(int i, int[] found) {
-        int count = 0;
+        int all = 0;
         for (long x = cubes[3 * i] - 1; x <= cubes[3 * i] + 1; x++) {
             for (long y = cubes[3 * i + 1] - 1; y <= cubes[3 * i + 1] + 1; y++) {
-                for (long z = cubes[3 * i + 2] - 1; z <= cubes[3 * i + 2] + 1; z++) {
-                    int bucket = bucket(x, y, z);
-                    for (int s = bucketStart[bucket]; s < bucketStart[bucket + 1]; s++) {
-                        int j = sorted[s];
-                        if (j > i && cubes[3 * j] == x && cubes[3 * j + 1] == y && cubes[3 * j + 2] == z) {
-                            found[count++] = j;
-                        }
-                    }
+                all = addRow(x, y, cubes[3 * i + 2] - 1, cubes[3 * i + 2] + 1, found, all);
+            }
+        }
+        int count = 0;
+        for (int k = 0; k < all; k++) {
+            int j = found[k];
+            found[count] = j;
+            count += j > i ? 1 : 0;
+        }
+        return count;
+    }
+
+    /** As {@link #findLater}, in half the time: each pair is listed once, by either of its particles. */
+    int findAhead(int i, int[] found) {
+        long x = cubes[3 * i];
+        long y = cubes[3 * i + 1];
+        long z = cubes[3 * i + 2];
+        int own = addRow(x, y, z, z + 1, found, 0);
+        int count = 0;
+        for (int k = 0; k < own; k++) {
+            int j = found[k];
+            found[count] = j;
+            count += j > i || cubes[3 * j + 2] > z ? 1 : 0;
+        }
+        count = addRow(x, y + 1, z - 1, z + 1, found, count);
+        for (long row = y - 1; row <= y + 1; row++) {
+            count = addRow(x + 1, row, z - 1, z + 1, found, count);
+        }
+        return count;
+    }
+
+    /** Appends the particles in the cubes from (x, y, z) to (x, y, last). */
+    private int addRow(long x, long y, long z, long last, int[] found, int count) {
+        long hash = hash(x, y);
+        while (z <= last) {
+            int first = bucket(hash, z);
+            int end = (int) Math.min(first + last + 1 - z, bucketStart.length - 1);     // and on with bucket 0
+            for (int s = bucketStart[first]; s < bucketStart[end]; s++) {
+                int j = sorted[s];
+                if (cubes[3 * j] == x && cubes[3 * j + 1] == y && cubes[3 * j + 2] >= z && cubes[3 * j + 2] <= last) {
+                    found[count++] = j;
                 }
             }
+            z += end - first;
         }
         return count;
     }

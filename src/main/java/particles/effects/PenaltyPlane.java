@@ -4,6 +4,7 @@ import particles.law.Particles;
 import particles.law.Plane;
 import particles.law.Vector3;
 import particles.spec.Key;
+import particles.spec.NumberType;
 import particles.spec.Values;
 import particles.spec.VectorType;
 
@@ -68,17 +69,21 @@ public final class PenaltyPlane extends Penalty {
         private static final Key<Vector3> NORMAL = Key.withDefault("normal", VectorType.notZero(""),
                 new Vector3(0, 1, 0), "A vector that points out of the solid; its length does not matter.");
 
+        private static final Key<Double> BALL_RADIUS = Key.withDefault("ballRadius", NumberType.notNegative("m"), 0.0,
+                "The distance at which the plane begins to push (m): 0 for points, the radius for balls.");
+
         /** Called once, by {@link EffectCatalog}. */
         public Keys() {
             super("penaltyPlane", "A stiff plane that pushes back particles below it.", SharedKeys.STIFFNESS,
-                    SharedKeys.LOSS, POINT, NORMAL);
+                    SharedKeys.LOSS, POINT, NORMAL, BALL_RADIUS);
         }
 
         @Override
         public void build(Values values, EffectContext scene) {
             Plane plane = new Plane(values.get(POINT), values.get(NORMAL));
-            scene.add(new PenaltyPlane(scene.particles(), plane, values.get(SharedKeys.STIFFNESS),
-                    values.get(SharedKeys.LOSS)));
+            Vector3 lifted = plane.point().plus(plane.normal().times(values.get(BALL_RADIUS)));
+            scene.add(new PenaltyPlane(scene.particles(), new Plane(lifted, plane.normal()),
+                    values.get(SharedKeys.STIFFNESS), values.get(SharedKeys.LOSS)));
             scene.show(plane);
         }
 

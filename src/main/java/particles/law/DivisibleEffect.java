@@ -8,6 +8,10 @@ package particles.law;
  */
 public interface DivisibleEffect extends Effect {
 
+    /** Prepares an evaluation of a state; called by one thread before {@link #countBlocks}. */
+    default void prepare(double[] state) {
+    }
+
     /**
      * Prepares an evaluation; called by one thread before {@link #addPart}.
      *

@@ -13,7 +13,7 @@ import particles.scene.parts.SceneAssembly;
  * Estimates the kinetic energy to expect in a scene, before the run; many times more means that it blew up. The
  * estimate is the largest of
  * <ul>
- * <li>kinetic energy plus the energy that springs, attraction, cohesion and penalties store at the start;</li>
+ * <li>kinetic energy plus the energy that springs and other forces store at the start;</li>
  * <li>the energy that gravity can supply: the sum of m g (H + g T&sup2;/2), with H the extent of all particles along g
  *     and T the duration, since everything may fall for as long as the run lasts;</li>
  * <li>the energy that wind, emitters and moving anchors can supply: the sum of m w&sup2;/2, with w the largest of their

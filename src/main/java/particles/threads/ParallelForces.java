@@ -105,6 +105,7 @@ public final class ParallelForces implements ParallelDerivative {
             return false;
         }
         divisible = (DivisibleEffect) effect;
+        divisible.prepare(state);
         blocks = divisible.countBlocks();
         return blocks >= fewest;
     }

@@ -55,8 +55,13 @@ public record RenderOptions(Visibility particles, Visibility springs, double par
 
     /** @return the same options with another style of particles */
     public RenderOptions withStyle(ParticleStyle other) {
-        return new RenderOptions(particles, springs, particleRadius, strainRange, particleColour, fixedColour,
-                frontColour, backColour, other);
+        return withBalls(particleRadius, other);
+    }
+
+    /** @return the same options with another radius (m) and style of particles */
+    public RenderOptions withBalls(double radius, ParticleStyle other) {
+        return new RenderOptions(particles, springs, radius, strainRange, particleColour, fixedColour, frontColour,
+                backColour, other);
     }
 
     /**

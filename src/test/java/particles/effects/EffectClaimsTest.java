@@ -98,6 +98,17 @@ class EffectClaimsTest {
         assertEquals(List.of(), broken(p -> new Cohesion(p, 1.9, 1.1, 2, damping)));
     }
 
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.8})
+    void repulsionKeepsItsClaims(double damping) {
+        assertEquals(List.of(), broken(p -> new Repulsion(p, 0.9, false, 20, damping)));
+        assertEquals(List.of(), broken(p -> {
+            Repulsion hertz = new Repulsion(p, 0.6, true, 20, damping);
+            hertz.setRadius(2, 1.5);
+            return hertz;
+        }));
+    }
+
     /** With a plane through the middle of the particles, some are inside it in every state. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.8, 5})

@@ -57,6 +57,7 @@ class EffectFactsTest {
             assertFacts(new PenaltyPlane(particles, GROUND, 1, damping), "penaltyPlane", true, damping > 0, trait);
             assertFacts(new PenaltySphere(particles, BALL, 1, damping), "penaltySphere", true, damping > 0, trait);
             assertFacts(new Cohesion(particles, 1, 0.5, 1, damping), "cohesion", false, damping > 0, trait);
+            assertFacts(new Repulsion(particles, 1, true, 1, damping), "repulsion", false, damping > 0, trait);
             assertFacts(twoSprings(damping), "springs", false, damping > 0, trait);
         }
         assertEquals(0.25, new LinearDrag(particles, 0.25, Wind.STILL).getCoefficient());
@@ -138,6 +139,14 @@ class EffectFactsTest {
                 new double[] {0, -1, 1, 2, NAN});
         assertRange("range", h -> new Cohesion(particles, h, 0.5, 1, 0), new double[] {Math.nextUp(0.5), MAX},
                 new double[] {0.5, 0, NAN, INFINITE});
+        assertRange("stiffness", k -> new Repulsion(particles, 1, true, k, 0), MORE_THAN_ZERO, ZERO_OR_LESS);
+        assertRange("damping", c -> new Repulsion(particles, 1, true, 1, c), ZERO_OR_MORE, LESS);
+        assertRange("radius", r -> new Repulsion(particles, r, false, 1, 0), MORE_THAN_ZERO, ZERO_OR_LESS);
+        assertRange("radius", r -> {
+            Repulsion repulsion = new Repulsion(particles, 1, false, 1, 0);
+            repulsion.setRadius(0, r);
+            return repulsion;
+        }, MORE_THAN_ZERO, ZERO_OR_LESS);
         assertRange("period", t -> new GustyWind(Vector3.ZERO, Vector3.ZERO, t), MORE_THAN_ZERO, ZERO_OR_LESS);
         assertRange("turbulence", s -> new TurbulentWind(Vector3.ZERO, s, 1, 1), ZERO_OR_MORE, LESS);
         assertRange("eddies", l -> new TurbulentWind(Vector3.ZERO, 1, l, 1), MORE_THAN_ZERO, ZERO_OR_LESS);

@@ -100,7 +100,7 @@ class BrokenScenesTest {
                                 brackets, commas, quotes and invisible characters: put quotes around it, '7'""",
                         """
                                 x.yaml:8:13: unknown key 'postion'; did you mean 'position'? known in a particle: \
-                                id, position, velocity, mass, fixed"""),
+                                id, position, velocity, mass, fixed, radius"""),
                 added("  - {id: a b, position: [1, 2, 3], fixed: yes}\n",
                         "x.yaml:8:10: 'id' is the text 'a b'; it has to be a name of at most 60 characters"
                                 + " without spaces, brackets, commas, quotes and invisible characters",
@@ -111,7 +111,7 @@ class BrokenScenesTest {
                         "x.yaml:8:45: 'mass' appears twice in a particle"),
                 added("  - tom\n",
                         "x.yaml:8:5: a particle is the text 'tom'; it has to be keys with values, such as "
-                                + "{id: ..., position: ...}; keys: id, position, velocity, mass, fixed"),
+                                + "{id: ..., position: ...}; keys: id, position, velocity, mass, fixed, radius"),
                 added("springs:\n  - {from: bob, to: bob, stiffness: 1}\n",
                         "x.yaml:9:21: a spring from 'bob' to itself; its ends must be two different particles"),
                 added("springs:\n  - {from: bob, to: bbo, stiffness: 1}\n",

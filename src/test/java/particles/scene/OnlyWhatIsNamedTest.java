@@ -58,7 +58,8 @@ class OnlyWhatIsNamedTest {
                 Addition.of("effects:\n  - quadraticDrag: {coefficient: 1}\n  - turbulence: {strength: 1}\n",
                 "QuadraticDrag", "AirDrag"),
                 Addition.of("effects:\n  - attraction: {strength: 1}\n", "PointAttraction"),
-                Addition.of("effects:\n  - cohesion: {range: 2, depth: 1}\n", "Cohesion"),
+                Addition.of("effects:\n  - cohesion: {range: 2, depth: 1}\n", "Cohesion", "PairForce"),
+                Addition.of("effects:\n  - repulsion: {radius: 1, stiffness: 1}\n", "Repulsion", "PairForce"),
                 Addition.of("effects:\n  - penaltyPlane: {stiffness: 1}\n", "PenaltyPlane", "Penalty"),
                 Addition.of("effects:\n  - penaltySphere: {centre: [9, 9, 9], radius: 1, stiffness: 1}\n",
                 "PenaltySphere", "Penalty"),
@@ -83,8 +84,8 @@ class OnlyWhatIsNamedTest {
                 scene.system().getReactions().stream().<Class<?>>map(Reaction::getClass),
                 scene.simulation().getRules().stream().<Class<?>>map(Rule::getClass)).flatMap(all -> all);
         List<String> names = built.map(Class::getSimpleName).sorted().toList();
-        assertEquals(withSprings(addition).stream().filter(name -> !name.equals("AirDrag") && !name.equals("Penalty"))
-                .toList(), names);
+        Set<String> bases = Set.of("AirDrag", "PairForce", "Penalty");
+        assertEquals(withSprings(addition).stream().filter(name -> !bases.contains(name)).toList(), names);
     }
 
     @ParameterizedTest

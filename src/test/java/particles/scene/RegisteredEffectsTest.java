@@ -48,6 +48,7 @@ class RegisteredEffectsTest {
 
     /** How a scene names each effect; wind needs drag. */
     private static final Map<String, String> NAMED = Map.of(
+            "repulsion", "repulsion: {radius: 0.9, law: hertz, stiffness: 20, damping: 0.8}",
             "gravity", "gravity",
             "wind", "wind: {mean: [2, 0, 1], gust: [1, 0.5, 0], period: 1.7}\n  - drag: {coefficient: 0.4}",
             "turbulence", "turbulence: {strength: 1.5, eddySize: 2, seed: 42}\n  - quadraticDrag: {coefficient: 0.4}",

@@ -57,6 +57,7 @@ public final class EffectCost {
         {"+ drag in turbulence", "effects: [drag: {coefficient: 0.01}, turbulence: {strength: 1}]"},
         {"+ attraction", "effects: [attraction: {strength: 1, centre: [0, -100, 0], softening: 1}]"},
         {"+ cohesion", "effects: [cohesion: {range: 0.06, depth: 1e-9}]"},
+        {"+ repulsion", "effects: [repulsion: {radius: 0.03, stiffness: 1e-9}]"},
         {"+ penalty plane", "effects: [penaltyPlane: {point: [0, -100, 0], stiffness: 1}]"},
         {"+ penalty sphere", "effects: [penaltySphere: {centre: [0, -100, 0], radius: 1, stiffness: 1}]"},
         {"+ tear", "rules: [tear: {strain: 10}]"},

@@ -26,6 +26,7 @@ import particles.output.raster.Lighting;
 import particles.output.raster.Raster;
 import particles.output.raster.RoundShapes;
 import particles.output.raster.Sky;
+import particles.view.ParticleMark;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 import particles.view.RenderOptions.Visibility;
@@ -149,7 +150,8 @@ public final class FrameRenderer {
             }
         }
         important.add(sky.warning.getRGB() & 0xffffff);
-        style().marks().forEach(mark -> mark.colour().ifPresent(rgb -> IntStream.range(0, 8).forEach(shade ->
+        style().marks().stream().map(ParticleMark::colour).distinct().forEach(own -> own.ifPresent(rgb ->
+                IntStream.range(0, 8).forEach(shade ->
                 important.add(Colours.lit(rgb, 0.46f + 0.09f * shade, 0)))));
         for (int k = 0; k < 12; k++) {
             double age = k / 12.0;

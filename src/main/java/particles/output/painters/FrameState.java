@@ -2,7 +2,9 @@ package particles.output.painters;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.law.Particles;
@@ -91,10 +93,11 @@ public final class FrameState {
     /** @param marked particles that are drawn in their own way */
     public void takeStructure(ParticleSystem system, boolean withLives, List<ParticleMark> marked) {
         int count = system.getParticles().count();
+        Map<String, ParticleMark> byId = marked.stream().collect(Collectors.toMap(ParticleMark::particle, mark -> mark,
+                (first, second) -> first));
         marks = new ParticleMark[marked.isEmpty() ? 0 : count];
         for (int i = 0; i < marks.length; i++) {
-            String id = system.getParticles().id(i);
-            marks[i] = marked.stream().filter(mark -> mark.particle().equals(id)).findFirst().orElse(null);
+            marks[i] = byId.get(system.getParticles().id(i));
         }
         fixed = Arrays.copyOf(fixed, count);
         for (int i = 0; i < count; i++) {

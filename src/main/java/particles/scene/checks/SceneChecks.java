@@ -8,10 +8,8 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import particles.effects.EffectKind;
 import particles.scene.format.CameraFormat;
-import particles.scene.format.MarkFormat;
 import particles.scene.format.OutputDescription;
 import particles.scene.format.OutputDescription.Phase;
-import particles.scene.format.RenderFormat;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneDescription.Contents;
 import particles.scene.format.SceneDescription.Drawing;
@@ -81,9 +79,8 @@ public final class SceneChecks {
         Optional<Camera> camera = scene.find(SceneFormat.CAMERA).filter(Values::isSound)
                 .flatMap(values -> CameraFormat.of(values, problems));
         checkPhase();
-        scene.find(SceneFormat.LOOK).ifPresent(look -> RenderFormat.check(look, problems));
-        scene.find(SceneFormat.LOOK).flatMap(look -> look.find(RenderFormat.MARKS)).orElse(List.of())
-                .forEach(mark -> isKnown(mark, MarkFormat.PARTICLE));
+        LookCheck look = new LookCheck(particles, shapes);
+        look.check(scene, problems, this::isKnown);
         Map<Key<?>, Place> places = new HashMap<>();
         for (Key<?> key : List.of(SceneFormat.SOLVER, SceneFormat.DELTA_T, SceneFormat.DURATION, SceneFormat.SHAPES)) {
             places.put(key, scene.place(key));
@@ -105,7 +102,7 @@ public final class SceneChecks {
                         scene.get(SceneFormat.BLOW_UP_FACTOR)),
                 new Contents(List.copyOf(particles), List.copyOf(shapes), List.copyOf(springs), constraints.describe(),
                         List.copyOf(scene.get(SceneFormat.EFFECTS)), List.copyOf(scene.get(SceneFormat.RULES))),
-                new Drawing(camera, RenderFormat.of(scene.find(SceneFormat.LOOK).orElse(noWords))),
+                new Drawing(camera, look.of(scene)),
                 OutputDescription.of(scene.find(SceneFormat.OUTPUT).orElse(noWords)), Map.copyOf(places)));
     }
 

@@ -12,7 +12,7 @@ import particles.view.ParticleMark;
 /** The keys of a single particle's drawing style. */
 public final class MarkFormat {
     public static final Key<String> PARTICLE = Key.required("particle", SpringDescription.ANY_ID,
-            "The particle that is drawn in this way.");
+            "The particle that is drawn in this way, or the id of a shape for all of its particles.");
     static final Key<String> COLOUR = Key.optional("colour", RenderFormat.COLOUR,
             "The colour of the particle and its trail; by default that of its kind.");
     static final Key<Double> RADIUS = Key.withDefault("radius", NumberType.notNegative("m"), 0.0,

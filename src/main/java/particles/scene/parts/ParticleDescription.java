@@ -1,5 +1,6 @@
 package particles.scene.parts;
 
+import java.util.Optional;
 import particles.law.Vector3;
 import particles.spec.FlagType;
 import particles.spec.Key;
@@ -18,10 +19,11 @@ import particles.spec.messages.Place;
  * @param velocity v (m/s)
  * @param mass     m (kg)
  * @param fixed    whether it is fixed
+ * @param radius   the radius of its ball (m), if it has one of its own
  * @param place    its place in the file
  */
 public record ParticleDescription(String id, Vector3 position, Vector3 velocity, double mass, boolean fixed,
-        Place place) {
+        Optional<Double> radius, Place place) {
     /** Safe in CSV files, and never equal to the id of a shape's particle, which has brackets. */
     static final TextType NEW_ID = TextType.of(
             "a name of at most 60 characters without spaces, brackets, commas, quotes and invisible characters",
@@ -37,11 +39,14 @@ public record ParticleDescription(String id, Vector3 position, Vector3 velocity,
     static final Key<Boolean> FIXED = Key.withDefault("fixed", FlagType.FLAG, false,
             "true: forces do not move it. A rule such as 'circle' still can.");
 
-    public static final MappingType TYPE = MappingType.of("a particle", ID, POSITION, VELOCITY, MASS, FIXED);
+    static final Key<Double> RADIUS = Key.optional("radius", NumberType.positive("m"),
+            "The radius of a ball (m), drawn and used by 'repulsion'; by default that of all others.");
+
+    public static final MappingType TYPE = MappingType.of("a particle", ID, POSITION, VELOCITY, MASS, FIXED, RADIUS);
 
     /** @return the particle with these values */
     public static ParticleDescription of(Values values) {
         return new ParticleDescription(values.get(ID), values.get(POSITION), values.get(VELOCITY), values.get(MASS),
-                values.get(FIXED), values.getPlace());
+                values.get(FIXED), values.find(RADIUS), values.getPlace());
     }
 }

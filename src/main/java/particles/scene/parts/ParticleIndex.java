@@ -3,6 +3,7 @@ package particles.scene.parts;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalInt;
 import particles.law.Vector3;
 
@@ -54,6 +55,11 @@ public final class ParticleIndex {
         }
         ShapeDescription shape = shapes.get(shapeOf(id));
         return shape.fixed().get(shape.lattice().find(id).orElseThrow());
+    }
+
+    /** @return the radius that the particle with this known id has of its own (m) */
+    Optional<Double> radius(String id) {
+        return numbers.containsKey(id) ? particles.get(numbers.get(id)).radius() : shapes.get(shapeOf(id)).radius();
     }
 
     /** @return the initial velocity of the particle with this known id (m/s) */

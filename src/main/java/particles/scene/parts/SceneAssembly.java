@@ -2,6 +2,7 @@ package particles.scene.parts;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.effects.EffectContext;
@@ -88,6 +89,11 @@ public final class SceneAssembly implements EffectContext {
     @Override
     public Particles particles() {
         return system.getParticles();
+    }
+
+    @Override
+    public Optional<Double> ownRadius(int particle) {
+        return index.radius(system.getParticles().id(particle));
     }
 
     @Override

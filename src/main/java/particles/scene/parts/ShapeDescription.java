@@ -24,10 +24,11 @@ import particles.spec.messages.Wording;
  * @param fixed    the numbers of the fixed ones
  * @param springs  its springs
  * @param surface  whether it is drawn as a surface
+ * @param radius   the radius of each particle's ball (m), if it has one of its own
  * @param place    its place in the file
  */
 public record ShapeDescription(Lattice lattice, double mass, Vector3 velocity, BitSet fixed, List<SpringFamily> springs,
-                        boolean surface, Place place) {
+                        boolean surface, Optional<Double> radius, Place place) {
     /** The largest number of particles; they take about half a GiB. */
     public static final int MOST_PARTICLES = 1_000_000;
 
@@ -62,7 +63,7 @@ public record ShapeDescription(Lattice lattice, double mass, Vector3 velocity, B
         }
         boolean surface = lattice.counts().size() > 1 && values.get(ShapeKind.SURFACE);
         return Optional.of(new ShapeDescription(lattice, mass, values.get(ShapeKind.VELOCITY), fixed, springs, surface,
-                chosen.place()));
+                values.find(ParticleDescription.RADIUS), chosen.place()));
     }
 
     private static void addPart(String part, Lattice lattice, ShapeKind kind, BitSet fixed, Place place,

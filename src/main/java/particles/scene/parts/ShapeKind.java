@@ -72,7 +72,7 @@ public abstract class ShapeKind extends Kind {
                                     Key<String> id, Key<List<String>> fixed) {
         List<Key<?>> all = new ArrayList<>(List.of(id));
         all.addAll(Arrays.asList(own));
-        all.addAll(List.of(MASS, TOTAL_MASS, VELOCITY, fixed));
+        all.addAll(List.of(MASS, TOTAL_MASS, ParticleDescription.RADIUS, VELOCITY, fixed));
         springs.forEach(sort -> all.add(sort.key()));
         if (hasSurface) {
             all.add(SURFACE);

@@ -208,8 +208,8 @@ class CheckEffectCommandTest {
     void anUnknownNameSaysWhatIsKnown(@TempDir Path folder) {
         assertTrue(here(ExitCode.BAD_INPUT, "gravty", folder).contains("""
                 no effect is called 'gravty'; did you mean 'gravity'? known effects: attraction, cohesion, \
-                damped-springs, drag, gravity, penaltyPlane, penaltySphere, quadraticDrag, springs, \
-                turbulence, wind"""));
+                damped-springs, drag, gravity, penaltyPlane, penaltySphere, quadraticDrag, repulsion, \
+                springs, turbulence, wind"""));
         assertTrue(here(ExitCode.BAD_INPUT, "MyGravity", folder).contains("""
                 there is no class exercises.MyGravity; put your own class into src/main/java/exercises (gradle \
                 newEffect writes one to start from)"""));

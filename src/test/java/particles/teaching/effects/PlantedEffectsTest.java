@@ -122,7 +122,7 @@ class PlantedEffectsTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"gravity", "springs", "damped-springs", "drag", "quadraticDrag", "attraction",
-            "cohesion", "penaltyPlane"})
+            "cohesion", "repulsion", "penaltyPlane"})
     void ourOwnEffectsPass(String name) {
         assertFound(p -> EffectSample.create(name, p, ClassNames.none()));
     }

@@ -1,0 +1,121 @@
+package particles.effects;
+
+import java.util.Arrays;
+import particles.law.Particles;
+
+/**
+ * Lists of the balls that touch each ball or are within a margin of it. They are made from a {@link NeighbourGrid}, and
+ * again once a ball has moved by half the margin. Each list is in the order of indices, so that a sum over it has the
+ * same bits whenever it was made. Two fixed balls are no neighbours.
+ *
+ * <p>Source: L. Verlet, "Computer 'experiments' on classical fluids" (1967).
+ */
+final class NeighbourLists {
+    /**
+     * As a part of the largest radius. 2,000 balls that fall into a box take 1.12 times as long with 0.3, and 0.98 with
+     * 0.8, which lists more.
+     */
+    private static final double MARGIN = 0.6;
+    private static final int STRIDE = Particles.STRIDE;
+
+    int[] start = {0};                                  // where the list of a ball begins in near
+    int[] later = {};                                   // where those with a larger index begin
+    int[] near = {};
+    private final NeighbourGrid grid = new NeighbourGrid();
+    private double[] listed = {};                       // the positions for which the lists were made
+    private int[] pairs = {};                           // two entries a pair
+    private int[] unsorted = {};
+    private int[] next = {};
+    private int[] found = {};
+
+    /** Makes the lists again if they may have become wrong; with the radius of each ball and the largest one (m). */
+    void update(double[] state, Particles particles, double[] radii, double largest) {
+        double margin = MARGIN * largest;
+        if (listed.length != 3 * particles.count() || !(farthestMove(state) <= margin * margin / 4)) {
+            grid.build(state, particles.count(), 2 * largest + margin);
+            list(state, particles, radii, margin);
+        }
+    }
+
+    /** Has the lists made at the next update. */
+    void forget() {
+        listed = new double[0];
+    }
+
+    /** The square of the farthest that a particle has moved since the lists were made. */
+    private double farthestMove(double[] state) {
+        double most = 0;
+        for (int i = 0, x = 0; i < listed.length; i += 3, x += STRIDE) {
+            double dx = state[x] - listed[i];
+            double dy = state[x + 1] - listed[i + 1];
+            double dz = state[x + 2] - listed[i + 2];
+            most = Math.max(most, dx * dx + dy * dy + dz * dz);
+        }
+        return most;
+    }
+
+    /** Lists all pairs, then the candidates of each particle. */
+    private void list(double[] state, Particles particles, double[] radii, double margin) {
+        int n = particles.count();
+        if (listed.length != 3 * n) {
+            listed = new double[3 * n];
+            start = new int[n + 1];
+            later = new int[n];
+            next = new int[n];
+            found = new int[n];
+        }
+        int count = 0;
+        Arrays.fill(start, 0);
+        for (int i = 0; i < n; i++) {
+            System.arraycopy(state, STRIDE * i, listed, 3 * i, 3);
+            int candidates = grid.findAhead(i, found);
+            if (count + 2 * candidates > pairs.length) {
+                pairs = Arrays.copyOf(pairs, 2 * (count + 2 * candidates));
+            }
+            for (int k = 0; k < candidates; k++) {
+                int j = found[k];
+                double reach = radii[i] + radii[j] + margin;
+                if (square(state, i, j) < reach * reach && !(particles.isFixed(i) && particles.isFixed(j))) {
+                    pairs[count++] = i;
+                    pairs[count++] = j;
+                    start[i + 1]++;
+                    start[j + 1]++;
+                }
+            }
+        }
+        for (int i = 0; i < n; i++) {
+            start[i + 1] += start[i];
+        }
+        sort(n, count);
+    }
+
+    /**
+     * Enters both particles of each pair in each other's list, then each particle, in the order of indices, in the
+     * lists of its neighbours: these are then in that order.
+     */
+    private void sort(int n, int count) {
+        if (near.length < count) {
+            near = new int[pairs.length];
+            unsorted = new int[pairs.length];
+        }
+        System.arraycopy(start, 0, next, 0, n);
+        for (int k = 0; k < count; k += 2) {
+            unsorted[next[pairs[k]]++] = pairs[k + 1];
+            unsorted[next[pairs[k + 1]]++] = pairs[k];
+        }
+        System.arraycopy(start, 0, next, 0, n);
+        for (int i = 0; i < n; i++) {
+            later[i] = next[i];
+            for (int k = start[i]; k < start[i + 1]; k++) {
+                near[next[unsorted[k]]++] = i;
+            }
+        }
+    }
+
+    private static double square(double[] state, int i, int j) {
+        double dx = state[STRIDE * i] - state[STRIDE * j];
+        double dy = state[STRIDE * i + 1] - state[STRIDE * j + 1];
+        double dz = state[STRIDE * i + 2] - state[STRIDE * j + 2];
+        return dx * dx + dy * dy + dz * dz;
+    }
+}

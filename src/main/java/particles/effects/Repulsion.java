@@ -1,0 +1,220 @@
+package particles.effects;
+
+import java.util.Arrays;
+import java.util.List;
+import particles.law.DivisibleEffect;
+import particles.law.Particles;
+import particles.spec.Key;
+import particles.spec.NameType;
+import particles.spec.NumberType;
+import particles.spec.Values;
+
+/**
+ * Soft spheres: particles are balls that push each other apart where they overlap. With r = x_i - x_j and the overlap
+ * d = R_i + R_j - |r|, the force along the line of centres is
+ * <pre>
+ *   F_i = max(0, k d^p + c d') r / |r|      for d &gt; 0
+ * </pre>
+ * p = 1 for the linear law, 3/2 for Hertz's law of elastic balls. A pair stores k d^(p + 1)/(p + 1). The force is never
+ * attractive: in the last part of an impact, where damping would pull, it is 0. With damping it jumps by c d' as the
+ * balls touch, so solvers of fixed step have order 1 there. Balls do not spin: there is no friction between them. Two
+ * whose centres are at the same place have no direction, and do not push.
+ *
+ * <p>Without damping, a linear impact of two balls with reduced mass m takes pi sqrt(m/k); Hertz's takes 3.218 (m&sup2;
+ * / (k&sup2; v))^(1/5), with v the speed of approach.
+ *
+ * <p>Neighbours come from {@link NeighbourLists}. Balls far larger than most make it slow.
+ *
+ * <p>Source: P. Cundall, O. Strack, "A discrete numerical model for granular assemblies" (1979).
+ */
+public final class Repulsion extends PairForce implements DivisibleEffect {
+    private static final int PARTICLES_PER_BLOCK = 64;
+
+    private final boolean hertz;
+    private final double stiffness;
+    private final double radius;
+    private final NeighbourLists lists = new NeighbourLists();
+    private double largest;
+    private double[] radii = {};
+
+    /**
+     * @param particles the particles that are balls
+     * @param radius    the radius of each without one of its own (m), positive
+     * @param hertz     whether Hertz's law holds
+     * @param stiffness k (N/m, or N/m^1.5 for Hertz's law), positive
+     * @param damping   c (N s/m), 0 or more
+     * @throws IllegalArgumentException if a number is out of its range
+     */
+    public Repulsion(Particles particles, double radius, boolean hertz, double stiffness, double damping) {
+        super(particles, damping);
+        if (!(stiffness > 0 && stiffness <= Double.MAX_VALUE && damping >= 0 && damping <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("repulsion needs a positive stiffness and a damping of 0 or more, not "
+                    + stiffness + ", " + damping);
+        }
+        this.radius = requireRadius(radius);
+        this.hertz = hertz;
+        this.stiffness = stiffness;
+    }
+
+    private double requireRadius(double radius) {
+        if (!(radius > 0 && radius <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("a ball's radius has to be positive, not " + radius);
+        }
+        largest = Math.max(largest, radius);
+        return radius;
+    }
+
+    /** Gives a particle a radius of its own (m), positive. */
+    public void setRadius(int particle, double own) {
+        fit(Math.max(particle + 1, radii.length));
+        radii[particle] = requireRadius(own);
+        lists.forget();
+    }
+
+    private void fit(int count) {
+        int before = radii.length;
+        if (before < count) {
+            radii = Arrays.copyOf(radii, count + count / 3);
+            Arrays.fill(radii, before, radii.length, radius);
+        }
+    }
+
+    @Override
+    public String getName() {
+        return "repulsion";
+    }
+
+    @Override
+    public void prepare(double[] state) {
+        findNeighbours(state);
+    }
+
+    @Override
+    void findNeighbours(double[] state) {
+        fit(particles.count());
+        lists.update(state, particles, radii, largest);
+        near = lists.near;
+    }
+
+    @Override
+    int first(int i, boolean all) {
+        return all ? lists.start[i] : lists.later[i];
+    }
+
+    @Override
+    int end(int i) {
+        return lists.start[i + 1];
+    }
+
+    @Override
+    public int countBlocks() {
+        return Integer.highestOneBit(Math.max(1, particles.count() / PARTICLES_PER_BLOCK));
+    }
+
+    @Override
+    public int size() {
+        return lists.start[lists.start.length - 1];
+    }
+
+    @Override
+    public int getFirstParticle(int block) {
+        return (int) ((long) particles.count() * block / countBlocks());
+    }
+
+    /** {@inheritDoc} A block has the forces of all neighbours on its particles, so a joint has none. */
+    @Override
+    public void addPart(int part, double[] state, double time, double[] force) {
+        if (part < countBlocks()) {
+            add(state, force, getFirstParticle(part), getFirstParticle(part + 1), true);
+        }
+    }
+
+    @Override
+    boolean reaches(int i, int j, double square) {
+        double touching = radii[i] + radii[j];
+        return square < touching * touching && square > 0;
+    }
+
+    @Override
+    double perLength(int i, int j, double square, double parting) {
+        double length = Math.sqrt(square);
+        double inverse = 1 / length;
+        return Math.max(0, elastic(radii[i] + radii[j] - length) - damping * parting * inverse) * inverse;
+    }
+
+    /** k d^p. */
+    private double elastic(double overlap) {
+        return stiffness * overlap * (hertz ? Math.sqrt(Math.max(0, overlap)) : 1);
+    }
+
+    @Override
+    double potential(int i, int j, double square) {
+        double overlap = radii[i] + radii[j] - Math.sqrt(square);
+        return elastic(overlap) * overlap / (hertz ? 2.5 : 2);
+    }
+
+    @Override
+    double bySquare(int i, int j, double square, double parting) {
+        if (perLength(i, j, square, parting) == 0) {
+            return 0;
+        }
+        double length = Math.sqrt(square);
+        double overlap = radii[i] + radii[j] - length;
+        double slope = hertz ? 1.5 * stiffness * Math.sqrt(Math.max(0, overlap)) : stiffness;
+        return (damping * parting / square - (slope + elastic(overlap) / length) / 2) / square;
+    }
+
+    @Override
+    double byParting(int i, int j, double square, double parting) {
+        return perLength(i, j, square, parting) == 0 ? 0 : -damping / square;
+    }
+
+    @Override
+    public void reindex(int[] newIndex) {
+        fit(newIndex.length);
+        int left = 0;
+        for (int i = 0; i < newIndex.length; i++) {
+            if (newIndex[i] >= 0) {
+                radii[newIndex[i]] = radii[i];
+                left++;
+            }
+        }
+        Arrays.fill(radii, left, radii.length, radius);
+        lists.forget();
+    }
+
+    /** Repulsion in scenes. */
+    public static final class Keys extends EffectKind {
+        private static final Key<Double> RADIUS = Key.required("radius", NumberType.positive("m"),
+                "The radius of every ball without a radius of its own (m).");
+        private static final Key<String> LAW = Key.withDefault("law", NameType.of("law", List.of("linear", "hertz")),
+                "linear", "linear: the push is k times the overlap d; hertz: k d^1.5, as of elastic balls.");
+        private static final Key<Double> STIFFNESS = Key.required("stiffness", NumberType.positive("N/m"),
+                "k (N/m; for hertz N/m^1.5).");
+        private static final Key<Double> DAMPING = Key.withDefault("damping", NumberType.notNegative("N s/m"), 0.0,
+                "c (N s/m): the push grows by c times the speed of approach, and is never negative; 0 loses no"
+                        + " energy.");
+
+        /** Called once, by {@link EffectCatalog}. */
+        public Keys() {
+            super("repulsion", "Particles are soft balls that push each other apart where they overlap.", RADIUS, LAW,
+                    STIFFNESS, DAMPING);
+        }
+
+        @Override
+        public double ballRadius(Values values) {
+            return values.get(RADIUS);
+        }
+
+        @Override
+        public void build(Values values, EffectContext scene) {
+            Repulsion repulsion = new Repulsion(scene.particles(), values.get(RADIUS), values.get(LAW).equals("hertz"),
+                    values.get(STIFFNESS), values.get(DAMPING));
+            for (int i = 0; i < scene.particles().count(); i++) {
+                int particle = i;
+                scene.ownRadius(i).ifPresent(own -> repulsion.setRadius(particle, own));
+            }
+            scene.add(repulsion);
+        }
+    }
+}

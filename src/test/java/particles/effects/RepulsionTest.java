@@ -1,0 +1,262 @@
+package particles.effects;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.GRAVITY;
+import static particles.Systems.entry;
+
+import deSolvers.DESolver;
+import deSolvers.RK4Solver;
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import particles.ParticleSystem;
+import particles.law.Plane;
+import particles.law.SeededRandom;
+import particles.law.Vector3;
+import particles.threads.ParallelForces;
+
+/** Soft balls against the closed forms of their impacts, statics and the laws of conservation. */
+class RepulsionTest {
+    private static final double K = 1000;
+    private static final double LIGHT = 1;
+    private static final double HEAVY = 3;
+    private static final double REDUCED = LIGHT * HEAVY / (LIGHT + HEAVY);
+    private static final double SPEED = 2;
+
+    /** Two balls of radius 0.5 that have just begun to overlap; only the first one moves. */
+    private static ParticleSystem impact(boolean hertz, double damping, double overlap, Vector3 velocity) {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("light", LIGHT, Vector3.ZERO, velocity, false);
+        system.addParticle("heavy", HEAVY, new Vector3(1 - overlap, 0, 0), Vector3.ZERO, false);
+        system.addEffect(new Repulsion(system.getParticles(), 0.5, hertz, K, damping));
+        return system;
+    }
+
+    private static void run(ParticleSystem system, DESolver solver, double deltaT, int steps) {
+        for (int step = 0; step < steps; step++) {
+            solver.stepState(system, deltaT);
+        }
+    }
+
+    private static double overlap(ParticleSystem system) {
+        return 1 - new Vector3(entry(system, 6) - entry(system, 0), entry(system, 7) - entry(system, 1), 0).length();
+    }
+
+    /** An impact takes pi sqrt(m/k), and exchanges velocities as in mechanics. Measured: 3e-9 and 2e-7. */
+    @Test
+    void aLinearImpactTakesHalfAPeriod() {
+        ParticleSystem system = impact(false, 0, 1e-12, new Vector3(SPEED, 0, 0));
+        double time = Math.PI * Math.sqrt(REDUCED / K);
+        run(system, new RK4Solver(), time / 2000, 1000);
+        assertEquals(SPEED * Math.sqrt(REDUCED / K), overlap(system), 1e-10, "at half time");
+        run(system, new RK4Solver(), time / 2000, 999);
+        assertTrue(overlap(system) > 0 && overlap(system) < 0.002 * time * SPEED, "about to end: " + overlap(system));
+        run(system, new RK4Solver(), time / 2000, 2);
+        assertTrue(overlap(system) < 0, "over");
+        assertEquals(SPEED * (LIGHT - HEAVY) / (LIGHT + HEAVY), entry(system, 3), 2e-6);
+        assertEquals(2 * SPEED * LIGHT / (LIGHT + HEAVY), entry(system, 9), 2e-6);
+    }
+
+    /**
+     * With the force cut off where it would pull, e = exp(-beta/omega (pi - atan2(2 beta omega, omega^2 - beta^2))),
+     * beta = c/(2 m), omega^2 = k/m - beta^2. T. Schwager, T. P&ouml;schel, Granular Matter 9 (2007). Measured: 2e-8.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.5, 5, 15, 30})
+    void dampingSetsTheRestitution(double damping) {
+        double beta = damping / (2 * REDUCED);
+        double omega = Math.sqrt(K / REDUCED - beta * beta);
+        double time = (Math.PI - Math.atan2(2 * beta * omega, omega * omega - beta * beta)) / omega;
+        ParticleSystem system = impact(false, damping, 1e-12, new Vector3(SPEED, 0, 0));
+        run(system, new RK4Solver(), time / 4000, 6000);
+        assertEquals(Math.exp(-beta * time), (entry(system, 9) - entry(system, 3)) / SPEED, 2e-7);
+    }
+
+    /** Measured: 4e-6 of the time, 1e-9 of the overlap. */
+    @Test
+    void hertzImpactTakesItsTime() {
+        double speed = 0.7;
+        ParticleSystem system = impact(true, 0, 1e-12, new Vector3(speed, 0, 0));
+        double deepest = StrictMath.pow(1.25 * REDUCED * speed * speed / K, 0.4);
+        double time = 3.2180 * StrictMath.pow(REDUCED * REDUCED / (K * K * speed), 0.2);
+        assertEquals(2.9432 * deepest / speed, time, 1e-4 * time);
+        run(system, new RK4Solver(), time / 2000, 1000);
+        assertEquals(deepest, overlap(system), 1e-8 * deepest);
+        run(system, new RK4Solver(), time / 2000, 999);
+        assertTrue(overlap(system) > 0, "about to end: " + overlap(system));
+        run(system, new RK4Solver(), time / 2000, 2);
+        assertTrue(overlap(system) < 0, "over: " + overlap(system));
+    }
+
+    /** Momentum and angular momentum stay, and without damping the energy does too. Measured: 2e-14, 2e-6. */
+    @ParameterizedTest
+    @CsvSource({"false,0", "true,0", "false,8", "true,8"})
+    void anObliqueImpactKeepsMomenta(boolean hertz, double damping) {
+        ParticleSystem system = impact(hertz, damping, 1e-9, new Vector3(SPEED, 1, 0));
+        double spin = spin(system);
+        double energy = system.getEnergy(system.getOwnState(), 0);
+        run(system, new RK4Solver(), 2e-4, 2000);
+        assertTrue(overlap(system) < 0 && Math.abs(entry(system, 10)) > 1e-3, "a glancing blow");
+        assertEquals(LIGHT * SPEED, LIGHT * entry(system, 3) + HEAVY * entry(system, 9), 2e-14);
+        assertEquals(LIGHT, LIGHT * entry(system, 4) + HEAVY * entry(system, 10), 2e-14);
+        assertEquals(spin, spin(system), 1e-13);
+        double lost = energy - system.getEnergy(system.getOwnState(), 0);
+        if (damping == 0) {
+            assertEquals(0, lost, 1e-5);
+        } else {
+            assertTrue(lost > 0.1, "lost " + lost);
+        }
+    }
+
+    private static double spin(ParticleSystem system) {
+        return LIGHT * (entry(system, 0) * entry(system, 4) - entry(system, 1) * entry(system, 3))
+                + HEAVY * (entry(system, 6) * entry(system, 10) - entry(system, 7) * entry(system, 9));
+    }
+
+    /** Each ball carries those above it: overlaps are j m g/k. Measured: 1e-13. */
+    @Test
+    void aStackStandsAsStaticsSays() {
+        ParticleSystem system = new ParticleSystem();
+        for (int i = 0; i < 5; i++) {
+            system.addParticle("ball" + i, 2, new Vector3(0, 0.1 + 0.2 * i, 0), Vector3.ZERO, false);
+        }
+        system.addEffect(new Gravity(system.getParticles(), GRAVITY));
+        system.addEffect(new PenaltyPlane(system.getParticles(), Plane.ground(0.1), 4000, 0));
+        system.addEffect(new Repulsion(system.getParticles(), 0.1, false, 4000, 150));
+        run(system, new RK4Solver(), 0.002, 10_000);
+        assertEquals(5 * 2 * 9.81 / 4000, 0.1 - entry(system, 1), 1e-12);
+        for (int i = 1; i < 5; i++) {
+            assertEquals((5 - i) * 2 * 9.81 / 4000, 0.2 - entry(system, 6 * i + 1) + entry(system, 6 * i - 5), 1e-12);
+        }
+    }
+
+    static List<SolverInfo> solvers() {
+        return SolverCatalog.all();
+    }
+
+    /** Inside an impact the motion is a damped vibration, and every solver converges to it with its order. */
+    @ParameterizedTest
+    @MethodSource("solvers")
+    void everySolverConvergesInAnImpact(SolverInfo solver) {
+        double coarse = errorInImpact(solver, 64);
+        double fine = errorInImpact(solver, 128);
+        if (solver.adaptive()) {
+            assertTrue(fine < 1e-7, "error " + fine);
+        } else {
+            double order = Math.log(coarse / fine) / Math.log(2);
+            assertEquals(solver.order(), order, 0.5);
+        }
+    }
+
+    private static double errorInImpact(SolverInfo solver, int steps) {
+        double damping = 8;
+        double beta = damping / (2 * REDUCED);
+        double omega = Math.sqrt(K / REDUCED - beta * beta);
+        double first = 0.01;
+        double time = 1 / omega;
+        ParticleSystem system = impact(false, damping, first, new Vector3(SPEED, 0, 0));
+        run(system, SolverCatalog.create(solver.name()), time / steps, steps);
+        double a = Math.exp(-beta * time) * (first * Math.cos(1) + (SPEED + beta * first) / omega * Math.sin(1));
+        double b = Math.exp(-beta * time) * ((SPEED + beta * first) * Math.cos(1) - omega * first * Math.sin(1))
+                - beta * a;
+        return Math.hypot(omega * (overlap(system) - a), entry(system, 3) - entry(system, 9) - b);
+    }
+
+    /** Balls of many sizes in a cloud, two of them fixed. */
+    private static ParticleSystem cloud(int count) {
+        ParticleSystem system = new ParticleSystem();
+        SeededRandom random = new SeededRandom(36);
+        Repulsion repulsion = new Repulsion(system.getParticles(), 0.06, false, 50, 0.2);
+        for (int i = 0; i < count; i++) {
+            system.addParticle("p" + i, 0.5 + random.nextDouble(), new Vector3(random.nextDouble(),
+                    random.nextDouble() - 0.5, random.nextDouble()), Vector3.ZERO, i % 100 < 2);
+            if (i % 3 == 0) {
+                repulsion.setRadius(i, 0.02 + 0.04 * random.nextDouble());
+            }
+        }
+        system.addEffect(repulsion);
+        return system;
+    }
+
+    /** The lists of neighbours last for some steps, and the bits never tell when they were made. */
+    @Test
+    void listsOfNeighboursMissNoPairWhilePartsMove() {
+        ParticleSystem system = cloud(300);
+        Repulsion used = (Repulsion) system.getEffects().get(0);
+        SeededRandom random = new SeededRandom(5);
+        double[] state = system.getStateArray().clone();
+        for (int round = 0; round < 60; round++) {
+            double[] kept = new double[state.length];
+            double[] fresh = new double[state.length];
+            used.addForces(state, 0, kept);
+            ((Repulsion) cloud(300).getEffects().get(0)).addForces(state, 0, fresh);
+            assertArrayEquals(fresh, kept, "round " + round);
+            for (int k = 0; k < state.length; k++) {
+                state[k] += (random.nextDouble() - 0.5) * (round % 20 == 19 ? 0.5 : 0.004);
+            }
+        }
+    }
+
+    /** The energy is the sum over all pairs, each by itself. */
+    @Test
+    void everyPairIsFoundOnce() {
+        ParticleSystem system = cloud(300);
+        double[] state = system.getStateArray();
+        double pairs = 0;
+        SeededRandom random = new SeededRandom(36);
+        double[] radii = new double[300];
+        for (int i = 0; i < 300; i++) {
+            random.nextDouble();
+            random.nextDouble();
+            random.nextDouble();
+            random.nextDouble();
+            radii[i] = i % 3 == 0 ? 0.02 + 0.04 * random.nextDouble() : 0.06;
+            for (int j = 0; j < i; j++) {
+                double depth = radii[i] + radii[j] - new Vector3(state[6 * i] - state[6 * j], state[6 * i + 1]
+                        - state[6 * j + 1], state[6 * i + 2] - state[6 * j + 2]).length();
+                pairs += depth > 0 && !(i % 100 < 2 && j % 100 < 2) ? 50 * depth * depth / 2 : 0;
+            }
+        }
+        assertTrue(pairs > 1);
+        assertEquals(pairs, system.getEffects().get(0).getPotentialEnergy(state, 0), 1e-12 * pairs);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 4})
+    void anyNumberOfThreadsGivesTheBitsOfOne(int threads) {
+        double[][] ends = new double[2][];
+        for (int k = 0; k < 2; k++) {
+            ParticleSystem system = cloud(700);
+            ParallelForces.use(system, k == 0 ? 1 : threads, 1);
+            run(system, new RK4Solver(), 0.01, 30);
+            ParallelForces.use(system, 1);
+            ends[k] = system.getStateArray().clone();
+        }
+        assertArrayEquals(ends[0], ends[1]);
+        assertNotEquals(cloud(700).getStateArray()[13], ends[0][13], "it moved");
+    }
+
+    /** A ball keeps its own radius when others die, and a new one has that of all others. */
+    @Test
+    void radiiFollowTheirBalls() {
+        ParticleSystem system = new ParticleSystem();
+        Repulsion repulsion = new Repulsion(system.getParticles(), 0.1, false, 10, 0);
+        for (int i = 0; i < 3; i++) {
+            system.addParticle("p" + i, 1, new Vector3(i, 0, 0), Vector3.ZERO, false);
+        }
+        system.addEffect(repulsion);
+        repulsion.setRadius(2, 1.5);
+        assertEquals(10 * 0.6 * 0.6 / 2, repulsion.getPotentialEnergy(system.getStateArray(), 0), 1e-14);
+        system.removeParticles(new boolean[] {true, false, false});
+        system.addParticle("late", 1, new Vector3(3, 0, 0), Vector3.ZERO, false);
+        assertEquals(10 * 0.6 * 0.6, repulsion.getPotentialEnergy(system.getStateArray(), 0), 1e-14);
+    }
+}

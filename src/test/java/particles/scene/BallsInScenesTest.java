@@ -1,0 +1,70 @@
+package particles.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.util.List;
+import java.util.OptionalInt;
+import org.junit.jupiter.api.Test;
+import particles.view.ParticleMark;
+import particles.view.RenderOptions;
+
+/** Balls of a scene have the radius that it gives them, in the law of repulsion and in pictures. */
+class BallsInScenesTest {
+    private static final String BALLS = """
+            title: Balls
+            teaches: how large balls are
+            solver: rk4
+            deltaT: 0.01
+            duration: 1
+            particles:
+              - {id: small, position: [0, 0, 0]}
+              - {id: large, position: [1, 0, 0], radius: 0.8}
+            shapes:
+              - rope: {id: row, start: [5, 0, 0], end: [6, 0, 0], particles: 2, mass: 1, radius: 0.6}
+            """;
+    private static final String REPULSION = "effects:\n  - repulsion: {radius: 0.3, stiffness: 10}\n";
+
+    private static ParticleMark mark(String id, int colour, double radius) {
+        return new ParticleMark(id, colour < 0 ? OptionalInt.empty() : OptionalInt.of(colour), radius, "");
+    }
+
+    @Test
+    void ownRadiiCountInTheLaw() {
+        Scene scene = TestScenes.build(BALLS + REPULSION);
+        double energy = scene.system().getEffects().get(0).getPotentialEnergy(scene.system().getOwnState(), 0);
+        assertEquals(10 * (0.1 * 0.1 + 0.2 * 0.2) / 2, energy, 1e-14);
+    }
+
+    @Test
+    void ballsAreDrawnWithTheirRadius() {
+        RenderOptions look = TestScenes.build(BALLS + REPULSION).description().drawing().look();
+        assertEquals(0.3, look.particleRadius());
+        assertEquals(List.of(mark("large", -1, 0.8), mark("row[0]", -1, 0.6), mark("row[1]", -1, 0.6)),
+                look.style().marks());
+    }
+
+    /** What the look says goes first; a mark without a radius leaves the ball its own. */
+    @Test
+    void theLookOverridesRadii() {
+        RenderOptions look = TestScenes.build(BALLS + REPULSION + """
+                look:
+                  particleRadius: 0.1
+                  marks:
+                    - {particle: row, colour: "#0000ff"}
+                    - {particle: large, radius: 0.2}
+                """).description().drawing().look();
+        assertEquals(0.1, look.particleRadius());
+        assertEquals(List.of(mark("large", -1, 0.2), mark("row[0]", 255, 0.6), mark("row[1]", 255, 0.6)),
+                look.style().marks());
+        assertThrows(SceneException.class, () -> TestScenes.build(BALLS + """
+                look:
+                  marks: [{particle: rows, colour: "#0000ff"}]
+                """));
+    }
+
+    @Test
+    void withoutRepulsionNoRadiusIsSet() {
+        assertEquals(0, TestScenes.build(BALLS).description().drawing().look().particleRadius());
+    }
+}
