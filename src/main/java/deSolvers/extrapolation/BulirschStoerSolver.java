@@ -73,9 +73,9 @@ public final class BulirschStoerSolver extends AdaptiveSolver {
                              double[] newState) {
         OrderControl.Verdict verdict = OrderControl.Verdict.CONTINUE;
         double ratio = Double.POSITIVE_INFINITY;
+        midpoint.begin(state, slope, offset, h);
         for (int j = 0; verdict == OrderControl.Verdict.CONTINUE; j++) {
-            midpoint.cover(source, state, slope, offset, h, OrderControl.substeps(j), results.begin(j),
-                    smoothings.begin(j));
+            midpoint.cover(source, OrderControl.substeps(j), results.begin(j), smoothings.begin(j));
             results.extrapolate(j);
             smoothings.extrapolate(j);
             if (j > 0) {

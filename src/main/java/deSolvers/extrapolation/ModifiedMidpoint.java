@@ -13,6 +13,10 @@ final class ModifiedMidpoint {
     private double[] last = {};                         // y_{i-1}
     private double[] present = {};                      // y_i
     private double[] dSdt = {};
+    private double[] state = {};
+    private double[] slope = {};
+    private double offset;
+    private double length;
 
     void resize(int n) {
         last = new double[n];
@@ -21,15 +25,26 @@ final class ModifiedMidpoint {
     }
 
     /**
-     * @param slope     f_0
-     * @param offset    the beginning of the stretch, from that of the step (s)
-     * @param length    H (s)
+     * Sets the stretch to be covered.
+     *
+     * @param state  s
+     * @param slope  f_0
+     * @param offset the beginning of the stretch, from that of the step (s)
+     * @param length H (s)
+     */
+    void begin(double[] state, double[] slope, double offset, double length) {
+        this.state = state;
+        this.slope = slope;
+        this.offset = offset;
+        this.length = length;
+    }
+
+    /**
      * @param n         substeps; even
      * @param result    receives s(H), with an error in even powers of 1/n
      * @param smoothing receives result - y_n, in even powers of 1/n too
      */
-    void cover(StepTransaction source, double[] state, double[] slope, double offset, double length, int n,
-               double[] result, double[] smoothing) {
+    void cover(StepTransaction source, int n, double[] result, double[] smoothing) {
         double h = length / n;
         System.arraycopy(state, 0, last, 0, state.length);
         for (int i = 0; i < state.length; i++) {

@@ -1,7 +1,7 @@
 package deSolvers.implicit;
 
-import deSolvers.DEStateSource;
 import deSolvers.JacobianStateSource;
+import deSolvers.StepTransaction;
 import java.util.Arrays;
 
 /**
@@ -28,8 +28,7 @@ final class DenseJacobian {
     /**
      * Computes J at a state and the source's present time. Leaves the source at a state near it.
      *
-     * @param source   evaluates
-     * @param products the same source if it multiplies with its Jacobian, else anything that does not
+     * @param source   evaluates, and multiplies with the Jacobian if its client can
      * @param state    the state at which J is computed
      * @param dSdt     f at that state
      * @param h        a step (s) that tells how far an entry at 0 may be expected to move
@@ -38,20 +37,19 @@ final class DenseJacobian {
      *                 bend there
      * @param jacobian receives J, n x n by rows
      */
-    void compute(DEStateSource source, DEStateSource products, double[] state, double[] dSdt, double h, boolean fine,
-                 double[] jacobian) {
+    void compute(StepTransaction source, double[] state, double[] dSdt, double h, boolean fine, double[] jacobian) {
         int n = state.length;
         if (varied.length != n) {
             varied = new double[n];
             column = new double[n];
         }
         work.jacobians++;
-        if (products instanceof JacobianStateSource) {
+        if (source.getClient() instanceof JacobianStateSource products) {
             source.setState(state);
             Arrays.fill(varied, 0);
             for (int j = 0; j < n; j++) {
                 varied[j] = 1;
-                ((JacobianStateSource) products).getJacobianProduct(varied, column);
+                products.getJacobianProduct(varied, column);
                 varied[j] = 0;
                 setColumn(jacobian, j, column);
             }

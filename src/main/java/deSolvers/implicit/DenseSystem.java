@@ -32,7 +32,7 @@ final class DenseSystem implements ShiftedJacobian {
 
     @Override
     public void setJacobian(StepTransaction source, double[] state, double[] slope, double h, Kind kind) {
-        differences.compute(source, source.getClient(), state, slope, h, kind == Kind.CAREFUL, jacobian);
+        differences.compute(source, state, slope, h, kind == Kind.CAREFUL, jacobian);
         this.client = source.getClient();
         NewtonUpdate.units(state, slope, h, unit);
     }

@@ -80,7 +80,8 @@ final class SceneFacts {
         style.marks().forEach(mark -> marks.put(mark.particle(), mark(mark)));
         return Ordered.map("particles", name(look.particles()), "springs", name(look.springs()),
                 "radius", look.particleRadius(), "strainRange", look.strainRange(), "colours",
-                List.of(look.particleColour(), look.fixedColour(), look.frontColour(), look.backColour()),
+                List.of(look.colours().particle(), look.colours().fixed(), look.colours().front(),
+                look.colours().back()),
                 "kind", name(style.kind()), "ageColours", style.ageColours(), "trail", style.trail(),
                 "night", style.night(), "arrows", style.arrows(), "marks", marks);
     }

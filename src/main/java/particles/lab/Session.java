@@ -195,8 +195,9 @@ public final class Session {
         Structure structure = shown.structure();
         return Json.of(Ordered.map("ids", List.of(structure.ids()), "fixed", Json.list(structure.fixed()),
                 "births", Json.list(structure.births()), "lives", Json.list(structure.lives()),
-                "springs", Json.list(structure.springs()), "restLengths", Json.list(structure.restLengths()),
-                "rigid", Json.list(structure.rigid())));
+                "springs", Json.list(structure.links().ends()),
+                "restLengths", Json.list(structure.links().restLengths()),
+                "rigid", Json.list(structure.links().rigid())));
     }
 
     /**

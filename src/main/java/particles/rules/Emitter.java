@@ -20,31 +20,41 @@ public final class Emitter implements Rule {
     /**
      * The parameters of an emitter.
      *
-     * @param id        the emitter's id, with which its particles' ids begin
+     * @param id       the emitter's id, with which its particles' ids begin
+     * @param jet      the places and velocities at birth
+     * @param rate     births per second (1/s), positive
+     * @param mass     the mass of each particle (kg), positive
+     * @param lifetime the lifetime of each particle (s), positive; may be infinite
+     * @param seed     the seed of the random numbers
+     */
+    public record Nozzle(String id, Jet jet, double rate, double mass, double lifetime, long seed) {
+        /** @throws IllegalArgumentException if a number is out of its range */
+        public Nozzle {
+            if (!(rate > 0 && rate <= Double.MAX_VALUE) || !(mass > 0 && mass <= Double.MAX_VALUE)
+                    || !(lifetime > 0)) {
+                throw new IllegalArgumentException("emitter '" + id + "' needs a positive rate, mass and lifetime, not "
+                        + rate + ", " + mass + ", " + lifetime);
+            }
+        }
+    }
+
+    /**
+     * The places and velocities of an emitter's particles at birth.
+     *
      * @param position  the centre of the ball in which particles are born (m)
      * @param radius    the radius of that ball (m), 0 or more
      * @param direction the axis of the cone of initial directions; of length 1
      * @param spread    the half-angle of the cone (rad), 0 to pi
      * @param speed     the initial speed (m/s), 0 or more
-     * @param rate      births per second (1/s), positive
-     * @param mass      the mass of each particle (kg), positive
-     * @param lifetime  the lifetime of each particle (s), positive; may be infinite
-     * @param seed      the seed of the random numbers
      */
-    public record Nozzle(String id, Vector3 position, double radius, Vector3 direction, double spread, double speed,
-                         double rate, double mass, double lifetime, long seed) {
+    public record Jet(Vector3 position, double radius, Vector3 direction, double spread, double speed) {
         /** @throws IllegalArgumentException if a number is out of its range or the direction has none */
-        public Nozzle {
+        public Jet {
             direction = direction.normalized();
             if (!position.isFinite() || !(radius >= 0 && radius <= Double.MAX_VALUE)
-                    || !(spread >= 0 && spread <= Math.PI)
-                    || !(speed >= 0 && speed <= Double.MAX_VALUE) || !(rate > 0 && rate <= Double.MAX_VALUE)
-                    || !(mass > 0 && mass <= Double.MAX_VALUE) || !(lifetime > 0)) {
-                throw new IllegalArgumentException("emitter '" + id
-                        + "' needs a finite position, radius and speed of 0 or"
-                        + " more, a spread from 0 to pi, positive rate, mass and lifetime, not " + position + ", "
-                        + radius
-                        + ", " + speed + ", " + spread + ", " + rate + ", " + mass + ", " + lifetime);
+                    || !(spread >= 0 && spread <= Math.PI) || !(speed >= 0 && speed <= Double.MAX_VALUE)) {
+                throw new IllegalArgumentException("an emitter needs a finite position, radius and speed of 0 or more"
+                        + " and a spread from 0 to pi, not " + position + ", " + radius + ", " + speed + ", " + spread);
             }
         }
     }
@@ -80,11 +90,12 @@ public final class Emitter implements Rule {
     }
 
     private void emit(ParticleSystem system, double birth) {
-        Vector3 velocity = random.nextDirection(nozzle.direction(), nozzle.spread()).times(nozzle.speed());
-        Vector3 from = nozzle.position();
-        if (nozzle.radius() > 0) {
-            from = from.plus(random.nextDirection(nozzle.direction(), Math.PI)
-                    .times(nozzle.radius() * StrictMath.cbrt(random.nextDouble())));
+        Jet jet = nozzle.jet();
+        Vector3 velocity = random.nextDirection(jet.direction(), jet.spread()).times(jet.speed());
+        Vector3 from = jet.position();
+        if (jet.radius() > 0) {
+            from = from.plus(random.nextDirection(jet.direction(), Math.PI)
+                    .times(jet.radius() * StrictMath.cbrt(random.nextDouble())));
         }
         int i = system.addParticle(nozzle.id() + "[" + born + "]", nozzle.mass(),
                 from.plus(velocity.times(system.getTime() - birth)), velocity, false);

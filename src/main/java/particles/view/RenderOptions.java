@@ -10,18 +10,36 @@ import java.util.List;
  * @param particleRadius the radius of a particle as it is drawn (m), positive, or 0 for one that suits the scene's size
  * @param strainRange    the strain (stretch over rest length) at which a spring has the full colour of stretched or
  *                       compressed, positive: 0.1 for 10 %
- * @param particleColour the colour of particles and of their trails, 0xRRGGBB
- * @param fixedColour    the colour of fixed particles
- * @param frontColour    the colour of a surface's front
- * @param backColour     the colour of its back
+ * @param colours        the colours
  * @param style          the drawing style of free particles
  */
 public record RenderOptions(Visibility particles, Visibility springs, double particleRadius, double strainRange,
-        int particleColour, int fixedColour, int frontColour, int backColour, ParticleStyle style) {
+        Colours colours, ParticleStyle style) {
 
     /** The defaults. */
     public static final RenderOptions STANDARD = new RenderOptions(Visibility.BESIDE_SURFACES,
-            Visibility.BESIDE_SURFACES, 0, 0.1, 0xf0a43c, 0x5a6270, 0xd9534f, 0x4a78b5, ParticleStyle.STANDARD);
+            Visibility.BESIDE_SURFACES, 0, 0.1, new Colours(0xf0a43c, 0x5a6270, 0xd9534f, 0x4a78b5),
+            ParticleStyle.STANDARD);
+
+    /**
+     * Colours, 0xRRGGBB.
+     *
+     * @param particle the colour of particles and of their trails
+     * @param fixed    the colour of fixed particles
+     * @param front    the colour of a surface's front
+     * @param back     the colour of its back
+     */
+    public record Colours(int particle, int fixed, int front, int back) {
+        /** @throws IllegalArgumentException if a number is no colour */
+        public Colours {
+            for (int colour : new int[] {particle, fixed, front, back}) {
+                if (colour < 0 || colour > 0xffffff) {
+                    throw new IllegalArgumentException("a colour has to be from 0x000000 to 0xffffff, not 0x"
+                            + Integer.toHexString(colour));
+                }
+            }
+        }
+    }
 
     /** Whether particles, or springs, are drawn. */
     public enum Visibility {
@@ -45,12 +63,6 @@ public record RenderOptions(Visibility particles, Visibility springs, double par
         if (!(strainRange > 0) || !(strainRange <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException("the range of strain has to be positive and finite, not " + strainRange);
         }
-        for (int colour : new int[] {particleColour, fixedColour, frontColour, backColour}) {
-            if (colour < 0 || colour > 0xffffff) {
-                throw new IllegalArgumentException("a colour has to be from 0x000000 to 0xffffff, not 0x"
-                        + Integer.toHexString(colour));
-            }
-        }
     }
 
     /** @return the same options with another style of particles */
@@ -60,8 +72,7 @@ public record RenderOptions(Visibility particles, Visibility springs, double par
 
     /** @return the same options with another radius (m) and style of particles */
     public RenderOptions withBalls(double radius, ParticleStyle other) {
-        return new RenderOptions(particles, springs, radius, strainRange, particleColour, fixedColour, frontColour,
-                backColour, other);
+        return new RenderOptions(particles, springs, radius, strainRange, colours, other);
     }
 
     /**
@@ -71,8 +82,8 @@ public record RenderOptions(Visibility particles, Visibility springs, double par
      * @return the new options
      */
     public RenderOptions inOneColour(int colour) {
-        return new RenderOptions(particles, springs, particleRadius, Double.MAX_VALUE, colour, fixedColour, colour,
-                colour,
+        return new RenderOptions(particles, springs, particleRadius, Double.MAX_VALUE,
+                new Colours(colour, colours.fixed, colour, colour),
                 new ParticleStyle(style.kind(), List.of(colour), style.trail(), style.night()));
     }
 }

@@ -27,8 +27,8 @@ class ExtrapolationTableTest {
         double[] error = new double[2];
         try (StepTransaction step = new StepTransaction(BulirschStoerSolver.class).begin(problem, 1)) {
             for (int j = 0; j < columns.length; j++) {
-                midpoint.cover(step, new double[] {1, 0}, new double[] {re, im}, 0, 1, OrderControl.substeps(j),
-                        results.begin(j), smoothings.begin(j));
+                midpoint.begin(new double[] {1, 0}, new double[] {re, im}, 0, 1);
+                midpoint.cover(step, OrderControl.substeps(j), results.begin(j), smoothings.begin(j));
                 results.extrapolate(j);
                 smoothings.extrapolate(j);
                 BulirschStoerSolver.estimate(results, smoothings, error);

@@ -11,7 +11,7 @@ class HistoryTest {
     private static final int PARTICLES = 100;
     private static final long LIMIT = 1_000_000;
     private static final Structure STRUCTURE = new Structure(new String[PARTICLES], new int[PARTICLES],
-            new float[PARTICLES], new float[PARTICLES], new int[0], new float[0], new int[0]);
+            new float[PARTICLES], new float[PARTICLES], new Structure.Links(0));
 
     private static Frame frame(double time) {
         return new Frame(time, new float[6 * PARTICLES], new float[4], STRUCTURE);

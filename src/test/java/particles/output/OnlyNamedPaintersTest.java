@@ -51,8 +51,8 @@ class OnlyNamedPaintersTest {
     }
 
     static List<Case> cases() {
-        RenderOptions noSprings = new RenderOptions(Visibility.ALWAYS, Visibility.NEVER, 1, 0.1, 1, 2,
-                3, 4, ParticleStyle.STANDARD);
+        RenderOptions noSprings = new RenderOptions(Visibility.ALWAYS, Visibility.NEVER, 1, 0.1,
+                new RenderOptions.Colours(1, 2, 3, 4), ParticleStyle.STANDARD);
         return List.of(new Case("balls", BALLS, Scenery.NONE, false, Set.of()),
                 new Case("points", look(ParticleStyle.Kind.POINTS, 1, 0), Scenery.NONE, false, Set.of()),
                 new Case("blobs", look(ParticleStyle.Kind.BLOBS, 1, 0), Scenery.NONE, false, Set.of("BlobPainter")),

@@ -58,8 +58,8 @@ class SceneryStylesTest {
     /** Rods are straight grey bars at any length, without a strain scale. */
     @Test
     void rodsAreBars() {
-        RenderOptions look = new RenderOptions(Visibility.NEVER, Visibility.ALWAYS, 0.5, 0.1, 0, 0, 0,
-                0, ParticleStyle.STANDARD);
+        RenderOptions look = new RenderOptions(Visibility.NEVER, Visibility.ALWAYS, 0.5, 0.1,
+                new RenderOptions.Colours(0, 0, 0, 0), ParticleStyle.STANDARD);
         int[] empty = renderer(FRONT, look, Scenery.NONE).render(state()).clone();
         int[] heights = new int[2];
         for (int k = 0; k < 2; k++) {

@@ -22,14 +22,15 @@ public final class SmallPictures {
     }
 
     public static RenderOptions look(ParticleStyle.Kind kind, double radius, double trail) {
-        return new RenderOptions(Visibility.ALWAYS, Visibility.ALWAYS, radius, 0.1, 0x3366cc,
-                0x202020, 0xff0000, 0x0000ff,
+        return new RenderOptions(Visibility.ALWAYS, Visibility.ALWAYS, radius, 0.1,
+                new RenderOptions.Colours(0x3366cc, 0x202020, 0xff0000, 0x0000ff),
                 new ParticleStyle(kind, ParticleStyle.STANDARD.ageColours(), trail, kind == ParticleStyle.Kind.GLOW));
     }
 
     /** @return balls and springs, the free particles in this colour and the rest black */
     public static RenderOptions plain(int rgb, double radius, ParticleStyle style) {
-        return new RenderOptions(Visibility.ALWAYS, Visibility.ALWAYS, radius, 0.1, rgb, 0, 0, 0, style);
+        return new RenderOptions(Visibility.ALWAYS, Visibility.ALWAYS, radius, 0.1,
+                new RenderOptions.Colours(rgb, 0, 0, 0), style);
     }
 
     public static FrameRenderer renderer(Camera camera, RenderOptions look, Scenery scenery) {

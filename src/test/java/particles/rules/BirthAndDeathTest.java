@@ -35,10 +35,8 @@ import particles.reactions.contact.Friction;
 class BirthAndDeathTest {
 
     private static Emitter emitter(double rate, double lifetime, long seed) {
-        return new Emitter(new Emitter.Nozzle("drop", new Vector3(0, 1, 0), 0.1, new Vector3(1, 2, 0), 0.4, 3, rate,
-                0.5,
-                lifetime,
-                seed));
+        Emitter.Jet jet = new Emitter.Jet(new Vector3(0, 1, 0), 0.1, new Vector3(1, 2, 0), 0.4, 3);
+        return new Emitter(new Emitter.Nozzle("drop", jet, rate, 0.5, lifetime, seed));
     }
 
     private static Simulation simulation(ParticleSystem system, double deltaT, double duration, Rule... rules) {

@@ -115,7 +115,7 @@ class SceneBuilderTest {
         Camera camera = told.description().drawing().camera().orElseThrow();
         assertEquals(new Vector3(0, 1, 0), camera.up());
         assertEquals(20, camera.height(), 1e-12, "2 d tan(45 degrees)");
-        assertEquals(0x00ff10, told.description().drawing().look().frontColour());
+        assertEquals(0x00ff10, told.description().drawing().look().colours().front());
         assertEquals(Visibility.ALWAYS, told.description().drawing().look().springs());
         Phase phase = told.description().output().phase().orElseThrow();
         assertEquals("bob", phase.particle());

@@ -120,8 +120,7 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
     @Override
     public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
         for (int s = 0; s < table.count; s++) {
-            derivative.add(state, table.from[s], table.to[s], table.stiffness[s], table.restLength[s], table.damping[s],
-                    derivatives);
+            derivative.add(state, table, s, derivatives);
         }
     }
 

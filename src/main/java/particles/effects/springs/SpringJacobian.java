@@ -23,14 +23,12 @@ final class SpringJacobian {
     private final double[] u = new double[3];
     private final double[] turning = new double[3];
 
-    /**
-     * Adds the blocks of one spring.
-     *
-     * @param i state index of the particle on which F_ij acts
-     * @param j state index of the other particle
-     */
-    void add(double[] state, int i, int j, double stiffness, double restLength, double damping,
-            ForceDerivatives derivatives) {
+    /** Adds the blocks of spring {@code s}. */
+    void add(double[] state, SpringTable table, int s, ForceDerivatives derivatives) {
+        int i = table.from[s];                          // F_ij acts on this particle; its state index
+        int j = table.to[s];
+        double stiffness = table.stiffness[s];
+        double damping = table.damping[s];
         double length = direction(state, i, j);
         // without direction: as for rest length 0
         double across = -stiffness;
@@ -45,7 +43,7 @@ final class SpringJacobian {
             for (int c = 0; c < 3; c++) {
                 turning[c] = damping * (turning[c] - stretching * u[c]) / length;
             }
-            across = -(stiffness * (length - restLength) + damping * stretching) / length;
+            across = -(stiffness * (length - table.restLength[s]) + damping * stretching) / length;
             along = -stiffness - across;
             drag = -damping;
         }

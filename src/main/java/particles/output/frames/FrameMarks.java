@@ -51,13 +51,13 @@ final class FrameMarks {
         if (FontCheck.isAvailable()) {
             g.setFont(font());
             for (Label label : labels(state, ball)) {
-                g.setColor(sky.halo);
+                g.setColor(sky.text.halo());
                 for (int k = 0; k < 8; k++) {
                     double angle = Math.PI / 4 * k;
                     g.drawString(label.text, (float) (label.x + 1.6 * unit * Math.cos(angle)),
                             (float) (label.y + 1.6 * unit * Math.sin(angle)));
                 }
-                g.setColor(sky.ink);
+                g.setColor(sky.text.ink());
                 g.drawString(label.text, (float) label.x, (float) label.y);
             }
         }

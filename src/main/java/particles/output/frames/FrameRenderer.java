@@ -22,6 +22,7 @@ import particles.output.painters.WirePainter;
 import particles.output.raster.Backdrop;
 import particles.output.raster.CameraProjection;
 import particles.output.raster.Colours;
+import particles.output.raster.Foreground;
 import particles.output.raster.Lighting;
 import particles.output.raster.Raster;
 import particles.output.raster.RoundShapes;
@@ -141,16 +142,16 @@ public final class FrameRenderer {
      */
     public int[] importantColours() {
         List<Integer> important = new ArrayList<>();
-        RenderOptions look = stage.look();
+        RenderOptions.Colours own = stage.look().colours();
         Sky sky = Sky.of(style().night());
-        for (int base : new int[] {look.particleColour(), look.fixedColour(), look.frontColour(), look.backColour(),
+        for (int base : new int[] {own.particle(), own.fixed(), own.front(), own.back(),
             Colours.COMPRESSED, Colours.AT_REST, Colours.STRETCHED, sky.ground}) {
             for (int shade = 0; shade < 8; shade++) {
                 important.add(Colours.lit(base, 0.46f + 0.09f * shade, 0));
             }
         }
-        important.add(sky.warning.getRGB() & 0xffffff);
-        style().marks().stream().map(ParticleMark::colour).distinct().forEach(own -> own.ifPresent(rgb ->
+        important.add(sky.text.warning().getRGB() & 0xffffff);
+        style().marks().stream().map(ParticleMark::colour).distinct().forEach(marked -> marked.ifPresent(rgb ->
                 IntStream.range(0, 8).forEach(shade ->
                 important.add(Colours.lit(rgb, 0.46f + 0.09f * shade, 0)))));
         for (int k = 0; k < 12; k++) {
@@ -159,7 +160,7 @@ public final class FrameRenderer {
                 important.add(GlowPainter.over(sky.horizon, style().ageColours(), age, layers));
             }
             if (trails.isPresent()) {
-                important.add(Colours.mix(sky.horizon, look.particleColour(), (k + 1) / 12.0));
+                important.add(Colours.mix(sky.horizon, own.particle(), (k + 1) / 12.0));
             }
         }
         return important.stream().mapToInt(Integer::intValue).toArray();
@@ -193,8 +194,9 @@ public final class FrameRenderer {
         particles.paint(state, projected);
         shadows.ifPresent(painter -> backdrop.shadows.forEach(map -> painter.paint(map, state)));
         compose();
-        trails.ifPresent(layer -> layer.paint(state, shown, stage.look().particleColour(), raster, backdrop, pixels));
-        glow.ifPresent(layer -> layer.paint(state, projected, shown, sizes.ball(), raster, backdrop, pixels));
+        Foreground drawn = new Foreground(raster, backdrop);
+        trails.ifPresent(layer -> layer.paint(state, shown, stage.look().colours().particle(), drawn, pixels));
+        glow.ifPresent(layer -> layer.paint(state, projected, shown, sizes.ball(), drawn, pixels));
         return strained;
     }
 
@@ -218,8 +220,8 @@ public final class FrameRenderer {
 
     private void prepare(FrameState state) {
         setSizes(DrawnSizes.of(state, stage.look(), view.viewHeight));
-        setBackdrop(new Backdrop(view, lighting, stage.scenery(), Sky.of(style().night()), stage.camera().target(),
-                particles.reach(state), stage.camera().up().normalized()));
+        setBackdrop(new Backdrop(view, lighting, stage.scenery(), Sky.of(style().night()), stage.camera(),
+                particles.reach(state)));
     }
 
     private void setSizes(DrawnSizes sizes) {

@@ -75,7 +75,7 @@ final class FrameText {
                 Collectors.groupingBy(box -> box.getCenterX() < width / 2.0,
                         Collectors.groupingBy(box -> box.getCenterY() < height / 2.0)));
         double room = 8 * unit;
-        g.setColor(new Color(sky.halo.getRed(), sky.halo.getGreen(), sky.halo.getBlue(), BACKING));
+        g.setColor(new Color(sky.text.halo().getRed(), sky.text.halo().getGreen(), sky.text.halo().getBlue(), BACKING));
         corners.values().forEach(side -> side.values().forEach(corner -> {
             Rectangle2D all = corner.stream().reduce(Rectangle2D::createUnion).orElseThrow();
             g.fill(new RoundRectangle2D.Double(all.getX() - room, all.getY() - room, all.getWidth() + 2 * room,
@@ -98,18 +98,18 @@ final class FrameText {
         List<Line> lines = new ArrayList<>();
         Font large = FontCheck.font(Font.BOLD, 24 * unit);
         Font small = FontCheck.font(Font.PLAIN, 18 * unit);
-        add(lines, stage.title(), large, sky.ink, margin, margin + 17 * unit);
+        add(lines, stage.title(), large, sky.text.ink(), margin, margin + 17 * unit);
         float y = margin + 17 * unit;
         for (String note : state.notes) {
             boolean first = note.equals(state.notes.get(0));
             y += (first ? 36 : 28) * unit;
-            add(lines, note, first ? large : small, first ? sky.warning : sky.soft, margin, y);
+            add(lines, note, first ? large : small, first ? sky.text.warning() : sky.text.soft(), margin, y);
         }
-        add(lines, "t = " + seconds(state) + " s", FontCheck.font(Font.PLAIN, 24 * unit), sky.ink, margin,
+        add(lines, "t = " + seconds(state) + " s", FontCheck.font(Font.PLAIN, 24 * unit), sky.text.ink(), margin,
                 height - margin - 29 * unit);
         String arrows = stage.look().style().arrows() > 0 ? "arrows: velocity" : "";
         String between = stage.caption().isEmpty() || arrows.isEmpty() ? "" : "; ";
-        add(lines, stage.caption() + between + arrows, small, sky.soft, margin, height - margin);
+        add(lines, stage.caption() + between + arrows, small, sky.text.soft(), margin, height - margin);
         if (withStrain) {
             addScale(lines, scale(width, height), height - margin);
         }
@@ -156,7 +156,7 @@ final class FrameText {
         Font font = FontCheck.font(Font.PLAIN, 16 * unit);
         for (int k = 0; k < texts.size(); k++) {
             double room = bar.getWidth() - font.getStringBounds(texts.get(k), SMOOTH).getWidth();
-            add(lines, texts.get(k), font, sky.soft, (float) (bar.getX() + room * k / 2), y);
+            add(lines, texts.get(k), font, sky.text.soft(), (float) (bar.getX() + room * k / 2), y);
         }
     }
 }

@@ -1,8 +1,8 @@
 package particles.output.painters;
 
 import java.util.List;
-import particles.output.raster.Backdrop;
 import particles.output.raster.Colours;
+import particles.output.raster.Foreground;
 import particles.output.raster.LightLayer;
 import particles.output.raster.Raster;
 
@@ -44,15 +44,14 @@ public final class GlowPainter {
 
     /** Adds the particles' light to a layer. */
     public void paint(FrameState state, ProjectedParticles projected, VisibilityFilter shown, double radius,
-            Raster raster, Backdrop backdrop,
-            int[] pixels) {
-        layer.clear();
+            Foreground foreground, int[] pixels) {
+        layer.clear(foreground);
         for (int i = 0; i < state.particles; i++) {
             if (projected.visible[i] && !state.fixed[i] && shown.particle(i)) {
                 double age = age(state.time, state.birth[i], state.death[i]);
                 layer.spot(projected.x[i] / Raster.SAMPLES, projected.y[i] / Raster.SAMPLES,
                         radius * projected.scale[i] / Raster.SAMPLES, projected.near[i], colour(colours, age),
-                        BRIGHTNESS * (1 - age), raster, backdrop);
+                        BRIGHTNESS * (1 - age));
             }
         }
         layer.addTo(pixels);

@@ -76,16 +76,16 @@ public final class ParticlePainter {
             if (isBall(state, i) && projected.visible[i]) {
                 double radius = ball(state, i);
                 shapes.ball(projected.x[i], projected.y[i], radius * projected.scale[i], projected.depth[i], radius,
-                        state.colour(i, state.fixed[i] ? look.fixedColour() : look.particleColour()));
+                        state.colour(i, state.fixed[i] ? look.colours().fixed() : look.colours().particle()));
             } else if (isPoint(state, i) && projected.visible[i]) {
                 shapes.ball(projected.x[i], projected.y[i], Raster.SAMPLES * POINT * view.height, projected.depth[i], 0,
-                        state.colour(i, look.particleColour()));
+                        state.colour(i, look.colours().particle()));
             } else if (blobs.isPresent() && !state.fixed[i] && shown.particle(i)) {
                 System.arraycopy(state.positions, 3 * i, inBlobs, 3 * count++, 3);
             }
         }
         if (blobs.isPresent()) {
-            blobs.get().paint(inBlobs, count, sizes.ball(), look.particleColour());
+            blobs.get().paint(inBlobs, count, sizes.ball(), look.colours().particle());
         }
     }
 }

@@ -69,7 +69,7 @@ public final class SpringPainter {
         double strain = rest > 0 ? (length - rest) / rest : length > 0 ? look.strainRange() : 0;
         int rgb = Colours.ofStrain(strain, look.strainRange());
         if (sizes.isCoil(state, s) && length > 4 * sizes.wire() && rest > 0) {
-            return paintCoil(p, 3 * a, dx / length, dy / length, dz / length, length, rest, rgb);
+            return paintCoil(p, 3 * a, new double[] {dx / length, dy / length, dz / length}, length, rest, rgb);
         }
         double radius = sizes.tube() * (projected.scale[a] + projected.scale[b]) / 2;
         return shapes.tube(projected.x[a], projected.y[a], lifted(projected, a), projected.x[b], projected.y[b],
@@ -82,8 +82,10 @@ public final class SpringPainter {
     }
 
     /** Draws a helix from particle to particle; the number of turns does not change with length. */
-    private boolean paintCoil(double[] p, int at, double ex, double ey, double ez, double length, double rest,
-            int rgb) {
+    private boolean paintCoil(double[] p, int at, double[] direction, double length, double rest, int rgb) {
+        double ex = direction[0];
+        double ey = direction[1];
+        double ez = direction[2];
         // two directions across, the first of them as far as possible towards the viewer
         double along = ex * view.back.x() + ey * view.back.y() + ez * view.back.z();
         boolean endOn = Math.abs(along) > 0.999;

@@ -96,8 +96,8 @@ public final class SurfacePainter {
         normals[3 * i] = x / length;
         normals[3 * i + 1] = y / length;
         normals[3 * i + 2] = z / length;
-        front[i] = colour(x / length, y / length, z / length, look.frontColour());
-        back[i] = colour(-x / length, -y / length, -z / length, look.backColour());
+        front[i] = colour(x / length, y / length, z / length, look.colours().front());
+        back[i] = colour(-x / length, -y / length, -z / length, look.colours().back());
     }
 
     private int colour(double x, double y, double z, int rgb) {
@@ -134,7 +134,7 @@ public final class SurfacePainter {
             if (flat < 0 && length > 0) {
                 double side = (front ? 1 : -1) / length;
                 flat = colour(side * normal[0], side * normal[1], side * normal[2],
-                        front ? look.frontColour() : look.backColour());
+                        front ? look.colours().front() : look.colours().back());
             }
             cornerColour[k] = Math.max(0, flat);
         }

@@ -1,10 +1,9 @@
 package particles.output.painters;
 
 import java.util.Arrays;
-import particles.output.raster.Backdrop;
 import particles.output.raster.CameraProjection;
 import particles.output.raster.Colours;
-import particles.output.raster.Raster;
+import particles.output.raster.Foreground;
 
 /** Draws the past paths of particles as fading lines, hidden by anything nearer. */
 public final class TrailPainter {
@@ -31,8 +30,7 @@ public final class TrailPainter {
     }
 
     /** Draws all trails of a frame. */
-    public void paint(FrameState state, VisibilityFilter shown, int rgb, Raster raster, Backdrop backdrop,
-            int[] pixels) {
+    public void paint(FrameState state, VisibilityFilter shown, int rgb, Foreground foreground, int[] pixels) {
         if (top < bottom) {
             Arrays.fill(cover, top * view.width, bottom * view.width, 0);
         }
@@ -40,7 +38,7 @@ public final class TrailPainter {
         bottom = 0;
         for (int i = 0; i < state.particles; i++) {
             if (!state.fixed[i] && shown.particle(i)) {
-                follow(state, i, state.colour(i, rgb), raster, backdrop);
+                follow(state, i, state.colour(i, rgb), foreground);
             }
         }
         for (int p = top * view.width; p < bottom * view.width; p++) {
@@ -51,7 +49,7 @@ public final class TrailPainter {
     }
 
     /** Draws one path backwards in time from the particle. */
-    private void follow(FrameState state, int i, int rgb, Raster raster, Backdrop backdrop) {
+    private void follow(FrameState state, int i, int rgb, Foreground foreground) {
         double[] from = point(state.positions[3 * i], state.positions[3 * i + 1], state.positions[3 * i + 2]);
         double fromShare = 1;
         int index = state.trailIndex.length == 0 ? i : state.trailIndex[i];
@@ -60,7 +58,7 @@ public final class TrailPainter {
             float[] places = sample.places();
             double[] to = point(places[3 * index], places[3 * index + 1], places[3 * index + 2]);
             double share = 1 - (state.time - sample.time()) / duration;
-            line(from, to, STRONGEST * fromShare, STRONGEST * Math.max(0, share), rgb, raster, backdrop);
+            line(from, to, STRONGEST * fromShare, STRONGEST * Math.max(0, share), rgb, foreground);
             from = to;
             fromShare = share;
             index = sample.earlier(index);
@@ -75,8 +73,8 @@ public final class TrailPainter {
             view.nearness(depth)};
     }
 
-    private void line(double[] a, double[] b, double opacityA, double opacityB, int rgb, Raster raster,
-            Backdrop backdrop) {
+    private void line(double[] a, double[] b, double opacityA, double opacityB, int rgb,
+            Foreground foreground) {
         double dx = b[0] - a[0];
         double dy = b[1] - a[1];
         double square = dx * dx + dy * dy;
@@ -104,7 +102,7 @@ public final class TrailPainter {
                 float covered = (float) (Math.min(1, reach - off) * (opacityA + along * (opacityB - opacityA)));
                 int p = y * view.width + x;
                 double near = a[2] + along * (b[2] - a[2]);
-                if (covered > cover[p] && near > backdrop.near(p) && near > raster.nearAt(x, y)) {
+                if (covered > cover[p] && foreground.shows(near, x, y)) {
                     cover[p] = covered;
                     colours[p] = rgb;
                     top = Math.min(top, y);

@@ -4,6 +4,7 @@ import java.util.List;
 import particles.law.Plane;
 import particles.law.Vector3;
 import particles.output.text.DecimalTicks;
+import particles.view.Camera;
 import particles.view.Scenery;
 
 /**
@@ -22,16 +23,20 @@ public final class Backdrop {
     /** The visible planes, each with its shadow map. */
     public final List<ShadowMap> shadows;
     private final Sky sky;
-    private final int width;
+    final int width;
     private final int[] colour;
     private final float[] near;
     private final byte[] planeAt;
     private final float[] column;
     private final float[] row;
 
+    /** The ground and the lamp as the camera sees them; the spacing is that of the grid (m). */
+    private record Setting(CameraProjection view, Lighting lighting, List<Plane> planes, Vector3 target, Vector3 up,
+            double spacing) {
+    }
+
     /** Paints the parts that are the same in every frame; {@code inset} is the radius of a ball (m). */
-    public Backdrop(CameraProjection view, Lighting lighting, Scenery scenery, Sky sky, Vector3 target, double inset,
-            Vector3 up) {
+    public Backdrop(CameraProjection view, Lighting lighting, Scenery scenery, Sky sky, Camera camera, double inset) {
         this.sky = sky;
         int n = view.width * view.height;
         width = view.width;
@@ -44,11 +49,12 @@ public final class Backdrop {
                 .map(plane -> new Plane(plane.point().minus(plane.normal().times(inset)), plane.normal()))
                 .filter(plane -> isSeen(view, plane)).limit(Byte.MAX_VALUE).toList();
         double shadowed = SHADOWED * view.viewHeight;
-        shadows = seen.stream().map(plane -> new ShadowMap(plane, lighting.lamp, target, shadowed)).toList();
-        double spacing = new DecimalTicks().getCeilingTickUnit(view.viewHeight / LINES).getSize();
+        shadows = seen.stream().map(plane -> new ShadowMap(plane, lighting.lamp, camera.target(), shadowed)).toList();
+        Setting setting = new Setting(view, lighting, seen, camera.target(), camera.up().normalized(),
+                new DecimalTicks().getCeilingTickUnit(view.viewHeight / LINES).getSize());
         for (int y = 0; y < view.height; y++) {
             for (int x = 0; x < width; x++) {
-                paint(view, lighting, seen, target, spacing, up, x, y);
+                paint(setting, x, y);
             }
         }
         if (!scenery.spheres().isEmpty()) {
@@ -80,9 +86,11 @@ public final class Backdrop {
                 : plane.normal().dot(view.back) > 0;
     }
 
-    private void paint(CameraProjection view, Lighting lighting, List<Plane> planes, Vector3 target, double spacing,
-            Vector3 up,
-                       int x, int y) {
+    private void paint(Setting setting, int x, int y) {
+        CameraProjection view = setting.view;
+        Lighting lighting = setting.lighting;
+        List<Plane> planes = setting.planes;
+        Vector3 up = setting.up;
         int p = y * width + x;
         Vector3 start = view.rayStart(x + 0.5, y + 0.5);
         Vector3 ray = view.rayDirection(x + 0.5, y + 0.5);
@@ -105,22 +113,22 @@ public final class Backdrop {
         Plane plane = planes.get(nearest);
         ShadowMap map = shadows.get(nearest);
         Vector3 hit = start.plus(ray.times(depth));
-        double way = hit.minus(target).length() / (HAZE * view.viewHeight);
+        double way = hit.minus(setting.target).length() / (HAZE * view.viewHeight);
         double haze = 1 - StrictMath.exp(-way * way);
         Vector3 normal = plane.normal();
         float light = 1 + 0.35f * (lighting.light((float) normal.dot(view.right), (float) normal.dot(view.up),
                 (float) normal.dot(view.back)) - lighting.light((float) up.dot(view.right), (float) up.dot(view.up),
                 (float) up.dot(view.back)));
         Vector3 from = hit.minus(plane.point());
-        double u = from.dot(map.axisU) / spacing;
-        double v = from.dot(map.axisV) / spacing;
+        double u = from.dot(map.axisU) / setting.spacing;
+        double v = from.dot(map.axisV) / setting.spacing;
         // the distance of two neighbouring pixels on the plane
         Vector3 beside = on(view, plane, x + 1.5, y + 0.5, hit);
         Vector3 below = on(view, plane, x + 0.5, y + 1.5, hit);
         double footU = (Math.abs(beside.minus(hit).dot(map.axisU)) + Math.abs(below.minus(hit).dot(map.axisU)))
-                / spacing;
+                / setting.spacing;
         double footV = (Math.abs(beside.minus(hit).dot(map.axisV)) + Math.abs(below.minus(hit).dot(map.axisV)))
-                / spacing;
+                / setting.spacing;
         double line = Math.max(GridLines.coverage(u, footU), GridLines.coverage(v, footV));
         colour[p] = Colours.mix(Colours.lit(Colours.mix(sky.ground, sky.line, line), Math.max(0.5f, light), 0),
                 sky.horizon, haze);

@@ -12,6 +12,7 @@ public final class LightLayer {
     /** Red, green, blue a pixel. */
     private final float[] light;
     private final float[] passed = new float[(int) (MOST * STEPS_PER_UNIT) + 1];
+    private Foreground foreground;
     private int top;
     private int bottom;
 
@@ -26,8 +27,9 @@ public final class LightLayer {
         top = height;
     }
 
-    /** Clears the layer. */
-    public void clear() {
+    /** Clears the layer; {@code foreground} is what hides the light that is added next. */
+    public void clear(Foreground foreground) {
+        this.foreground = foreground;
         if (top < bottom) {
             Arrays.fill(light, 3 * width * top, 3 * width * bottom, 0);
         }
@@ -45,8 +47,7 @@ public final class LightLayer {
      * @param rgb        its colour
      * @param brightness the brightness of its centre; 1 turns black into most of the colour
      */
-    public void spot(double x, double y, double radius, double near, int rgb, double brightness, Raster raster,
-            Backdrop backdrop) {
+    public void spot(double x, double y, double radius, double near, int rgb, double brightness) {
         int x0 = Raster.first(x - radius, 0);
         int x1 = Raster.last(x + radius, width - 1);
         int y0 = Raster.first(y - radius, 0);
@@ -65,7 +66,7 @@ public final class LightLayer {
                 double dx = (px + 0.5 - x) / radius;
                 double rest = 1 - dx * dx - dy * dy;
                 int p = py * width + px;
-                if (rest > 0 && near > backdrop.near(p) && near > raster.nearAt(px, py)) {
+                if (rest > 0 && foreground.shows(near, px, py)) {
                     float share = (float) (rest * rest);
                     light[3 * p] += share * red;
                     light[3 * p + 1] += share * green;

@@ -168,15 +168,20 @@ public final class ShadowMap {
     /** Blurs the map once all shapes are added. */
     public void blur() {
         for (int pass = 0; pass < 3 && left < right; pass++) {
-            box(coverage, work, top, bottom, SIZE, left, right, 1);
-            box(work, coverage, left, right, 1, top, bottom, SIZE);
+            box(coverage, work, true);
+            box(work, coverage, false);
         }
     }
 
-    /** A moving mean along one direction, limited to the touched area. */
-    private static void box(float[] in, float[] out, int line0, int line1, int lineStep, int from, int to, int step) {
+    /** A moving mean along rows or columns, limited to the touched area. */
+    private void box(float[] in, float[] out, boolean alongRows) {
+        int lineStep = alongRows ? SIZE : 1;
+        int step = alongRows ? 1 : SIZE;
+        int from = alongRows ? left : top;
+        int to = alongRows ? right : bottom;
         float share = 1f / (2 * BLUR + 1);
-        for (int line = line0; line < line1; line++) {
+        int lines = alongRows ? bottom : right;
+        for (int line = alongRows ? top : left; line < lines; line++) {
             int start = line * lineStep;
             float sum = 0;
             for (int k = from - BLUR; k < to; k++) {

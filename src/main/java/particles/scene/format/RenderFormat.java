@@ -50,13 +50,13 @@ public final class RenderFormat {
     static final Key<Double> STRAIN_RANGE = Key.withDefault("strainRange", NumberType.positive(""),
             STANDARD.strainRange(),
             "The strain, stretch divided by rest length, at which a spring has its full colour.");
-    static final Key<String> PARTICLE_COLOUR = colour("particleColour", STANDARD.particleColour(),
+    static final Key<String> PARTICLE_COLOUR = colour("particleColour", STANDARD.colours().particle(),
             "The colour of particles and trails; a glow has its own.");
-    static final Key<String> FIXED_COLOUR = colour("fixedColour", STANDARD.fixedColour(),
+    static final Key<String> FIXED_COLOUR = colour("fixedColour", STANDARD.colours().fixed(),
             "The colour of fixed particles.");
-    static final Key<String> FRONT_COLOUR = colour("frontColour", STANDARD.frontColour(),
+    static final Key<String> FRONT_COLOUR = colour("frontColour", STANDARD.colours().front(),
             "The colour of a surface's front.");
-    static final Key<String> BACK_COLOUR = colour("backColour", STANDARD.backColour(),
+    static final Key<String> BACK_COLOUR = colour("backColour", STANDARD.colours().back(),
             "The colour of a surface's back.");
 
     static final Key<Double> VELOCITY_ARROWS = Key.withDefault("velocityArrows", NumberType.notNegative("s"), 0.0,
@@ -75,8 +75,9 @@ public final class RenderFormat {
     /** @return the render options with these values */
     public static RenderOptions of(Values values) {
         return new RenderOptions(shown(values.get(PARTICLES)), shown(values.get(SPRINGS)), values.get(PARTICLE_RADIUS),
-                values.get(STRAIN_RANGE), rgb(values.get(PARTICLE_COLOUR)), rgb(values.get(FIXED_COLOUR)),
-                rgb(values.get(FRONT_COLOUR)), rgb(values.get(BACK_COLOUR)), style(values));
+                values.get(STRAIN_RANGE), new RenderOptions.Colours(rgb(values.get(PARTICLE_COLOUR)),
+                rgb(values.get(FIXED_COLOUR)), rgb(values.get(FRONT_COLOUR)), rgb(values.get(BACK_COLOUR))),
+                style(values));
     }
 
     private static ParticleStyle style(Values values) {

@@ -60,10 +60,10 @@ final class BirthAndDeath {
         @Override
         public void build(Values values, SceneAssembly assembly) {
             double lifetime = values.find(LIFETIME).orElse(Double.POSITIVE_INFINITY);
-            assembly.add(new Emitter(new Emitter.Nozzle(values.get(ID), values.get(POSITION), values.get(RADIUS),
-                    values.get(DIRECTION), StrictMath.toRadians(values.get(SPREAD)), values.get(SPEED),
-                    values.get(RATE),
-                    values.get(MASS), lifetime, values.get(SharedKeys.SEED))));
+            Emitter.Jet jet = new Emitter.Jet(values.get(POSITION), values.get(RADIUS), values.get(DIRECTION),
+                    StrictMath.toRadians(values.get(SPREAD)), values.get(SPEED));
+            assembly.add(new Emitter(new Emitter.Nozzle(values.get(ID), jet, values.get(RATE), values.get(MASS),
+                    lifetime, values.get(SharedKeys.SEED))));
             if (lifetime < Double.POSITIVE_INFINITY) {
                 assembly.letDie();
             }

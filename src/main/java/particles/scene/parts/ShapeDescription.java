@@ -48,8 +48,8 @@ public record ShapeDescription(Lattice lattice, double mass, Vector3 velocity, B
         }
         BitSet fixed = new BitSet();
         int before = problems.count();
-        for (String part : new LinkedHashSet<>(values.get(kind.getFixed()))) {
-            addPart(part, lattice, kind, fixed, values.place(kind.getFixed()), problems);
+        for (String part : new LinkedHashSet<>(values.get(kind.getParts().fixed()))) {
+            addPart(part, lattice, kind, fixed, values.place(kind.getParts().fixed()), problems);
         }
         if (problems.count() > before) {
             return Optional.empty();
@@ -86,8 +86,8 @@ public record ShapeDescription(Lattice lattice, double mass, Vector3 velocity, B
                 boolean first = at[d] == 0;
                 boolean last = at[d] == lattice.counts().get(d) - 1;
                 extremes += first || last ? 1 : 0;
-                named += first && sides.contains(kind.getSides().get(d).get(0)) || last
-                        && sides.contains(kind.getSides().get(d).get(1)) ? 1 : 0;
+                named += first && sides.contains(kind.getParts().sides().get(d).get(0)) || last
+                        && sides.contains(kind.getParts().sides().get(d).get(1)) ? 1 : 0;
             }
             if (part.equals("corners") ? extremes == at.length : part.equals("edges") ? extremes > 0
                     : named == sides.size()) {

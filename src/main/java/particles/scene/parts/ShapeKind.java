@@ -34,45 +34,38 @@ public abstract class ShapeKind extends Kind {
     static final Key<Boolean> SURFACE = Key.withDefault("surface", FlagType.FLAG, true,
             "Whether to draw it as a shaded surface.");
 
-    private final Key<String> id;
-    private final Key<List<String>> fixed;
-    private final List<List<String>> sides;
+    private final Parts parts;
 
     /**
-     * @param sides   the names of its two ends along each direction
-     * @param more    further names for fixed parts
+     * The parts of a shape that can be fixed.
+     *
+     * @param sides the names of its two ends along each direction
+     * @param fixed the key that names them
+     */
+    record Parts(List<List<String>> sides, Key<List<String>> fixed) {
+        /** @return these sides, and further names */
+        static Parts of(List<List<String>> sides, String... more) {
+            List<String> names = new ArrayList<>(sides.stream().flatMap(List::stream).toList());
+            names.addAll(List.of(more));
+            return new Parts(sides, Key.withDefault("fixed", ListType.oneOrMore("a fixed part",
+                    NameType.or("part", names, OWN_ID)), List.of(),
+                    "Its fixed particles: names of parts, ids of its particles, or a list of both."));
+        }
+    }
+
+    /**
      * @param springs the sorts of springs that it can have
      * @param own     the keys for the positions of the particles
      */
-    ShapeKind(String name, String sentence, List<List<String>> sides, List<String> more, List<Sort> springs,
-              boolean hasSurface, Key<?>... own) {
-        this(name, sentence, sides, springs, hasSurface, own,
-                Key.withDefault("id", ParticleDescription.NEW_ID, name,
-                        "The shape's name; its particles' ids begin with it."), fixedParts(sides, more));
+    ShapeKind(String name, String sentence, Parts parts, List<Sort> springs, boolean hasSurface, Key<?>... own) {
+        super(name, sentence, keys(name, parts, springs, hasSurface, own));
+        this.parts = parts;
     }
 
-    private ShapeKind(String name, String sentence, List<List<String>> sides, List<Sort> springs, boolean hasSurface,
-                      Key<?>[] own, Key<String> id, Key<List<String>> fixed) {
-        super(name, sentence, keys(name, springs, hasSurface, own, id, fixed));
-        this.sides = sides;
-        this.id = id;
-        this.fixed = fixed;
-    }
-
-    private static Key<List<String>> fixedParts(List<List<String>> sides, List<String> more) {
-        List<String> parts = new ArrayList<>();
-        sides.forEach(parts::addAll);
-        parts.addAll(more);
-        return Key.withDefault("fixed", ListType.oneOrMore("a fixed part", NameType.or("part", parts, OWN_ID)),
-                List.of(),
-                "Its fixed particles: names of parts, ids of its particles, or a list of both.");
-    }
-
-    private static MappingType keys(String name, List<Sort> springs, boolean hasSurface, Key<?>[] own,
-                                    Key<String> id, Key<List<String>> fixed) {
-        List<Key<?>> all = new ArrayList<>(List.of(id));
+    private static MappingType keys(String name, Parts parts, List<Sort> springs, boolean hasSurface, Key<?>[] own) {
+        List<Key<?>> all = new ArrayList<>(List.of(id(name)));
         all.addAll(Arrays.asList(own));
-        all.addAll(List.of(MASS, TOTAL_MASS, ParticleDescription.RADIUS, VELOCITY, fixed));
+        all.addAll(List.of(MASS, TOTAL_MASS, ParticleDescription.RADIUS, VELOCITY, parts.fixed));
         springs.forEach(sort -> all.add(sort.key()));
         if (hasSurface) {
             all.add(SURFACE);
@@ -80,21 +73,21 @@ public abstract class ShapeKind extends Kind {
         return MappingType.of("'" + name + "'", all.toArray(new Key<?>[0])).withExactlyOneOf(MASS, TOTAL_MASS);
     }
 
+    private static Key<String> id(String name) {
+        return Key.withDefault("id", ParticleDescription.NEW_ID, name,
+                "The shape's name; its particles' ids begin with it.");
+    }
+
     /** @return the positions of the particles */
     abstract Lattice lattice(Values values);
 
-    /** @return the names of the two ends along each direction */
-    List<List<String>> getSides() {
-        return sides;
+    Parts getParts() {
+        return parts;
     }
 
     /** @return the key of the shape's name */
     public Key<String> getId() {
-        return id;
-    }
-
-    Key<List<String>> getFixed() {
-        return fixed;
+        return id(getName());
     }
 
     private static final Key<Vector3> START = Key.required("start", VectorType.of("m"),
@@ -105,7 +98,7 @@ public abstract class ShapeKind extends Kind {
 
     private static final ShapeKind ROPE = new ShapeKind("rope",
             "Particles rope[0], rope[1] ... at equal distances along a line.",
-            List.of(List.of("start", "end")), List.of(), List.of(Sort.STRUCTURAL, Sort.BEND), false, START, END,
+            Parts.of(List.of(List.of("start", "end"))), List.of(Sort.STRUCTURAL, Sort.BEND), false, START, END,
             PARTICLES) {
         @Override
         Lattice lattice(Values values) {
@@ -124,9 +117,9 @@ public abstract class ShapeKind extends Kind {
     private static final Key<Integer> ROWS = Key.required("rows", COUNT, "The number of particles from top to bottom.");
 
     private static final ShapeKind CLOTH = new ShapeKind("cloth",
-            "Particles cloth[column,row] in a rectangle or parallelogram;"
-            + " cloth[0,0] is the top-left particle.", List.of(List.of("left", "right"), List.of("top", "bottom")),
-            List.of("top-left", "top-right", "bottom-left", "bottom-right", "corners", "edges"),
+            "Particles cloth[column,row] in a rectangle or parallelogram; cloth[0,0] is the top-left particle.",
+            Parts.of(List.of(List.of("left", "right"), List.of("top", "bottom")),
+                    "top-left", "top-right", "bottom-left", "bottom-right", "corners", "edges"),
             List.of(Sort.values()), true, TOP_LEFT, ACROSS, DOWN, COLUMNS, ROWS) {
         @Override
         Lattice lattice(Values values) {
@@ -146,10 +139,9 @@ public abstract class ShapeKind extends Kind {
             "The number of particles from bottom to top.");
 
     private static final ShapeKind JELLY = new ShapeKind("jelly",
-            "Particles jelly[column,row,layer] in a block; jelly[0,0,0] is"
-            + " at the left, bottom and back.", List.of(List.of("left", "right"), List.of("bottom", "top"),
-                    List.of("back", "front")),
-            List.of("corners"), List.of(Sort.values()), true, CENTRE, SIZE, TURN, COLUMNS, JELLY_ROWS, LAYERS) {
+            "Particles jelly[column,row,layer] in a block; jelly[0,0,0] is at the left, bottom and back.",
+            Parts.of(List.of(List.of("left", "right"), List.of("bottom", "top"), List.of("back", "front")), "corners"),
+            List.of(Sort.values()), true, CENTRE, SIZE, TURN, COLUMNS, JELLY_ROWS, LAYERS) {
         @Override
         Lattice lattice(Values values) {
             Vector3 size = values.get(SIZE);

@@ -26,8 +26,7 @@ import particles.view.Surface;
 /** Pictures against computed values: positions, visibility and shadows. */
 class FrameRendererTest {
     private static final RenderOptions LOOK = new RenderOptions(Visibility.ALWAYS, Visibility.ALWAYS,
-            0.5, 0.1, 0x00ff00, 0x000000,
-            0xff0000, 0x0000ff, ParticleStyle.STANDARD);
+            0.5, 0.1, new RenderOptions.Colours(0x00ff00, 0x000000, 0xff0000, 0x0000ff), ParticleStyle.STANDARD);
 
     private static FrameRenderer renderer(Camera camera, RenderOptions look,
             List<Surface> surfaces, List<Plane> planes) {
@@ -87,7 +86,7 @@ class FrameRendererTest {
         state.from = new int[] {0};
         state.to = new int[] {1};
         RenderOptions springsOnly = new RenderOptions(Visibility.NEVER, Visibility.ALWAYS, 0.5, 0.1,
-                0, 0, 0, 0, ParticleStyle.STANDARD);
+                new RenderOptions.Colours(0, 0, 0, 0), ParticleStyle.STANDARD);
         double[][] middle = new double[2][];
         for (int k = 0; k < 2; k++) {
             state.restLength = new double[] {k == 0 ? 7 : 5};
