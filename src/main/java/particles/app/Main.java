@@ -54,7 +54,7 @@ public final class Main {
         new StudentLoader(exercises(), Main.class.getClassLoader()).install();
         StopRequest stop = new StopRequest();
         stop.listen();
-        Program program = new Program(commands(OptionStyle.current(), stop), OptionStyle.current(),
+        Program program = new Program(commands(stop), OptionStyle.current(),
                 new PrintWriter(new StandardOutput(), true), new PrintWriter(System.err, true));
         ExitCode code = program.execute(args);
         try {
@@ -71,11 +71,10 @@ public final class Main {
     }
 
     /**
-     * @param style the way in which options are typed
      * @param stop  tells commands when they have to end early
      * @return all commands, in the order in which help lists them; build.gradle has a task for each
      */
-    public static List<ProgramCommand> commands(OptionStyle style, StopRequest stop) {
+    public static List<ProgramCommand> commands(StopRequest stop) {
         // in the order of the report
         List<ExperimentCommand> experiments = List.of(new LectureFiguresCommand(), new EnergyDriftCommand(),
                 new PhasePlotsCommand(), new RaceCommand(), new WorkPrecisionCommand(),
@@ -85,9 +84,9 @@ public final class Main {
                 new ScenesCommand(SCENES), new GalleryCommand(SCENES), new SolversCommand()));
         commands.addAll(experiments);
         commands.addAll(List.of(new ReportCommand(experiments), new LabCommand(SCENES, exercises()),
-                new CheckSolverCommand(), new NewClassCommand.NewSolver(exercises(), style),
-                new NewClassCommand.NewEffect(exercises(), style), new CheckEffectCommand(),
-                new ExercisesCommand(style), new ExerciseCommand(style), new GradeCommand(exercises(), style)));
+                new CheckSolverCommand(), new NewClassCommand.NewSolver(exercises()),
+                new NewClassCommand.NewEffect(exercises()), new CheckEffectCommand(),
+                new ExercisesCommand(), new ExerciseCommand(), new GradeCommand(exercises())));
         return commands;
     }
 }

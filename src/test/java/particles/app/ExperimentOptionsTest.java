@@ -32,7 +32,7 @@ class ExperimentOptionsTest {
     void chartsAreSlidesAndSvgOnlyWhereThereAreCharts() {
         Set<String> expected = Set.of("run", "lectureFigures", "energyDrift", "workPrecision", "stiffGallery",
                 "phasePlots", "stability", "effectCost", "stiffCloth", "race", "report", "checkSolver");
-        for (ProgramCommand command : Main.commands(OptionStyle.GRADLE, new StopRequest())) {
+        for (ProgramCommand command : Main.commands(new StopRequest())) {
             CommandSpec spec = new CommandLine(command).getCommandSpec();
             for (String option : List.of("--slide", "--svg")) {
                 assertEquals(expected.contains(spec.name()), spec.findOption(option) != null, spec.name() + option);
@@ -76,7 +76,7 @@ class ExperimentOptionsTest {
         StringWriter out = new StringWriter();
         StringWriter err = new StringWriter();
         Path folder = top.resolve("results");
-        ExitCode code = new Program(Main.commands(OptionStyle.GRADLE, new StopRequest()), OptionStyle.GRADLE,
+        ExitCode code = new Program(Main.commands(new StopRequest()), OptionStyle.GRADLE,
                 new PrintWriter(out),
                 new PrintWriter(err)).execute(command, option.replaceFirst("-P", "--"), "--out=" + folder);
         assertEquals(ExitCode.BAD_INPUT, code);

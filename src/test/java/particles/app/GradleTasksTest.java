@@ -28,7 +28,7 @@ class GradleTasksTest {
             tasks.put(task.group(1), task.group(2));
         }
         Map<String, String> commands = new TreeMap<>();
-        for (ProgramCommand command : Main.commands(OptionStyle.SHELL, new StopRequest())) {
+        for (ProgramCommand command : Main.commands(new StopRequest())) {
             Command declared = command.getClass().getAnnotation(Command.class);
             commands.put(declared.name(), String.join(" ", declared.description()));
         }

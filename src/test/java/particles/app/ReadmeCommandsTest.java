@@ -141,7 +141,7 @@ class ReadmeCommandsTest {
         PrintWriter both = new PrintWriter(out);
         String[] args = WORD.matcher(command).results().skip(1)
                 .map(word -> word.group().replace("'", "").replaceFirst("^-P", "--")).toArray(String[]::new);
-        ExitCode code = new Program(Main.commands(OptionStyle.GRADLE, new StopRequest()), OptionStyle.GRADLE, both,
+        ExitCode code = new Program(Main.commands(new StopRequest()), OptionStyle.GRADLE, both,
                 both).execute(args);
         assertEquals(expected, code, out.toString());
     }

@@ -19,16 +19,16 @@ public final class FolderSize {
 
     /**
      * @param folder the folder of the results
-     * @param style  the way in which options are typed
+     * @param option the option that draws frames, as typed
      * @return a line if they are large
      * @throws OutputException if the folder cannot be read
      */
-    public static Optional<String> notice(Path folder, OptionStyle style) {
+    public static Optional<String> notice(Path folder, String option) {
         long all = bytes(folder);
         Path frames = folder.resolve(OutputFolder.FRAMES);
         long pictures = Files.isDirectory(frames) ? bytes(frames) : 0;
         return all < LARGE ? Optional.empty() : Optional.of("this run wrote " + all / MEGABYTE + " MB"
-                + (pictures == 0 ? "" : ", " + pictures / MEGABYTE + " MB of it frames; " + style.option("frames")
+                + (pictures == 0 ? "" : ", " + pictures / MEGABYTE + " MB of it frames; " + option
                 + "=false writes none"));
     }
 

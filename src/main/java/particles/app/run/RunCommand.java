@@ -143,7 +143,7 @@ public final class RunCommand extends ResultsCommand {
             observers.drawCharts(charts.format());
             summary.lines(early.isPresent()).forEach(out::println);
             out.println("files in " + getFolder() + ": " + String.join(", ", files));
-            FolderSize.notice(getFolder(), getStyle()).ifPresent(out::println);
+            FolderSize.notice(getFolder(), getStyle().option("frames")).ifPresent(out::println);
             early.ifPresent(why -> {
                 throw new Failure(ExitCode.STOPPED, why);
             });

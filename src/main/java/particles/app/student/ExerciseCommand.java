@@ -4,7 +4,6 @@ import java.io.PrintWriter;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.Mistakes;
-import particles.app.cli.OptionStyle;
 import particles.app.cli.ProgramCommand;
 import particles.teaching.exercises.Exercises;
 import particles.teaching.marking.Draw;
@@ -30,13 +29,6 @@ public final class ExerciseCommand extends ProgramCommand {
             description = "Your answer: a number, or a scene's file in the last exercise.")
     private String answer;
 
-    private final OptionStyle style;
-
-    /** @param style the way in which options are typed */
-    public ExerciseCommand(OptionStyle style) {
-        this.style = style;
-    }
-
     @Override
     protected void read(Mistakes mistakes) {
         mistakes.check(this::checkNumber);
@@ -47,14 +39,13 @@ public final class ExerciseCommand extends ProgramCommand {
         int count = Exercises.all().size();             // picocli leaves an option null that is missing
         if (number != null && (!number.matches("\\d{1,3}") || Integer.parseInt(number) < 1
                 || Integer.parseInt(number) > count)) {
-            throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("number") + ": '" + number
-                    + "' is not an exercise; they are numbered 1 to " + count);
+            throw wrong("number", "'" + number + "' is not an exercise; they are numbered 1 to " + count);
         }
     }
 
     private void checkStudent() {
         if (student != null && student.isBlank()) {
-            throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("student") + ": the id is empty");
+            throw wrong("student", "the id is empty");
         }
     }
 

@@ -12,7 +12,6 @@ import java.util.Set;
 import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
-import particles.app.cli.OptionStyle;
 import particles.app.cli.ProgramCommand;
 import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;
@@ -53,15 +52,12 @@ public final class GradeCommand extends ProgramCommand {
     private Path results;
 
     private final Path folder;
-    private final OptionStyle style;
 
     /**
      * @param folder the folder of the student's classes
-     * @param style  the way in which options are typed
      */
-    public GradeCommand(Path folder, OptionStyle style) {
+    public GradeCommand(Path folder) {
         this.folder = folder;
-        this.style = style;
     }
 
     /** One graded item: its name, whether it was handed in, and its mark. */
@@ -82,7 +78,7 @@ public final class GradeCommand extends ProgramCommand {
     @Override
     public void run(PrintWriter out) throws IOException {
         if (student.isBlank()) {
-            throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("student") + ": the id is empty");
+            throw wrong("student", "the id is empty");
         }
         try (OutputFolder files = OutputFolder.open(results, NAME + ".md", "marks.csv", "TEST-" + NAME + ".xml")) {
             AnswersFile read = AnswersFile.read(answers);

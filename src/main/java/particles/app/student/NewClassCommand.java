@@ -10,7 +10,6 @@ import java.nio.file.StandardOpenOption;
 import java.util.Locale;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
-import particles.app.cli.OptionStyle;
 import particles.app.cli.ProgramCommand;
 import particles.teaching.effects.EffectSkeleton;
 import particles.teaching.solvers.SolverSkeleton;
@@ -27,15 +26,10 @@ public abstract class NewClassCommand extends ProgramCommand {
     private String className;
 
     private final Path folder;
-    private final OptionStyle style;
 
-    /**
-     * @param folder the folder of students' classes
-     * @param style  the way in which options are typed
-     */
-    NewClassCommand(Path folder, OptionStyle style) {
+    /** @param folder the folder of students' classes */
+    NewClassCommand(Path folder) {
         this.folder = folder;
-        this.style = style;
     }
 
     /** @return the class's name if none is given; empty if one has to be */
@@ -56,12 +50,11 @@ public abstract class NewClassCommand extends ProgramCommand {
     public final void run(PrintWriter out) throws IOException {
         String name = (className == null ? usualName() : className).replaceFirst("^exercises[.]", "");
         if (name.isEmpty()) {
-            throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("class") + " needs a value: "
-                    + style.option("class") + "=NAME");
+            throw new Failure(ExitCode.BAD_INPUT, "option " + getStyle().option("class") + " needs a value: "
+                    + getStyle().option("class") + "=NAME");
         }
         if (!SolverSkeleton.isClassName(name)) {
-            throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("class") + ": '" + className
-                    + "' is not a class name; use a capital, then letters and digits");
+            throw wrong("class", "'" + className + "' is not a class name; use a capital, then letters and digits");
         }
         Path file = folder.resolve(name + ".java");
         Files.createDirectories(folder);
@@ -88,12 +81,9 @@ public abstract class NewClassCommand extends ProgramCommand {
                 description = "Writes a whole small solver to compare with: euler, heun or midpoint.")
         private String example;
 
-        private final OptionStyle style;
-
         /** Creates the command; see {@link NewClassCommand}. */
-        public NewSolver(Path folder, OptionStyle style) {
-            super(folder, style);
-            this.style = style;
+        public NewSolver(Path folder) {
+            super(folder);
         }
 
         @Override
@@ -105,12 +95,12 @@ public abstract class NewClassCommand extends ProgramCommand {
         @Override
         String text(String name) {
             if (!SolverSkeleton.SOLVER_BASES.contains(from)) {
-                throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("from") + ": '" + from
-                        + "' cannot be extended here; allowed are: " + String.join(", ", SolverSkeleton.SOLVER_BASES));
+                throw wrong("from", "'" + from + "' cannot be extended here; allowed are: "
+                        + String.join(", ", SolverSkeleton.SOLVER_BASES));
             }
             if (example != null && !SolverSkeleton.examples().contains(example)) {       // picocli leaves it null
-                throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("example") + ": there is no example '"
-                        + example + "'; allowed are: " + String.join(", ", SolverSkeleton.examples()));
+                throw wrong("example", "there is no example '" + example + "'; allowed are: "
+                        + String.join(", ", SolverSkeleton.examples()));
             }
             return example == null ? SolverSkeleton.solver(name, from) : SolverSkeleton.example(name, example);
         }
@@ -134,8 +124,8 @@ public abstract class NewClassCommand extends ProgramCommand {
         private boolean conservative;
 
         /** Creates the command; see {@link NewClassCommand}. */
-        public NewEffect(Path folder, OptionStyle style) {
-            super(folder, style);
+        public NewEffect(Path folder) {
+            super(folder);
         }
 
         @Override

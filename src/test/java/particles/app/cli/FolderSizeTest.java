@@ -21,10 +21,10 @@ class FolderSizeTest {
     @Test
     void runsOfMoreThanFiftyMegabytesSaySo(@TempDir Path folder) throws IOException {
         write(folder.resolve("trajectory.csv"), FolderSize.LARGE - 1);
-        assertEquals(Optional.empty(), FolderSize.notice(folder, OptionStyle.GRADLE));
+        assertEquals(Optional.empty(), FolderSize.notice(folder, "-Pframes"));
         Files.createDirectories(folder.resolve("frames"));
         write(folder.resolve("frames/frame-00000.png"), 23_500_000);
         assertEquals(Optional.of("this run wrote 73 MB, 23 MB of it frames; -Pframes=false writes none"),
-                FolderSize.notice(folder, OptionStyle.GRADLE));
+                FolderSize.notice(folder, "-Pframes"));
     }
 }

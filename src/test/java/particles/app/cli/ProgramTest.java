@@ -81,7 +81,7 @@ class ProgramTest {
     }
 
     private ExitCode execute(OptionStyle style, String... args) {
-        List<ProgramCommand> commands = new ArrayList<>(Main.commands(OptionStyle.SHELL, new StopRequest()));
+        List<ProgramCommand> commands = new ArrayList<>(Main.commands(new StopRequest()));
         commands.add(command);
         return new Program(commands, style, new PrintWriter(out), new PrintWriter(err)).execute(args);
     }
@@ -204,7 +204,7 @@ class ProgramTest {
 
     private static String commands() {
         List<String> names = new ArrayList<>();
-        Main.commands(OptionStyle.SHELL, new StopRequest())
+        Main.commands(new StopRequest())
                 .forEach(known -> names.add(known.getClass().getAnnotation(Command.class).name()));
         names.add("try");
         return String.join(", ", names);

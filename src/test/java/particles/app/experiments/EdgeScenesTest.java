@@ -49,7 +49,7 @@ class EdgeScenesTest {
         if (task.equals("race")) {
             args.addAll(List.of("--frames=4", "--solvers=euler,rk4"));
         }
-        ExitCode code = new Program(Main.commands(OptionStyle.SHELL, new StopRequest()), OptionStyle.SHELL,
+        ExitCode code = new Program(Main.commands(new StopRequest()), OptionStyle.SHELL,
                 new PrintWriter(new StringWriter()), new PrintWriter(errors)).execute(args.toArray(String[]::new));
         boolean noPath = task.equals("phasePlots") && what.equals("all are fixed");
         assertEquals(noPath ? "option --scene: at its start this scene has no free particle, so there is no"

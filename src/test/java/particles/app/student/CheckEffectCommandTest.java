@@ -183,7 +183,7 @@ class CheckEffectCommandTest {
     private static String here(ExitCode expected, String effect, Path folder) {
         StringWriter out = new StringWriter();
         PrintWriter both = new PrintWriter(out);
-        ExitCode code = new Program(Main.commands(OptionStyle.SHELL, new StopRequest()), OptionStyle.SHELL, both, both)
+        ExitCode code = new Program(Main.commands(new StopRequest()), OptionStyle.SHELL, both, both)
                 .execute("checkEffect", "--effect=" + effect, "--inThisProcess", "--out=" + folder.resolve("report"));
         assertEquals(expected, code, out.toString());
         return out.toString();

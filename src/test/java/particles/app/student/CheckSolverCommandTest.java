@@ -103,7 +103,7 @@ class CheckSolverCommandTest {
     private static String here(ExitCode expected, String solver, Path folder) {
         StringWriter out = new StringWriter();
         PrintWriter both = new PrintWriter(out);
-        ExitCode code = new Program(Main.commands(OptionStyle.SHELL, new StopRequest()), OptionStyle.SHELL, both, both)
+        ExitCode code = new Program(Main.commands(new StopRequest()), OptionStyle.SHELL, both, both)
                 .execute("checkSolver", "--solver=" + solver, "--inThisProcess", "--out=" + folder.resolve("report"));
         assertEquals(expected, code, out.toString());
         return out.toString();

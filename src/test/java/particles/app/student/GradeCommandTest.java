@@ -59,9 +59,9 @@ class GradeCommandTest {
     private String run(ExitCode expected, String... args) {
         StringWriter out = new StringWriter();
         PrintWriter both = new PrintWriter(out);
-        List<ProgramCommand> commands = List.of(new ExercisesCommand(OptionStyle.GRADLE),
-                new ExerciseCommand(OptionStyle.GRADLE),
-                new GradeCommand(classes, OptionStyle.GRADLE));
+        List<ProgramCommand> commands = List.of(new ExercisesCommand(),
+                new ExerciseCommand(),
+                new GradeCommand(classes));
         assertEquals(expected, new Program(commands, OptionStyle.GRADLE, both, both).execute(args), out.toString());
         return out.toString();
     }

@@ -40,9 +40,8 @@ class NewClassCommandTest {
     private String run(ExitCode expected, String command, String name, String... options) {
         StringWriter out = new StringWriter();
         PrintWriter both = new PrintWriter(out);
-        List<ProgramCommand> commands = List.of(new NewClassCommand.NewSolver(folder.resolve("exercises"),
-                OptionStyle.GRADLE),
-                new NewClassCommand.NewEffect(folder.resolve("exercises"), OptionStyle.GRADLE));
+        List<ProgramCommand> commands = List.of(new NewClassCommand.NewSolver(folder.resolve("exercises")),
+                new NewClassCommand.NewEffect(folder.resolve("exercises")));
         List<String> args = new ArrayList<>(List.of(command, "--class=" + name));
         args.addAll(List.of(options));
         assertEquals(expected, new Program(commands, OptionStyle.GRADLE, both,
@@ -156,9 +155,9 @@ class NewClassCommandTest {
     void anExampleIsARightSolver(String method) throws ReflectiveOperationException, IOException {
         String name = method.substring(0, 1).toUpperCase(Locale.ROOT) + method.substring(1) + "Example";
         StringWriter out = new StringWriter();
-        assertEquals(ExitCode.DONE, new Program(List.of(new NewClassCommand.NewSolver(folder.resolve("exercises"),
-                OptionStyle.GRADLE)), OptionStyle.GRADLE, new PrintWriter(out), new PrintWriter(out)).execute(
-                "newSolver", "--example=" + method), out.toString());
+        assertEquals(ExitCode.DONE, new Program(List.of(new NewClassCommand.NewSolver(folder.resolve("exercises"))),
+                OptionStyle.GRADLE, new PrintWriter(out), new PrintWriter(out)).execute("newSolver",
+                "--example=" + method), out.toString());
         Class<?> solver = compiled(name);
         SolverVerdict verdict = SolverCheck.check(() -> make(solver), name);
         assertEquals(List.of(), verdict.wrong());
