@@ -13,6 +13,7 @@ import particles.teaching.Formula;
  * @param weights their weights; may be fewer
  */
 record Combination(String what, List<String> names, double[] weights) {
+    private static final double SAME = 1e-9;
 
     /** @return the formula, such as s + k1/2 */
     String formula() {
@@ -39,10 +40,12 @@ record Combination(String what, List<String> names, double[] weights) {
     }
 
     static boolean same(double[] x, double[] y) {
-        int n = Math.max(x.length, y.length);
-        double[] longer = Arrays.copyOf(x, n);
-        double[] other = Arrays.copyOf(y, n);
-        return IntStream.range(0, n).allMatch(j -> Formula.same(longer[j], other[j]));
+        return same(x, y, SAME);
+    }
+
+    /** @return whether they differ by no more than this, where missing numbers are 0 */
+    static boolean same(double[] x, double[] y, double tolerance) {
+        return Arrays.stream(plus(x, -1, y)).allMatch(off -> Math.abs(off) <= tolerance);
     }
 
     static double sum(double[] x) {

@@ -4,15 +4,14 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
 
 /** A step that was read, compared with a known method: what differs, each in a sentence. */
 final class Comparison {
     private static final double FLOAT_ROUNDING = 1e-6;
-    private static final double SAME = 1e-9;
     /** A method is nearest to a known one where no more stages, times and weights differ. */
     private static final int FEW = 2;
     private static final Comparator<Comparison> NEAREST = Comparator.<Comparison>comparingInt(c -> c.distance)
@@ -20,6 +19,9 @@ final class Comparison {
 
     private static final String FLOAT = ": only the first seven digits are right, as in float arithmetic; all numbers"
             + " have to be double";
+
+    private static final Map<String, String> FACTORS = Map.of("-1", ": the sign is wrong", "2", ": the half is missing",
+            "1/2", ": it is halved once too often", "-2", ": the sign is wrong, and the half is missing");
 
     private final Scheme known;
     private final Scheme found;
@@ -38,15 +40,19 @@ final class Comparison {
         compareSizes();
         int last = known.ends().size() - 1;
         if (last > 0) {                                 // the kicks, which the positions follow
-            compare(found.ends().get(0), known.ends().get(0), found.size());
+            compare(found.ends().get(0), known.ends().get(0), 1, found.size());
         }
-        for (int i = 0; i < Math.min(found.size(), known.size()); i++) {
-            compare(found.stages().get(i), known.stages().get(i), i);
+        if (known.size() == found.size() && known.isInTurn() && found.isInTurn()) {
+            compare(found.drifts(), known.drifts(), 1, found.size());
+        } else {
+            for (int i = 0; i < Math.min(found.size(), known.size()); i++) {
+                compare(found.stages().get(i), known.stages().get(i), 1 + last, i);
+            }
+            compare(found.ends().get(last), known.ends().get(last), 1 + last, found.size());
         }
         if (clocks) {
             compareTimes();
         }
-        compare(found.ends().get(last), known.ends().get(last), found.size());
     }
 
     /**
@@ -88,49 +94,39 @@ final class Comparison {
     }
 
     private void compareSizes() {
-        String source = known.isOfParticles() ? known.name() : known.source();
-        int difference = found.size() - known.size();
-        distance += known.isOfParticles() ? Math.abs(difference) : 0;
-        unexplained += Math.abs(difference);
-        for (int i = 0; i < Math.abs(difference); i++) {
-            wrong(difference < 0 ? Phrase.MISSING : Phrase.TOO_MANY, calls(found.size()), source, calls(known.size()),
-                    known.slope(found.size() + i), known.isOfParticles() ? ": the acceleration at the new position is"
-                    + " missing" : "");
+        int more = found.size() - known.size();
+        distance += known.isOfParticles() ? Math.abs(more) : 0;
+        unexplained += Math.abs(more);
+        for (int i = 0; i < Math.abs(more); i++) {
+            wrong(more < 0 ? Phrase.MISSING : Phrase.TOO_MANY, found.size(), known.source(), known.size(), known.slope(
+                    found.size()), known.isOfParticles() ? ": the acceleration at the new position is missing" : "");
         }
-    }
-
-    private static String calls(int n) {
-        return n == 1 ? "once" : n == 2 ? "twice" : n + " times";
     }
 
     /** Compares the row of a stage, or that of the new state after the last stage. */
-    private void compare(Combination row, Combination right, int stage) {
+    private void compare(Combination row, Combination right, int first, int stage) {
         int n = Math.max(row.weights().length, right.weights().length);
-        List<Integer> wrong = IntStream.range(0, n).filter(j -> !Formula.same(row.weight(j), right.weight(j))).boxed()
-                .toList();
+        int[] wrong = IntStream.range(0, n).filter(j -> !Formula.same(row.weight(j), right.weight(j))).toArray();
         boolean end = stage == found.size();
-        boolean fewer = end && found.size() < known.size() && wrong.stream().allMatch(j -> j >= row.weights().length);
-        if (wrong.isEmpty() || fewer) {                 // right, but for a stage that is missing and was named
-            return;
+        if (wrong.length == 0 || end && wrong[0] >= row.weights().length) {
+            return;                                     // right, but for a stage that is missing and was named
         }
-        String hint = hint(row, right, stage);
+        String hint = hint(row, right, first, stage);
         unexplained += hint.isEmpty() ? 1 : 0;
         rounded += hint.equals(FLOAT) ? 1 : 0;
         distance += stage == 0 ? 2 : 0;
-        wrongWeights += end ? wrong.size() : 0;
-        int first = row.names().get(0).equals("x") ? 2 : 1;
-        int worst = wrong.stream().filter(j -> j >= first).findFirst().orElse(0);
+        wrongWeights += end ? wrong.length : 0;
+        int worst = Arrays.stream(wrong).filter(j -> j >= first).findFirst().orElse(0);
         if (end && hint.isEmpty() && n > 2 && worst > 0) {
-            hint = ": the weight of " + known.slope(worst - first) + " is " + Formula.number(row.weight(worst))
+            hint = ": the weight of " + row.names().get(worst) + " is " + Formula.number(row.weight(worst))
                     + " instead of " + Formula.number(right.weight(worst));
         }
         wrong(Phrase.DIFFERS, row.what(), row.formula(), known.source(), right.formula(), hint);
     }
 
-    private String hint(Combination row, Combination right, int stage) {
+    private String hint(Combination row, Combination right, int first, int stage) {
         boolean end = stage == found.size();
-        boolean position = row.names().get(0).equals("x");
-        int first = position ? 2 : 1;
+        boolean position = first == 2;
         int n = Math.max(row.weights().length, right.weights().length) - first;
         double[] weights = row.from(first, n);
         double[] expected = right.from(first, n);
@@ -150,27 +146,17 @@ final class Comparison {
         double total = Combination.sum(weights) / Combination.sum(expected);
         double[] last = new double[n];
         last[n - 1] = Combination.sum(expected);
-        boolean all = end && n > 1 && Math.abs(total) > 0;
-        return isNear(weights, expected, FLOAT_ROUNDING) ? FLOAT
-                : isTimes(-1, weights, expected) ? ": the sign is wrong"
-                : isTimes(2, weights, expected) ? ": the half is missing"
-                : isTimes(0.5, weights, expected) ? ": it is halved once too often"
-                : isTimes(-2, weights, expected) ? ": the sign is wrong, and the half is missing"
-                : isNear(weights, Combination.sum(before) == 0 ? before : Combination.plus(expected, 1, before), SAME)
+        return Combination.same(weights, expected, FLOAT_ROUNDING) ? FLOAT
+                : Combination.same(weights, Combination.plus(new double[0], total, expected))
+                ? FACTORS.getOrDefault(Formula.number(total), end && n > 1 ? ": all of it is " + Formula.number(total)
+                + " times what it should be" : "")
+                : Combination.same(weights, Combination.sum(before) == 0 ? before : Combination.plus(expected, 1,
+                before))
                 ? ": go back to the start s before adding (double[] trial = s makes no copy; s.clone() does)"
-                : n > 2 && isNear(weights, last, SAME) ? ": only the last derivative is in it, as if all of them were"
-                + " one array, which each evaluation writes over"
-                : isNear(weights, IntStream.range(0, n).mapToDouble(j -> expected[n - 1 - j]).toArray(), SAME)
-                ? ": they are the other way round" : all && isTimes(total, weights, expected) ? ": all of it is "
-                + Formula.number(total) + " times what it should be" : "";
-    }
-
-    private static boolean isNear(double[] found, double[] right, double tolerance) {
-        return Arrays.stream(Combination.plus(right, -1, found)).allMatch(off -> Math.abs(off) <= tolerance);
-    }
-
-    private static boolean isTimes(double factor, double[] found, double[] right) {
-        return isNear(found, Arrays.stream(right).map(x -> factor * x).toArray(), SAME);
+                : n > 2 && Combination.same(weights, last) ? ": only the last derivative is in it, as if all of them"
+                + " were one array, which each evaluation writes over"
+                : Combination.same(weights, IntStream.range(0, n).mapToDouble(j -> expected[n - 1 - j]).toArray())
+                ? ": they are the other way round" : "";
     }
 
     /** Nothing tells a whole-number fraction from a part that was forgotten. */
@@ -182,21 +168,15 @@ final class Comparison {
     }
 
     private void compareTimes() {
-        List<Integer> wrong = IntStream.range(0, Math.min(found.size(), known.size())).filter(i ->
-                !Formula.sameTime(found.times()[i], known.times()[i])).boxed().toList();
-        if (!wrong.isEmpty()) {
-            List<String> times = wrong.stream().map(i -> Formula.time(found.times()[i])).toList();
-            boolean still = wrong.size() > 1 && wrong.stream().allMatch(i -> found.times()[i] == 0);
-            unexplained += wrong.size();
-            distance += wrong.size() > 1 ? 1 : 0;
-            wrong(Phrase.STAGE_TIMES, join(wrong.stream().map(known::slope)) + (wrong.size() == 1 ? " is" : " are"),
-                    times.stream().distinct().count() == 1 ? times.get(0) : join(times.stream()), known.source(),
-                    join(wrong.stream().map(i -> Formula.time(known.times()[i]))), still ? ": the clock has to be moved"
-                    + " with incTime before each evaluation, and not only at the end" : "");
+        int[] wrong = IntStream.range(0, Math.min(found.size(), known.size())).filter(i -> !Formula.sameTime(
+                found.times()[i], known.times()[i])).toArray();
+        if (wrong.length > 0) {
+            int i = wrong[0];
+            unexplained += wrong.length;
+            distance += wrong.length > 1 ? 1 : 0;
+            wrong(Phrase.STAGE_TIMES, known.slope(i), Formula.time(found.times()[i]), known.source(), Formula.time(
+                    known.times()[i]), wrong.length > 1 && Arrays.stream(wrong).allMatch(j -> found.times()[j] == 0)
+                    ? ": the clock has to be moved with incTime before each evaluation, and not only at the end" : "");
         }
-    }
-
-    private static String join(Stream<String> all) {
-        return String.join(", ", all.toList()).replaceFirst("(.*), ", "$1 and ");
     }
 }

@@ -23,20 +23,19 @@ record EarlierSteps(double[] weights, double[] times) {
     private static final int STEPS = 7;
     private static final double H = 1.0 / 16;
     private static final double SAME = 1e-9;
-    private static final int HIGHEST = 6;
 
     /** @return the weights; empty if the new state is not the old one plus a sum of evaluations */
     static Optional<EarlierSteps> of(Supplier<DESolver> maker) {
-        return StepReading.of(maker, H, 1, STEPS).filter(StepReading::isOneFormula).map(EarlierSteps::of)
+        return StepReading.of(maker, H, 1, STEPS).filter(reading -> !reading.isOfParticles()).map(EarlierSteps::of)
                 .filter(found -> found.weights.length > 0);
     }
 
     private static EarlierSteps of(StepReading step) {
         TreeMap<Double, Double> weights = new TreeMap<>(Comparator.reverseOrder());
         int n = step.evaluations();
-        double[] before = step.positions()[n];
+        double[][] rows = step.rows();
         for (int j = 0; j < n; j++) {
-            double weight = (step.newPosition()[2 + j] - before[2 + j]) / H;
+            double weight = rows[n + 1][1 + j] - rows[n][1 + j];
             if (Math.abs(weight) > SAME) {              // evaluated twice at a time: with a better state
                 weights.merge(Math.rint(step.clock(j) * 1e9) / 1e9, weight, Double::sum);
             }
@@ -45,37 +44,17 @@ record EarlierSteps(double[] weights, double[] times) {
                 .mapToDouble(t -> t).toArray());
     }
 
-    /** @return the order of the formula: sum w_j c_j^q has to be 1/(q + 1) for all q below the order */
-    int order() {
-        int order = 0;
-        while (order < HIGHEST && isIntegrated(order)) {
-            order++;
-        }
-        return order;
-    }
-
-    private boolean isIntegrated(int power) {
-        double sum = IntStream.range(0, weights.length).mapToDouble(j -> weights[j] * StrictMath.pow(times[j], power))
-                .sum();
-        return Math.abs(sum - 1.0 / (power + 1)) < SAME;
-    }
-
-    /**
-     * @return the mistake in the weights, for a method of this number of evaluations; empty if their order is the
-     *         highest possible
-     */
+    /** @return the mistake in the weights; empty if their order is the highest possible, one for each */
     Optional<Finding> wrongWeights() {
-        if (order() >= weights.length) {
+        if (Combination.same(weights, adamsWeights(times))) {
             return Optional.empty();
         }
         double[] right = IntStream.range(0, times.length).mapToDouble(j -> times[0] - j).toArray();
-        if (Combination.same(weights, adamsWeights(right))) {
-            return Optional.of(Phrase.ADAMS_OLD.of(numbers(weights), clocks(times), clocks(right)));
-        }
         double sum = Combination.sum(weights);
-        return Optional.of(Phrase.ADAMS_WEIGHTS.of(numbers(weights), clocks(times), Math.abs(sum - 1) > SAME
-                ? "add up to " + Formula.number(sum) + " and not to 1" : "make a method of order " + order(),
-                numbers(adamsWeights(times))));
+        return Optional.of(Combination.same(weights, adamsWeights(right))
+                ? Phrase.ADAMS_OLD.of(numbers(weights), clocks(times), clocks(right))
+                : Phrase.ADAMS_WEIGHTS.of(numbers(weights), clocks(times), Formula.same(sum, 1) ? ""
+                : ", which add up to " + Formula.number(sum) + " and not to 1", numbers(adamsWeights(times))));
     }
 
     private static String clocks(double[] times) {
@@ -92,13 +71,14 @@ record EarlierSteps(double[] weights, double[] times) {
                 powers[j][q] = StrictMath.pow(times[j], q);
             }
         }
-        return LeastSquares.weights(powers, integrals);
+        return LeastSquares.weights(powers, integrals)[0];
     }
 
     /** @return the finding for first steps that are less accurate than the formula; empty if they are not */
     Optional<Finding> poorBeginning(double measured) {
-        return order() >= 2 && measured < order() - 0.5 ? Optional.of(Phrase.ADAMS_START.of(order(),
-                ExplicitMethod.twoDigits(measured), order() - 1)) : Optional.empty();
+        int order = weights.length;
+        return order >= 2 && measured < order - 0.5 ? Optional.of(Phrase.ADAMS_START.of(order,
+                ExplicitMethod.twoDigits(measured), order - 1)) : Optional.empty();
     }
 
     private static String numbers(double[] weights) {

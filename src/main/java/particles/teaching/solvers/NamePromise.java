@@ -2,11 +2,12 @@ package particles.teaching.solvers;
 
 import static particles.teaching.solvers.KnownMethods.IMPLICIT;
 
-import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import particles.teaching.Finding;
 
 /**
@@ -84,15 +85,16 @@ record NamePromise(String says, int order, List<String> methods, Strength streng
             a diagonally implicit method of order 3 | 3 | sdirk3 dirk3 |
             """;
 
-    private record Row(String says, int order, List<String> words, List<String> methods) {
-        static Row of(String line) {
-            String[] parts = line.split("\\|", -1);
-            return new Row(parts[0].strip(), Integer.parseInt(parts[1].strip()), List.of(parts[2].strip().split(" ")),
-                    Arrays.stream(parts[3].split(";")).map(String::strip).filter(name -> !name.isEmpty()).toList());
+    private record Row(String word, String says, int order, List<String> methods) {
+        static Stream<Row> of(String line) {
+            String[] parts = line.split(" *[|] *", -1);
+            List<String> methods = Stream.of(parts[3].split("; ")).filter(name -> !name.isEmpty()).toList();
+            return Stream.of(parts[2].split(" ")).map(word -> new Row(word, parts[0], Integer.parseInt(parts[1]),
+                    methods));
         }
     }
 
-    private static final List<Row> ROWS = TABLE.lines().map(Row::of).toList();
+    private static final List<Row> ROWS = TABLE.lines().flatMap(Row::of).toList();
 
     /**
      * @param className a simple class name, such as {@code MyHeunSolver}
@@ -100,26 +102,18 @@ record NamePromise(String says, int order, List<String> methods, Strength streng
      */
     static Optional<NamePromise> of(String className) {
         String lower = className.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]", "");
-        Row best = null;
-        String longest = "";
-        for (Row row : ROWS) {
-            for (String word : row.words) {
-                if (lower.contains(word) && word.length() > longest.length()) {
-                    longest = word;
-                    best = row;
-                }
-            }
-        }
+        Optional<Row> longest = ROWS.stream().filter(row -> lower.contains(row.word)).max(Comparator.comparingInt(row ->
+                row.word.length()));
         boolean adapts = ADAPTS.matcher(lower).find();
-        if (best == null) {
+        if (longest.isEmpty()) {
             return adapts ? Optional.of(new NamePromise("a method with step-size control", 1, List.of(),
                     Strength.CHANGED, true)) : Optional.empty();
         }
-        String rest = lower.replaceFirst(longest + "(s(?=method|rule|solver|$))?", " ");
-        boolean second = ROWS.stream().flatMap(row -> row.words.stream()).anyMatch(rest::contains);     // HeunEuler
+        Row best = longest.get();
+        String rest = lower.replaceFirst(best.word + "(s(?=method|rule|solver|$))?", " ");
         return Optional.of(new NamePromise(best.says, best.order, best.methods, rest.replaceAll(NOISE, "").isBlank()
-                ? Strength.WHOLE : second || CHANGES.matcher(rest).find() ? Strength.CHANGED : Strength.UNKNOWN,
-                adapts));
+                ? Strength.WHOLE : ROWS.stream().anyMatch(row -> rest.contains(row.word))     // HeunEuler
+                || CHANGES.matcher(rest).find() ? Strength.CHANGED : Strength.UNKNOWN, adapts));
     }
 
     /** @return whether the name contains nothing but the method */
@@ -147,15 +141,15 @@ record NamePromise(String says, int order, List<String> methods, Strength streng
         return !methods.isEmpty() && IMPLICIT.containsAll(methods) && strength != Strength.CHANGED;
     }
 
-    /** @return the finding for a known explicit method that the name does not stand for */
-    Optional<Finding> contradicted(Scheme method) {
-        if (allows(method.name(), method.order())) {
+    /** @return the finding for a known method that the name does not stand for */
+    Optional<Finding> contradicted(String method, int itsOrder) {
+        if (allows(method, itsOrder)) {
             return Optional.empty();
         }
-        boolean euler = method.name().equals(KnownMethods.EULER);
-        boolean symplectic = method.isOfParticles() && method.size() == 1;
+        boolean euler = method.equals(KnownMethods.EULER);
         return Optional.of(euler && methods.contains(KnownMethods.SYMPLECTIC) ? Phrase.OLD_VELOCITY.of()
-                : !euler && symplectic && methods.contains(KnownMethods.EULER) ? Phrase.NEW_VELOCITY.of()
-                : (isImplicit() ? Phrase.EXPLICIT : Phrase.CONTRADICTS).of(method.name(), says));
+                : method.startsWith("symplectic Euler") && methods.contains(KnownMethods.EULER)
+                ? Phrase.NEW_VELOCITY.of() : (isImplicit() && !IMPLICIT.contains(method) ? Phrase.EXPLICIT
+                : Phrase.CONTRADICTS).of(method, says));
     }
 }

@@ -10,10 +10,10 @@ import particles.teaching.Formula;
 
 /** The phrase book of the check: the sentences for mistakes, with the kind of each. */
 enum Phrase {
-    NOTHING_YET, NOT_FINITE, EXCEPTION, NOT_REPEATABLE, CLOCK_STILL, CLOCK_FIXED, CLOCK_NEW_TIME, CLOCK_OFTEN,
-    CLOCK_PARTS, CLOCK_BACK, CLOCK_LATER, STAGE_TIMES, TIME_OF_STAGE, REJECTED_CLOCK, NO_DERIVATIVE,
-    ARRAY_LENGTH, NEVER_SET, LEFT_AT_TRIAL, SET_TOO_EARLY, LOST, LOST_FRACTIONS, KEPT, DAMPED, KEPT_STAGE,
-    LEFT_OUT, DIGITS, CUT_OFF, ENTRY_BY_ENTRY, DELTA_T_IN_STAGE, DELTA_T, MISSING, TOO_MANY,
+    NOTHING_YET, NOT_FINITE, EXCEPTION, NOT_REPEATABLE, CLOCK_STILL, CLOCK_FIXED, CLOCK_NEW_TIME, CLOCK_BACK,
+    CLOCK_ENDS, STAGE_TIMES, TIME_OF_STAGE, REJECTED_CLOCK, NO_DERIVATIVE,
+    ARRAY_LENGTH, NEVER_SET, LEFT_AT_TRIAL, SET_TOO_EARLY, OLD_STATE,
+    LEFT_OUT, DIGITS, CUT_OFF, ENTRY_BY_ENTRY, DELTA_T, MISSING, TOO_MANY,
     DIFFERS, CHANGED, PARTS, WEIGHTS_SUM, LOW_ORDER, OTHER_STEPS, CONTRADICTS, EXPLICIT, ROUNDS, OLD_VELOCITY,
     NEW_VELOCITY, NOTHING_EARLIER, NO_CONTROL, NAME_ORDER, EQUATION, UNSOLVED, EQUATION_TIME, LOOSE, STALE,
     ADAMS_WEIGHTS, ADAMS_OLD, ADAMS_START, UNSTABLE, UNCONTROLLED, LARGEST_ERROR, ABSOLUTE_ERROR, ELSEWHERE,
@@ -34,13 +34,11 @@ enum Phrase {
                 incTime(deltaT) is meant
             time CLOCK_NEW_TIME: the clock moves by %s s in a step of %s s that begins at %s s: incTime takes how \
                 far the clock moves, deltaT, and not the new time
-            time CLOCK_OFTEN: the clock moves by %s deltaT: incTime(deltaT) is called %s times, %s
-            time CLOCK_PARTS: the clock ends at %s and has to end at t + deltaT; it was moved by %s: all moves \
-                together have to make deltaT
             time CLOCK_BACK: with deltaT = %s s the clock moves by %s s%s
-            time CLOCK_LATER: %sthe clock ends at %s after a step of deltaT = %s s and has to end at t + deltaT%s
-            time STAGE_TIMES: %s evaluated at %s; %s says %s%s
-            time TIME_OF_STAGE: %s is evaluated at %s and %s: the coefficients of a stage have to add up to that of \
+            time CLOCK_ENDS: %sthe clock ends at %s after a step of deltaT = %s s and has to end at t + deltaT: all \
+                moves of the clock in a step together have to make deltaT
+            time STAGE_TIMES: %s is evaluated at %s; %s says %s%s
+            time TIME_OF_STAGE: %s %s and %s: the coefficients of a stage have to add up to that of \
                 its time, and make %s instead of %s
             time REJECTED_CLOCK: after a sub-step that is rejected the state is put back and the clock is not: the \
                 clock may move only when a sub-step is accepted
@@ -54,14 +52,7 @@ enum Phrase {
                 the new state is missing at the end
             state SET_TOO_EARLY: the state is set before the derivative is known, and never to the new state: \
                 setState(state) is missing at the end
-            state LOST: the old state is lost: the new %s is %s and has to be %s plus that (+=, not =)
-            state LOST_FRACTIONS: the new %s is 0: nothing is left of the old one and of the derivatives; fractions \
-                of whole numbers, such as 1/3, are 0 in Java: write 1.0/3
-            state KEPT: the new %s has %s times %s in it instead of %3$s: the weights of the states in a mean have \
-                to add up to 1, and a fraction of whole numbers such as 1/3 is 0 in Java
-            state DAMPED: the new %s has %s times %s in it instead of %3$s: a factor is damping, which the equation \
-                does not have
-            state KEPT_STAGE: %s a state with %s times s in it; every trial state is s plus increments
+            state OLD_STATE: %s %s, with %s times %s in it instead of once: %s
             state LEFT_OUT: these entries stay as they were in %s: %s; the loop has to reach all %s, from 0 to \
                 source.getStateSize() - 1
             state DIGITS: digits get lost: the new state is off by %s of its size, as %s
@@ -71,15 +62,15 @@ enum Phrase {
                 move along the derivative of a state that is half new. All entries have to be computed from one \
                 derivative; setState belongs behind the loop
             # deltaT
-            method DELTA_T_IN_STAGE: %s a state that is off: %s
-            method DELTA_T: the new %s does not follow deltaT: %s
+            method DELTA_T: %s %s, which does not follow deltaT: %s
             # the formula
-            method MISSING: %4$s is missing: getStateDerivative is called %1$s, %2$s needs %3$s%5$s
-            method TOO_MANY: there is an evaluation too many: getStateDerivative is called %s, %s needs %s
+            method MISSING: %4$s is missing: the calls of getStateDerivative are %1$s, %2$s needs %3$s%5$s
+            method TOO_MANY: there is an evaluation too many: the calls of getStateDerivative are %s, %s needs %s
             method DIFFERS: %s %s; %s says %s%s
-            method CHANGED: this is nearly %s: %s
+            method CHANGED: this is nearly %s
             method PARTS: the parts of the step add up to %s deltaT, and have to add up to deltaT: is the step made \
-                once only? Compare the lengths and signs of its parts with those of the book
+                once only? The last sub-step has to be cut to what is left of deltaT; lengths and signs of the other \
+                parts have to be those of the book
             method WEIGHTS_SUM: the weights of the new state add up to %s; they have to add up to 1
             method LOW_ORDER: the order is %s with %s%s: %s %s; compare the coefficients and the weights with those \
                 of the book
@@ -108,14 +99,14 @@ enum Phrase {
             method UNSOLVED: the equation of %s is not solved: the step is new = %s, in which the new state's \
                 derivative does not enter. Iterate until nothing changes, by Newton's method with all of the matrix \
                 I - deltaT J
-            time EQUATION_TIME: the derivative %s of the step is taken at the clock %s; the clock has to \
+            time EQUATION_TIME: the derivative at %s is taken at the clock %s; the clock has to \
                 stand at %s then
             method LOOSE: the iteration ends too early: with a nonlinear law and deltaT = %s s the equation of the \
                 step is off by %s; iterate until the change is below about 1e-10
             state STALE: the derivative is stale: getStateDerivative is called in the first step only, and each step \
                 needs the derivative at its own start
-            method ADAMS_WEIGHTS: the weights of a step are %s for the derivatives at %s, which %s; the Adams method \
-                with these has %s
+            method ADAMS_WEIGHTS: the weights of a step are %s for the derivatives at %s%s; the Adams method with \
+                these has %s
             method ADAMS_OLD: the weights are those of an Adams method, %s, and its derivatives are those at %s \
                 instead of %s: an old one is kept too long, or twice. In each step the oldest is dropped, then the \
                 others move by one place, the oldest of them first

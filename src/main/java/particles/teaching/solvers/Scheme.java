@@ -9,54 +9,16 @@ import particles.teaching.Formula;
 /**
  * A step, known or read from a solver: where and when the derivatives are evaluated, and what the new state is.
  *
- * @param name   its name
- * @param order  its order
- * @param stages the states of the evaluations; of particles, their positions
- * @param times  the times of the evaluations since the step began, in units of deltaT
- * @param ends   the new state; of particles, the new velocity and the new position
+ * @param name          its name
+ * @param order         its order
+ * @param rows          the weights of s, then those of the derivatives in units of deltaT: a row for the state of each
+ *                      evaluation, then the new state's. If positions and velocities move in turn, the weights of x, of
+ *                      v deltaT, and of the accelerations in units of deltaT^2: a row for the position of each
+ *                      evaluation, then the new position's; at last the new velocity's, without x
+ * @param times         the times of the evaluations since the step began, in units of deltaT
+ * @param isOfParticles whether positions and velocities move in turn
  */
-record Scheme(String name, int order, List<Combination> stages, double[] times, List<Combination> ends) {
-
-    /**
-     * A method with one formula for all of the state.
-     *
-     * @param rows  the weights of the old state, then those of the derivatives in units of deltaT: the stages' rows,
-     *              then the new state's
-     * @param times the times of the stages
-     */
-    static Scheme oneFormula(String name, int order, List<double[]> rows, double[] times) {
-        return of(name, order, "k", rows, List.of("s"), times);
-    }
-
-    /**
-     * A method that moves positions and velocities in turn.
-     *
-     * @param rows  the weights of x, of v deltaT, and of the accelerations in units of deltaT^2: the rows of the
-     *              evaluations' positions, then the new position's; at last the new velocity's row, without v deltaT
-     * @param times the times of the evaluations
-     */
-    static Scheme ofParticles(String name, int order, List<double[]> rows, double[] times) {
-        int n = times.length;
-        List<String> names = new ArrayList<>(List.of("v"));
-        IntStream.rangeClosed(1, n).forEach(j -> names.add("a" + j + " deltaT"));
-        Scheme positions = of(name, order, "a", rows.subList(0, n + 1), List.of("x", "v deltaT"), times);
-        return new Scheme(name, order, positions.stages, times, List.of(new Combination("the new velocity is", names,
-                rows.get(n + 1)), new Combination("the new position is", positions.ends.get(0).names(), rows.get(n))));
-    }
-
-    private static Scheme of(String name, int order, String letter, List<double[]> rows, List<String> first,
-            double[] times) {
-        List<String> names = new ArrayList<>(first);
-        IntStream.rangeClosed(1, times.length).forEach(j -> names.add(letter + j + (first.size() > 1 ? " deltaT^2"
-                : "")));
-        return new Scheme(name, order, IntStream.range(0, times.length).mapToObj(i -> new Combination(letter + (i + 1)
-                + " is evaluated at", names, rows.get(i))).toList(), times, List.of(new Combination("the new state is",
-                names, rows.get(times.length))));
-    }
-
-    boolean isOfParticles() {
-        return ends.size() == 2;
-    }
+record Scheme(String name, int order, List<double[]> rows, double[] times, boolean isOfParticles) {
 
     /** @return the number of evaluations */
     int size() {
@@ -65,12 +27,69 @@ record Scheme(String name, int order, List<Combination> stages, double[] times, 
 
     /** @return what a stage's derivative is called */
     String slope(int i) {
-        return (isOfParticles() ? "a" : "k") + (i + 1);
+        return (isOfParticles ? "a" : "k") + (i + 1);
+    }
+
+    /** @return the states of the evaluations; of particles, their positions */
+    List<Combination> stages() {
+        return IntStream.range(0, size()).mapToObj(i -> row(i, slope(i) + " is evaluated at")).toList();
+    }
+
+    /** @return the new state; of particles, the new velocity and the new position */
+    List<Combination> ends() {
+        return isOfParticles ? List.of(row(size() + 1, "the new velocity is"), row(size(), "the new position is"))
+                : List.of(row(size(), "the new state is"));
+    }
+
+    /** @return what moves the position: v deltaT before the first kick, after it, ..., as far as its row says it */
+    Combination drifts() {
+        List<String> names = new ArrayList<>(List.of("x"));
+        double[] lengths = new double[size() + 2];
+        lengths[0] = 1;
+        for (int i = 0; i <= size(); i++) {
+            names.add("v" + i + " deltaT");
+            lengths[i + 1] = rows.get(i)[1] - (i == 0 ? 0 : rows.get(i - 1)[1]);
+        }
+        return new Combination("the new position is", names, lengths);
+    }
+
+    /**
+     * @param reached the drifts that are made up to each of the positions
+     * @param kicks   the kicks in between
+     * @return the rows of a method in which all positions are made by drifts with the velocity after each kick
+     */
+    static List<double[]> inTurn(double[] reached, double[] kicks) {
+        List<double[]> rows = new ArrayList<>();
+        for (double place : reached) {
+            double[] row = new double[2 + rows.size()];
+            Arrays.setAll(row, c -> c == 0 ? 1 : c == 1 ? place : kicks[c - 2] * (place - reached[c - 2]));
+            rows.add(row);
+        }
+        double[] velocity = new double[1 + kicks.length];
+        Arrays.setAll(velocity, c -> c == 0 ? 1 : kicks[c - 1]);
+        rows.add(velocity);
+        return rows;
+    }
+
+    /** @return whether it is such a method */
+    boolean isInTurn() {
+        return isOfParticles && IntStream.range(0, rows.size()).allMatch(r -> Combination.same(rows.get(r), inTurn(
+                rows.stream().limit(size() + 1).mapToDouble(row -> row[1]).toArray(), row(size() + 1, "").from(1,
+                size())).get(r)));
+    }
+
+    private Combination row(int r, String what) {
+        boolean velocity = r > size();
+        List<String> names = new ArrayList<>(!isOfParticles ? List.of("s") : velocity ? List.of("v") : List.of("x",
+                "v deltaT"));
+        IntStream.range(0, size()).forEach(j -> names.add(slope(j) + (!isOfParticles ? "" : velocity ? " deltaT"
+                : " deltaT^2")));
+        return new Combination(what, names, rows.get(r));
     }
 
     /** @return the source of the formula: the slide, or the method itself */
     String source() {
-        return KnownMethods.ON_SLIDES.contains(name) ? "the slide" : isOfParticles() ? "the method" : name;
+        return KnownMethods.ON_SLIDES.contains(name) ? "the slide" : isOfParticles ? "the method" : name;
     }
 
     /** @return a text in the slides' own words, where they have some for this method */
@@ -83,32 +102,24 @@ record Scheme(String name, int order, List<Combination> stages, double[] times, 
         };
     }
 
-    private int firstSlope() {
-        return isOfParticles() ? 2 : 1;
+    /** The column of the first derivative in a row. */
+    private int first(int r) {
+        return isOfParticles && r <= size() ? 2 : 1;
     }
 
-    /** @return whether an evaluation enters another one or the new state */
+    /** Whether an evaluation enters another one or the new state, or is at a place of its own. */
     private boolean isUsed(int j) {
-        return stages.stream().anyMatch(row -> row.weight(firstSlope() + j) != 0) || IntStream.range(0, ends.size())
-                .anyMatch(e -> ends.get(e).weight(1 + e + j) != 0);
+        return IntStream.range(0, rows.size()).anyMatch(r -> row(r, "").weight(first(r) + j) != 0) || !isOfParticles
+                && j < size() - 1 && !(Combination.same(rows.get(j), rows.get(j + 1)) && Formula.sameTime(times[j],
+                times[j + 1]));
     }
 
     /** @return the same without evaluations at the end, or at the next one's place, that enter nothing */
     Scheme withoutUnused() {
-        int[] kept = IntStream.range(0, size()).filter(j -> isUsed(j) || !isOfParticles() && j < size() - 1 && !(stages
-                .get(j).is(stages.get(j + 1)) && Formula.sameTime(times[j], times[j + 1]))).toArray();
-        List<double[]> rows = new ArrayList<>();
-        Arrays.stream(kept).forEach(i -> rows.add(columns(stages.get(i), firstSlope(), kept)));
-        for (int e = ends.size() - 1; e >= 0; e--) {
-            rows.add(columns(ends.get(e), e + 1, kept));
-        }
-        double[] left = Arrays.stream(kept).mapToDouble(i -> times[i]).toArray();
-        return isOfParticles() ? ofParticles(name, order, rows, left) : oneFormula(name, order, rows, left);
-    }
-
-    private static double[] columns(Combination row, int first, int[] kept) {
-        double[] weights = Arrays.copyOf(row.weights(), first + kept.length);
-        Arrays.setAll(weights, j -> row.weight(j < first ? j : first + kept[j - first]));
-        return weights;
+        int[] kept = IntStream.range(0, size()).filter(this::isUsed).toArray();
+        List<double[]> left = IntStream.concat(Arrays.stream(kept), IntStream.range(size(), rows.size())).mapToObj(r ->
+                IntStream.range(0, first(r) + kept.length).mapToDouble(c -> row(r, "").weight(c < first(r) ? c
+                : first(r) + kept[c - first(r)])).toArray()).toList();
+        return new Scheme(name, order, left, Arrays.stream(kept).mapToDouble(i -> times[i]).toArray(), isOfParticles);
     }
 }

@@ -8,27 +8,28 @@ import java.util.regex.Matcher;
 
 /** The template of a student's solver: it compiles, and has the algorithm's outline as comments. */
 public final class SolverSkeleton {
-    private static final List<String> MIDPOINT = List.of("deltaS = deltaT * derivative at (s, t)                      "
-            + "the Euler step",
-            "gMid   = derivative at (s + deltaS/2, t + deltaT/2)         after half the time and half of deltaS",
-            "new s  = s + deltaT * gMid                                  from the start s, not from the middle");
-
-    private static final List<String> RK4 = List.of("k1 = deltaT * derivative at (s, t)                          the "
-            + "Euler step",
-            "k2 = deltaT * derivative at (s + k1/2, t + deltaT/2)        the midpoint step",
-            "k3 = deltaT * derivative at (s + k2/2, t + deltaT/2)        the refined midpoint step",
-            "k4 = deltaT * derivative at (s + k3, t + deltaT)            the refined refined step",
-            "new s = s + k1/6 + k2/3 + k3/3 + k4/6                       in Java 1/6 * k1[i] is 0: write 1.0/6 * "
-            + "k1[i]");
-
-    private static final List<String> SIMPLE = List.of("for each particle: a = F/m                                  "
-            + "the derivative has it where v stands in s",
-            "v += a * deltaT", "x += v * deltaT                                             with the new v");
-
-    private static final List<String> GENERAL = List.of("the derivative at (s, t): one straight step along it would be "
-            + "Euler's",
-            "perhaps further derivatives, each at a trial state and its own time",
-            "new s = s + deltaT * a mean of the derivatives; the weights add up to 1");
+    private static final String MIDPOINT = """
+                    // 1. deltaS = deltaT * derivative at (s, t)                 the Euler step
+                    // 2. gMid   = derivative at (s + deltaS/2, t + deltaT/2)    after half the time and half of deltaS
+                    // 3. new s  = s + deltaT * gMid                             from the start s, not from the middle
+            """;
+    private static final String RK4 = """
+                    // 1. k1 = deltaT * derivative at (s, t)                  the Euler step
+                    // 2. k2 = deltaT * derivative at (s + k1/2, t + deltaT/2)the midpoint step
+                    // 3. k3 = deltaT * derivative at (s + k2/2, t + deltaT/2)the refined midpoint step
+                    // 4. k4 = deltaT * derivative at (s + k3, t + deltaT)    the refined refined step
+                    // 5. new s = s + k1/6 + k2/3 + k3/3 + k4/6               in Java 1/6 * k1[i] is 0: write 1.0/6
+            """;
+    private static final String SIMPLE = """
+                    // 1. for each particle: a = F/m                  the derivative has it where v stands in s
+                    // 2. v += a * deltaT
+                    // 3. x += v * deltaT                             with the new v
+            """;
+    private static final String GENERAL = """
+                    // 1. the derivative at (s, t): one straight step along it would be Euler's
+                    // 2. perhaps further derivatives, each at a trial state and its own time
+                    // 3. new s = s + deltaT * a mean of the derivatives; the weights add up to 1
+            """;
 
     /** The class that solvers extend on the slides. */
     public static final String SLIDES_WAY = "DESolver";
@@ -148,22 +149,15 @@ public final class SolverSkeleton {
      * @return the text of a solver
      */
     public static String solver(String name, String base) {
-        StringBuilder outline = new StringBuilder();
-        int number = 1;
-        for (String line : outline(name)) {
-            outline.append("        // ").append(number++).append(". ").append(line).append('\n');
-        }
-        return (base.equals(SLIDES_WAY) ? ON_DE_SOLVER : ON_FIXED_STEP_SOLVER)
-                .replace("OUTLINE\n", outline).replace("NAME", name);
+        return (base.equals(SLIDES_WAY) ? ON_DE_SOLVER : ON_FIXED_STEP_SOLVER).replace("OUTLINE\n", NamePromise.of(name)
+                .map(SolverSkeleton::outline).orElse(GENERAL)).replace("NAME", name);
     }
 
-    private static List<String> outline(String name) {
-        String says = NamePromise.of(name).map(NamePromise::says).orElse("");
-        List<String> methods = NamePromise.of(name).map(NamePromise::methods).orElse(List.of());
-        if (methods.contains(KnownMethods.SYMPLECTIC) || methods.contains(KnownMethods.VERLET)) {
-            return SIMPLE;
-        }
-        boolean midpoint = methods.contains(KnownMethods.MIDPOINT) || says.endsWith("of order 2") && methods.isEmpty();
-        return says.equals("a Runge-Kutta method of order 4") ? RK4 : midpoint ? MIDPOINT : GENERAL;
+    private static String outline(NamePromise name) {
+        List<String> methods = name.methods();
+        boolean any = methods.isEmpty() && name.says().startsWith("a Runge-Kutta method");
+        return methods.contains(KnownMethods.SYMPLECTIC) || methods.contains(KnownMethods.VERLET) ? SIMPLE
+                : any && name.order() == 4 ? RK4 : any && name.order() == 2 || methods.contains(KnownMethods.MIDPOINT)
+                ? MIDPOINT : GENERAL;
     }
 }

@@ -7,23 +7,34 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.function.DoubleFunction;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.teaching.Finding;
+import particles.teaching.Formula;
+import particles.teaching.contract.SolverContract;
 import particles.teaching.sources.Probe;
 
 /**
  * One step of a solver, read as a linear combination of the old state and the derivatives that it asked for.
  *
- * <p>The step is made again and again on {@link Probe}s that differ in one of these alone: the change is the weight of
- * that one, in the new state and in the state of each evaluation. A row of weights has first those of the
- * entry's own old value and of its partner's (the velocity of a position), then those of its own derivatives, then
- * those of the partner's. A last step with random numbers shows whether the rows say all.
+ * <p>The step is made again and again on {@link Probe}s with random states and derivatives; least squares give the
+ * weights in the new state and in the state of each evaluation, and tell whether they say all. First all derivatives
+ * are independent, as for a method that treats all entries alike; a row of weights is that of s and those of the
+ * derivatives, in units of deltaT. If that is not all, the derivative of a position is the velocity; a row of a
+ * position has the weights of x, of v deltaT, and those of the accelerations in units of deltaT^2.
+ *
+ * @param isOfParticles whether positions and velocities are treated in another way
+ * @param h             the length of the step (s)
+ * @param steps         the number of steps that were made; the last one is read
+ * @param calls         the probe of one of the runs, which has the times and the calls
+ * @param rows          the rows of the state, or of a position: for each evaluation, for the state before the last
+ *                      step, for the new state; at last, of particles, the row of the new velocity
+ * @param findings      what was found on the way: entries left out, digits lost, derivatives cut off
  */
-final class StepReading {
-    static final int OWN = 0;
-    static final int PARTNER = 1;
+record StepReading(boolean isOfParticles, double h, int steps, Probe calls, double[][] rows, List<Finding> findings) {
     /** The clock at the start (s). */
     static final double START = 2;
     /** So small that an adaptive method accepts its first step. */
@@ -32,63 +43,20 @@ final class StepReading {
     private static final double LARGE = 1e3;
     private static final int SIZE = 24;
     private static final int FEW = 6;
-    /** A few roundings of double arithmetic; measured 3e-16 for RK4, 4e-13 for Yoshida's method. */
-    private static final double DOUBLE_ROUNDING = 1e-12;
-    /** Below this it may be float arithmetic, with roundings of 6e-8, or numbers that are rounded to a few decimals. */
+    /** More runs than there are weights. */
+    private static final int MORE = 8;
+    /** Measured: 3e-15 for RK4, 3e-13 for Yoshida's method; float arithmetic leaves 1e-7. */
+    private static final double DOUBLE_ROUNDING = 1e-11;
+    /** Below this it may be float arithmetic, or numbers that are rounded to a few decimals. */
     private static final double ROUNDED = 1e-3;
 
-    /** What is left of a weight of 0 after two subtractions. */
-    private static final double NOTHING = 1e-13;
-
-    private final Supplier<DESolver> maker;
-    private final double h;
-    private final double size;
-    private final boolean alike;
-    private final int steps;
-    private final Probe base;
-    private final double[][] x;
-    private final double[][] v;
-    private final List<Finding> findings = new ArrayList<>();
-
-    private StepReading(Supplier<DESolver> maker, double h, double size, boolean alike, int steps) {
-        this.maker = maker;
-        this.h = h;
-        this.size = size;
-        this.alike = alike;
-        this.steps = steps;
-        Random random = new Random(715);
-        double[] start = random.doubles(SIZE, size, 2 * size).toArray();
-        double[][] slopes = slopes(random, size);
-        Run plain = run(start, (j, dSdt) -> System.arraycopy(slopes[j], 0, dSdt, 0, SIZE));
-        base = plain.probe;
-        int n = evaluations();
-        double[][][] rows = new double[n + 2][SIZE][2 + 2 * n];
-        for (int e = 0; e < 2 + 2 * n; e++) {
-            boolean velocity = e == PARTNER || e >= 2 + n;
-            double[] more = new double[SIZE];
-            Arrays.setAll(more, k -> k % 6 > 2 == velocity ? size : 0);
-            int number = e < 2 ? -1 : (e - 2) % n;
-            Run run = run(e < 2 ? Combination.plus(start, 1, more) : start, (j, dSdt) -> System.arraycopy(
-                    j == number ? Combination.plus(slopes[j], 1, more) : slopes[j], 0, dSdt, 0, SIZE));
-            if (run.probe.recorded().size() != n) {
-                throw new IllegalStateException("the number of evaluations depends on the numbers");
-            }
-            for (int i = 0; i < n + 2; i++) {
-                double[] difference = Combination.plus(run.state(i), -1, plain.state(i));
-                for (int k = 0; k < SIZE; k++) {
-                    int column = k % 6 < 3 ? e : e < 2 ? 1 - e : velocity ? e - n : e + n;
-                    double weight = difference[k] / size;
-                    rows[i][k][column] = Math.abs(weight) < NOTHING ? 0 : weight;
-                }
-            }
-        }
-        x = Arrays.stream(rows).map(row -> largest(row, 0)).toArray(double[][]::new);
-        v = Arrays.stream(rows).map(row -> largest(row, 3)).toArray(double[][]::new);
-        compare();
-    }
-
-    /** A run, and the state before its last step. */
-    private record Run(Probe probe, double[] before, double time) {
+    /**
+     * A run with random numbers.
+     *
+     * @param slopes the state at the start, then the derivatives
+     * @param before the state before its last step
+     */
+    private record Run(double[][] slopes, Probe probe, double[] before) {
         /** @return the state at an evaluation, then that before the last step, then the new state */
         double[] state(int i) {
             int n = probe.recorded().size();
@@ -102,187 +70,166 @@ final class StepReading {
      * @return the reading; empty if a step is not a combination with fixed weights
      */
     static Optional<StepReading> of(Supplier<DESolver> maker, double h, double size, int steps) {
-        Optional<StepReading> found = Optional.empty();
-        for (boolean alike : new boolean[] {false, true}) {
+        for (boolean particles : new boolean[] {false, true}) {
             try {
-                found = Optional.of(new StepReading(maker, h, size, alike, steps));
-                if (found.get().isOneFormula()) {
-                    return found;
-                }
+                Random random = new Random(715);
+                return Optional.of(read(particles, h, size, steps, most -> run(maker, h, steps, particles,
+                        slopes(random, most, steps))));
             } catch (RuntimeException e) {
-                continue;                               // adaptive, implicit, or with an iteration for the velocity
+                continue;                               // with velocities, adaptive or implicit
             }
         }
-        return found;
+        return Optional.empty();
     }
 
-    private Run run(double[] start, Probe.Answer answer) {
-        Probe probe = new Probe.OfParticles(start, START, answer, Probe.MOST_EVALUATIONS * steps, alike);
+    /** The state at the start, then the derivatives. */
+    private static double[][] slopes(Random random, double size, int steps) {
+        double[][] slopes = new double[1 + Probe.MOST_EVALUATIONS * steps][];
+        Arrays.setAll(slopes, j -> random.doubles(SIZE, j == 0 ? Math.min(1, size) : -size, j == 0 ? 2 * Math.min(1,
+                size) : size).toArray());
+        return slopes;
+    }
+
+    private static Run run(Supplier<DESolver> maker, double h, int steps, boolean particles, double[][] slopes) {
+        Probe probe = new Probe.OfParticles(slopes[0], START, (j, dSdt) -> System.arraycopy(slopes[1 + j], 0, dSdt, 0,
+                SIZE), slopes.length - 1, particles);
         DESolver solver = maker.get();
-        double[] before = start;
-        double time = START;
+        double[] before = slopes[0];
         for (int step = 0; step < steps; step++) {
             before = probe.getState();
-            time = probe.getTime();
             solver.stepState(probe, h);
         }
-        return new Run(probe, before, time);
+        return new Run(slopes, probe, before);
     }
 
-    /** The row with most of the derivatives, among the entries of one kind; others may be left out by mistake. */
-    private static double[] largest(double[][] rows, int first) {
-        return IntStream.range(0, SIZE).filter(k -> k % 6 / 3 == first / 3).mapToObj(k -> rows[k]).max(
-                Comparator.comparingDouble(StepReading::all)).orElseThrow();
-    }
-
-    private static double all(double[] row) {
-        return Arrays.stream(row, 2, row.length).map(Math::abs).sum();
-    }
-
-    /** @return the sum of the weights of an entry's own derivatives */
-    static double derivatives(double[] row) {
-        return Arrays.stream(row, 2, 1 + row.length / 2).sum();
-    }
-
-    /** @return how far the velocity, old or as a derivative, moves a position (s) */
-    double moved() {
-        return newPosition()[PARTNER] + derivatives(newPosition());
-    }
-
-    /** Makes steps with numbers that use all digits of a double, and compares all states with those by the rows. */
-    private void compare() {
-        double rounded = misfit(size);
-        boolean still = all(newVelocity()) == 0;
-        if (findings.isEmpty() && base.everSet() && still != (all(newPosition()) + newPosition()[PARTNER] == 0)) {
-            leaveOut(IntStream.range(0, SIZE).filter(k -> k % 6 > 2 == still).boxed().toList(), evaluations() + 1);
+    private static StepReading read(boolean particles, double h, double size, int steps, DoubleFunction<Run> runner) {
+        Run first = runner.apply(size);
+        int n = first.probe.recorded().size();
+        List<Run> runs = Stream.generate(() -> runner.apply(size)).limit(n + MORE).toList();
+        List<Run> large = Stream.generate(() -> runner.apply(LARGE)).limit(size == 1 ? 1 : 0).toList();
+        if (Stream.concat(runs.stream(), large.stream()).anyMatch(run -> run.probe.recorded().size() != n)) {
+            throw new IllegalStateException("the number of evaluations depends on the numbers");
         }
-        if (!(rounded <= ROUNDED)) {
-            throw new IllegalStateException("the weights do not describe the step");
+        double[][][] all = new double[n + 2][SIZE][];
+        double rounded = 0;
+        double cut = 0;
+        for (int k = 0; k < SIZE; k++) {
+            double[][] columns = columns(runs, k, particles, n);
+            double[][] states = states(runs, k, n);
+            double[][] found = LeastSquares.weights(columns, states);
+            for (int i = 0; i < n + 2; i++) {
+                rounded = Math.max(rounded, LeastSquares.misfit(columns, found[i], states[i]) / size);
+                cut = Math.max(cut, LeastSquares.misfit(columns(large, k, particles, n), found[i], states(large, k,
+                        n)[i]) / LARGE);
+                all[i][k] = found[i];
+            }
+        }
+        double nothing = DOUBLE_ROUNDING + MORE * rounded;
+        Stream.of(all).flatMap(Stream::of).forEach(row -> Arrays.setAll(row, c -> Math.abs(row[c]) < nothing ? 0
+                : row[c] / (c == 0 ? 1 : c == 1 || row.length == n + 1 ? h : h * h)));
+        List<Finding> findings = new ArrayList<>();
+        double many = MORE * MORE * rounded / Math.abs(h);
+        double[][] rows = new double[particles ? n + 3 : n + 2][];
+        for (int i = 0; i < n + 2; i++) {
+            double[][] entries = all[i];
+            for (int kind = particles ? 1 : 0; kind >= 0; kind--) {
+                List<Integer> same = entries(kind, particles);
+                double[] row = same.stream().map(k -> entries[k]).max(Comparator.comparingDouble(one -> sum(one, 1)))
+                        .orElseThrow();
+                rows[i + kind] = row;
+                if (same.stream().anyMatch(k -> !stays(entries[k], row) && !(SolverContract.distance(entries[k], row)
+                        <= ROUNDED + many))) {
+                    throw new IllegalStateException("each entry has other weights");
+                }
+                leaveOut(findings, same.stream().filter(k -> stays(entries[k], row)).toList(), i, n);
+            }
+        }
+        boolean still = sum(rows[rows.length - 1], 1) == 0;
+        if (particles && first.probe.everSet() && still != (sum(rows[n + 1], 1) == 0)) {
+            leaveOut(findings, entries(still ? 1 : 0, true), n + 1, n);
+        }
+        if (!(rounded <= ROUNDED) || Stream.of(rows).anyMatch(row -> sum(row, 1) > LARGE)) {
+            throw new IllegalStateException("the weights do not describe the step, or are difference quotients");
         }
         if (rounded > DOUBLE_ROUNDING) {
             findings.add(Phrase.DIGITS.of(rounded, rounded < 1e-6
                     ? "in float arithmetic; all numbers have to be double"
                     : "if a number were rounded on the way; only what is printed may be"));
         }
-        if (size == 1 && !(misfit(LARGE) <= ROUNDED)) {
+        if (!(cut <= ROUNDED)) {
             findings.add(Phrase.CUT_OFF.of(LARGE));
         }
+        return new StepReading(particles, h, steps, first.probe, rows, findings);
     }
 
-    /** Notes the entries that stay, in the state of an evaluation or in the new one; once. */
-    private void leaveOut(List<Integer> entries, int i) {
+    /** For each weight of an entry, the numbers that it multiplies in all runs. */
+    private static double[][] columns(List<Run> runs, int k, boolean particles, int n) {
+        boolean position = particles && k % 6 < 3;
+        Stream<double[]> own = IntStream.rangeClosed(0, n).mapToObj(j -> runs.stream().mapToDouble(run ->
+                run.slopes[j][position ? k + 3 : k]).toArray());
+        return (position ? Stream.concat(Stream.of(runs.stream().mapToDouble(run -> run.slopes[0][k]).toArray()), own)
+                : own).toArray(double[][]::new);
+    }
+
+    /** An entry in all runs, for each of the states. */
+    private static double[][] states(List<Run> runs, int k, int n) {
+        return IntStream.range(0, n + 2).mapToObj(i -> runs
+                .stream().mapToDouble(run -> run.state(i)[k]).toArray()).toArray(double[][]::new);
+    }
+
+    /** The positions, 0, or velocities, 1; all entries if they are treated alike. */
+    private static List<Integer> entries(int kind, boolean particles) {
+        return IntStream.range(0, SIZE).filter(k -> !particles || k % 6 / 3 == kind).boxed().toList();
+    }
+
+    private static double sum(double[] row, int from) {
+        return Arrays.stream(row, from, row.length).map(Math::abs).sum();
+    }
+
+    /** Whether an entry is not moved, or not by the derivatives, though others are. */
+    private static boolean stays(double[] row, double[] other) {
+        return IntStream.of(1, 2).anyMatch(from -> row.length > from && sum(row, from) == 0 && sum(other, from) != 0);
+    }
+
+    private static void leaveOut(List<Finding> findings, List<Integer> entries, int i, int n) {
         if (findings.isEmpty() && !entries.isEmpty()) {
             String some = entries.stream().limit(FEW).map(String::valueOf).collect(Collectors.joining(", "));
-            findings.add(Phrase.LEFT_OUT.of(i > evaluations() ? "the new state" : "the trial state at evaluation "
-                    + (i + 1), entries.size() > FEW ? some + "..." : some, SIZE));
+            findings.add(Phrase.LEFT_OUT.of(i > n ? "the new state" : "the trial state at evaluation " + (i + 1),
+                    entries.size() > FEW ? some + "..." : some, SIZE));
         }
-    }
-
-    /** @return the largest difference, relative to the numbers that are added; NaN for other evaluations */
-    private double misfit(double most) {
-        Random random = new Random(2003);
-        double[] start = random.doubles(SIZE, 1, 2).map(value -> value * Math.min(1, most)).toArray();
-        double[][] slopes = slopes(random, most);
-        Run run = run(start, (j, dSdt) -> System.arraycopy(slopes[j], 0, dSdt, 0, SIZE));
-        int n = evaluations();
-        if (run.probe.recorded().size() != n) {
-            throw new IllegalStateException("more evaluations where more is to be done");
-        }
-        double largest = 0;
-        for (int i = 0; i < n + 2; i++) {
-            double[] found = run.state(i);
-            List<Integer> left = new ArrayList<>();
-            for (int k = 0; k < SIZE; k++) {
-                double[] row = k % 6 < 3 ? x[i] : v[i];
-                int other = k % 6 < 3 ? k + 3 : k - 3;
-                double old = row[OWN] * start[k] + row[PARTNER] * start[other];
-                double sum = old;
-                double added = Math.abs(start[k]);
-                for (int j = 0; j < n; j++) {
-                    double part = row[2 + j] * slopes[j][k] + row[2 + n + j] * slopes[j][other];
-                    sum += part;
-                    added += Math.abs(part);
-                }
-                double off = Math.abs(found[k] - sum) / added;
-                if (off > DOUBLE_ROUNDING && (found[k] == start[k] || Math.abs(found[k] - old) < NOTHING * added)) {
-                    left.add(k);
-                } else {
-                    largest = off <= largest ? largest : off;
-                }
-            }
-            leaveOut(left, i);
-        }
-        return largest;
-    }
-
-    private double[][] slopes(Random random, double most) {
-        double[][] slopes = new double[Probe.MOST_EVALUATIONS * steps][];
-        for (int j = 0; j < slopes.length; j++) {
-            slopes[j] = random.doubles(SIZE, -most, most).toArray();
-        }
-        return slopes;
-    }
-
-    /** @return what was found while it was read: entries left out, digits lost, derivatives cut off */
-    List<Finding> findings() {
-        return findings;
     }
 
     int evaluations() {
-        return base.recorded().size();
-    }
-
-    /** @return the probe of one of the steps, which has the times and the calls */
-    Probe calls() {
-        return base;
-    }
-
-    double h() {
-        return h;
+        return calls.recorded().size();
     }
 
     /** @return the clock at an evaluation since the start, in units of deltaT */
     double clock(int i) {
-        return (base.recorded().get(i).time() - START) / h - (steps - 1);
+        return (calls.recorded().get(i).time() - START) / h - (steps - 1);
     }
 
-    /** @return the clock at the end since the start of the last step (s) */
-    double end() {
-        return base.getTime() - START - (steps - 1) * h;
+    /** @return whether the clock ends where the step does */
+    boolean isOnTime() {
+        return Formula.sameTime((calls.getTime() - START) / h - steps, 0);
     }
 
-    /** @return the rows of a position: for each evaluation, for the state before the last step, for the new state */
-    double[][] positions() {
-        return x;
+    /** @return the sum of the weights of the derivatives in the new state, or in the new velocity */
+    double increment() {
+        return increment(rows.length - 1);
     }
 
-    /** @return the rows of a velocity, likewise */
-    double[][] velocities() {
-        return v;
+    double increment(int row) {
+        return Arrays.stream(rows[row]).skip(1).sum();
     }
 
-    double[] newPosition() {
-        return x[x.length - 1];
-    }
-
-    double[] newVelocity() {
-        return v[v.length - 1];
-    }
-
-    /** @return whether all entries are treated alike, as by a method that knows nothing of particles */
-    boolean isOneFormula() {
-        int n = evaluations();
-        for (int i = 0; i < x.length; i++) {
-            if (!Combination.same(x[i], v[i]) || x[i][PARTNER] != 0
-                    || Arrays.stream(x[i], 2 + n, 2 + 2 * n).anyMatch(weight -> weight != 0)) {
-                return false;
-            }
-        }
-        return true;
+    /** @return how far the velocity moves a position, in units of deltaT */
+    double moved() {
+        return rows[evaluations() + 1][1];
     }
 
     /** @return whether the state is evaluated and stays where it was */
     boolean isStill() {
-        return evaluations() > 0 && base.everSet() && derivatives(newPosition()) + all(newVelocity()) == 0;
+        return evaluations() > 0 && calls.everSet() && Arrays.stream(rows).skip(evaluations() + 1).allMatch(row -> sum(
+                row, 1) == 0);
     }
 }

@@ -6,7 +6,6 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
-import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import particles.teaching.Finding;
@@ -44,15 +43,10 @@ final class UnreadMethod {
         this.maker = maker;
     }
 
-    /** A search for a mistake that makes steps. */
-    private interface Search {
-        Optional<Finding> mistake();
-    }
-
     /** A search that finds nothing where the solver refuses such steps. */
-    private static Optional<Finding> unlessRefused(Search search) {
+    private static Optional<Finding> unlessRefused(Supplier<Optional<Finding>> search) {
         try {
-            return search.mistake();
+            return search.get();
         } catch (RuntimeException e) {
             return Optional.empty();                    // it wants another source, or shorter steps
         }
@@ -65,8 +59,8 @@ final class UnreadMethod {
             source.startAt(START);
             maker.get().stepState(source, H);
             List<double[]> at = source.evaluatedAt();
-            return source.getEvaluations() == SIZE && evaluations(1) == SIZE / 2 && !Arrays.equals(at.get(0), at.get(1))
-                    ? Optional.of(Phrase.ENTRY_BY_ENTRY.of(SIZE)) : Optional.empty();
+            return source.getEvaluations() == SIZE && evaluations(1, H) == SIZE / 2 && !Arrays.equals(at.get(0), at.get(
+                    1)) ? Optional.of(Phrase.ENTRY_BY_ENTRY.of(SIZE)) : Optional.empty();
         });
     }
 
@@ -160,9 +154,14 @@ final class UnreadMethod {
         return new double[] {start * after[coordinate], start * after[coordinate + 3]};
     }
 
-    private long evaluations(int particles) {
+    /** @return the number of evaluations in a step; -1 if it is too long for the solver */
+    long evaluations(int particles, double deltaT) {
         NonlinearOscillators source = new NonlinearOscillators(particles);
-        maker.get().stepState(source, H);
+        try {
+            maker.get().stepState(source, deltaT);
+        } catch (RuntimeException e) {
+            return -1;
+        }
         return source.getEvaluations();
     }
 
@@ -182,17 +181,11 @@ final class UnreadMethod {
 
     /** Whether the derivative is evaluated once more for each entry, as for a matrix of differences. */
     boolean solvesWithMatrix() {
-        return evaluations(2) >= evaluations(1) + SIZE / 2;
+        return evaluations(2, H) >= evaluations(1, H) + SIZE / 2;
     }
 
     private static double error(WindyOscillators source, int part) {
         source.incTime(H * part / PARTS - source.getTime());
         return source.error();
-    }
-
-    /** @return a mistake in the first sub-step of an adaptive method, which it accepts where derivatives are tiny */
-    static Optional<Finding> firstSubStep(ExplicitMethod method, Predicate<Finding> which) {
-        return method.diagnosis(StepReading.TINY).flatMap(found -> found.findings().stream()
-                .filter(Finding::isWrong).filter(which).findFirst());
     }
 }

@@ -91,6 +91,10 @@ public class Probe extends StudentSource {
         return recorded.size();
     }
 
+    /** Fills in the derivatives that the state says. */
+    void complete(double[] s, double[] dSdt) {
+    }
+
     @Override
     protected final void rates(double t, double[] s, double[] dSdt) {
         if (recorded.size() == most) {
@@ -98,6 +102,7 @@ public class Probe extends StudentSource {
         }
         double[] all = new double[s.length];
         answer.fill(answerFor(t, s), all);
+        complete(s, all);
         recorded.add(new Evaluation(s.clone(), t, stateSet));
         stateSet = false;
         System.arraycopy(all, 0, dSdt, 0, Math.min(s.length, dSdt.length));
@@ -111,29 +116,36 @@ public class Probe extends StudentSource {
 
     /** A probe of particles: three positions and three velocities for each in turn. */
     public static final class OfParticles extends Probe implements SecondOrderStateSource {
-        private final boolean alike;
+        private final boolean moving;
 
         /**
          * @param start  the state
          * @param time   the clock (s)
          * @param answer supplies the derivatives
          * @param most   the number of evaluations after which it throws {@link TooManyEvaluations}
-         * @param alike  whether an evaluation at the same positions and time as an earlier one has the same answer, so
-         *               that iterations for the velocity end
+         * @param moving whether the derivative of a position is the velocity, and an evaluation at the same positions
+         *               and time as an earlier one has the same answer, so that iterations for the velocity end
          */
-        public OfParticles(double[] start, double time, Answer answer, int most, boolean alike) {
+        public OfParticles(double[] start, double time, Answer answer, int most, boolean moving) {
             super(start, time, answer, most);
-            this.alike = alike;
+            this.moving = moving;
         }
 
         @Override
         int answerFor(double t, double[] s) {
-            for (int j = 0; alike && j < recorded().size(); j++) {
+            for (int j = 0; moving && j < recorded().size(); j++) {
                 if (recorded().get(j).time() == t && samePositions(recorded().get(j).state(), s)) {
                     return j;
                 }
             }
             return super.answerFor(t, s);
+        }
+
+        @Override
+        void complete(double[] s, double[] dSdt) {
+            for (int k = 0; moving && k < s.length; k += k % 6 == 2 ? 4 : 1) {
+                dSdt[k] = s[k + 3];
+            }
         }
 
         private static boolean samePositions(double[] one, double[] two) {

@@ -93,7 +93,7 @@ final class HandwrittenSolvers {
                     drift(source, s, h);
                     slope(source);
                 }),
-                wrong("W141LeapfrogKDK", "last coordinate gets no kick", ": 2, 5, 8.*loop", (source, h) -> {
+                wrong("W141LeapfrogKDK", "last coordinate gets no kick", ": 5, 11, 17.*loop", (source, h) -> {
                     double[] s = state(source);
                     kickTwo(source, s, h / 2);
                     drift(source, s, h);

@@ -214,16 +214,18 @@ final class SolverSpecimens {
                 Yoshida4Solver | kicks in disorder | order/or/velocity/or/position/or/kick \
                 | turns 0.6756035959798289 -0.17560359597982889 -0.17560359597982889 0.6756035959798289 \
                 -> -1.7024143839193155 1.3512071919596578 1.3512071919596578
-                Ruth3 | sign of a drift | parts of the step.*signs | turns 1 2/3 2/3 -> -1/24 3/4 7/24
-                W130Ruth3 | drifts 2/3, 2/3, -1/3 | a3 is evaluated at x \\+ 4/3 v \
+                Ruth3 | sign of a drift | position is x .* 2/3 v1 .*says x .* - 2/3 v1 \
+                | turns 1 2/3 2/3 -> -1/24 3/4 7/24
+                W130Ruth3 | drifts 2/3, 2/3, -1/3 | position is x \\+ 2/3 v1 \
                 | turns 0 2/3 2/3 -1/3 -> 7/24 3/4 -1/24
                 W57Ruth3 | +1/24 | says v \\+ 7/24 a1 deltaT \\+ 3/4 a2 deltaT - a3 \
                 | turns 0 2/3 -2/3 1 -> 7/24 3/4 1/24
                 LeapfrogKDK2 | drift, kick, drift | not velocity Verlet | DKD
-                W44YoshidaSolver | no minus | parts of the step add up to 4.405 | turns 0 1.3512071919596578 0 \
+                W44YoshidaSolver | no minus | a2 deltaT is 1.527 instead of -0.1756 | turns 0 1.3512071919596578 0 \
                 1.7024143839193155 0 1.3512071919596578 0 -> 0.6756035959798289 0.6756035959798289 \
                 0.8512071919596577 0.8512071919596577 0.6756035959798289 0.6756035959798289
-                W129YoshidaSolver | 1 - W in the middle | parts of the step add up to | turns 0 1.3512071919596578 0 \
+                W129YoshidaSolver | 1 - W in the middle | a2 deltaT is 1/2 instead of -0.1756 \
+                | turns 0 1.3512071919596578 0 \
                 -0.3512071919596578 0 1.3512071919596578 0 -> 0.6756035959798289 0.6756035959798289 \
                 -0.1756035959798289 -0.1756035959798289 0.6756035959798289 0.6756035959798289
                 EulerSolver | clock never moved | never moves | rk -> 1 | clock-still
@@ -273,7 +275,7 @@ final class SolverSpecimens {
                 AdamsBashforth3 | a wrong weight | weight \
                 | adams 3 4 : weights 1.9166666666666667 -1.3333333333333333 0.3333
                 W84AdamsBashforth3 | newest dropped | t - 5 deltaT, t - 6 deltaT instead of | adams 3 4 : newest-dropped
-                W85AdamsBashforth4 | old ones all the same | derivatives at t, t - deltaT, which \
+                W85AdamsBashforth4 | old ones all the same | derivatives at t, t - deltaT; the Adams \
                 | adams 4 4 : all-the-same
                 W91AdamsBashforth2 | old one never replaced | t - 6 deltaT instead of | adams 2 4 : newest-dropped
                 W88AdamsBashforth2 | no reset | reset\\(\\) was called | adams 2 4 : no-reset
@@ -288,7 +290,7 @@ final class SolverSpecimens {
                 ImplicitMidpointSolver | clock at t + deltaT | clock/or/t \\+ deltaT | IMPLICIT_MIDPOINT @ 1 NEWTON
                 ImplicitMidpoint | clock at t | clock/or/at t | IMPLICIT_MIDPOINT @ 0 NEWTON
                 TrapezoidSolver | clock at t | clock/or/at t | TRAPEZOID @ 0 0 NEWTON
-                Trapezoid | both at t + deltaT | at the start of the step is taken at the clock t \\+ deltaT \
+                Trapezoid | both at t + deltaT | derivative at s is taken at the clock t \\+ deltaT \
                 | TRAPEZOID @ 1 1 NEWTON
                 TrapezoidalSolver | weights 1/2 and 1 | order/or/weight/or/error does not \
                 | irk ; 1/2 1 -> 1/2 1 @ 0 1 NEWTON

@@ -79,7 +79,7 @@ class PlantedFormulaTest {
             double[] k3 = slopeAt(source, with(state, i -> deltaT / 2 * k2[i]));
             source.setState(with(state, i -> deltaT * (k1[i] / 6 + k2[i] / 3 + k3[i] / 3)));
             source.incTime(deltaT / 2);
-        }), "method: k4 is missing: getStateDerivative is called 3 times, the slide needs 4 times");
+        }), "method: k4 is missing: the calls of getStateDerivative are 3, the slide needs 4");
     }
 
     @Test
@@ -130,7 +130,7 @@ class PlantedFormulaTest {
             }
             source.setState(state);
             source.incTime(deltaT);
-        }), "method: a2 is missing: getStateDerivative is called once, velocity Verlet (leapfrog: kick, drift, kick) "
-                + "needs twice: the acceleration at the new position is missing");
+        }), "method: a2 is missing: the calls of getStateDerivative are 1, the method needs 2"
+                + ": the acceleration at the new position is missing");
     }
 }

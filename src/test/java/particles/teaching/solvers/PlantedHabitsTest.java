@@ -129,7 +129,7 @@ class PlantedHabitsTest {
             double[] dSdt = slope(source);
             source.setState(with(state(source), i -> deltaT * dSdt[i]));
             source.incTime(source.getTime() + deltaT);
-        }), "time: the clock moves by 9/4 s in a step of 1/4 s that begins at 2 s: incTime takes how far the clock "
+        }), "time: the clock moves by 65/32 s in a step of 1/32 s that begins at 2 s: incTime takes how far the clock "
                 + "moves");
     }
 
@@ -140,7 +140,8 @@ class PlantedHabitsTest {
             double t = source.getTime();
             source.setState(with(state(source), i -> t * dSdt[i]));
             source.incTime(deltaT);
-        }), "method: the new state does not follow deltaT: its length is the time, source.getTime(), and deltaT is "
+        }), "method: the new state is s + 8 k1, which does not follow deltaT: "
+                + "its length is the time, source.getTime(), and deltaT is "
                 + "ignored");
     }
 
@@ -182,15 +183,14 @@ class PlantedHabitsTest {
             }
             source.setState(s);
             source.incTime(deltaT);
-        }), "state: these entries stay as they were in the new state: 6, 7, 8, 12, 13, 14...; the loop has to");
+        }), "state: these entries stay as they were in the new state: 3, 4, 5, 6, 7, 8...; the loop has to");
     }
 
     @Test
     void theClockMovedAtEveryStage() {
         assertFound("RK4Solver", () -> PlantedSolvers.rk4(PlantedSolvers.PLACES, new double[] {1, 1, 1, 1},
                 PlantedSolvers.WEIGHTS),
-                "time: the clock moves by 4 deltaT: incTime(deltaT) is called 4 times, and all moves together have to "
-                + "make one deltaT");
+                "time: the clock ends at t + 4 deltaT after a step of deltaT = 1/32 s and has to end at t + deltaT");
     }
 
     @Test

@@ -107,7 +107,7 @@ class PlantedStateTest {
             double[] dSdt = slope(source);
             source.setState(with(new double[dSdt.length], i -> deltaT * dSdt[i]));
             source.incTime(deltaT);
-        }), "state: the old state is lost: the new state is k1 and has to be s plus that");
+        }), "state: the new state is k1, with 0 times s in it instead of once: the old state is lost");
     }
 
     @Test

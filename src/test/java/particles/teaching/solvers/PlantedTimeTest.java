@@ -25,7 +25,7 @@ class PlantedTimeTest {
     @Test
     void clockMovedOnlyAtTheEnd() {
         assertFound("Mine", () -> rk4(PLACES, new double[] {0, 0, 0, 1}, WEIGHTS),
-                "time: k2, k3 and k4 are evaluated at t; the slide says t + deltaT/2, t + deltaT/2 and t + deltaT");
+                "time: k2 is evaluated at t; the slide says t + deltaT/2: the clock has to be moved with");
     }
 
     @Test
@@ -49,26 +49,26 @@ class PlantedTimeTest {
             source.setState(with(state(source), i -> deltaT * dSdt[i]));
             source.incTime(deltaT);
             source.incTime(deltaT);
-        }), "time: the clock moves by 2 deltaT: incTime(deltaT) is called 2 times, once is right");
+        }), "time: the clock ends at t + 2 deltaT after a step");
     }
 
     @Test
     void theHalfStepOfTheClockStaysOn() {
         assertFound("Mine", () -> midpoint(0.5, 0.5, 1),
-                "time: the clock ends at t + 3/2 deltaT and has to end at t + deltaT; it was moved by deltaT/2, then "
-                        + "deltaT");
+                "time: the clock ends at t + 3/2 deltaT after a step of deltaT = 1/32 s and has to end at t + deltaT");
     }
 
     @Test
     void deltaTIgnored() {
         assertFound("Mine", () -> euler((dSdt, deltaT) -> dSdt),
-                "method: the new state does not follow deltaT: deltaT is ignored");
+                "method: the new state is s + 4 k1, which does not follow deltaT: deltaT is ignored");
     }
 
     @Test
     void deltaTHardCoded() {
         assertFound("Mine", () -> euler((dSdt, deltaT) -> 0.01 * dSdt),
-                "method: the new state does not follow deltaT: a time step of 0.01000 s is hard-coded, and deltaT is "
+                "method: the new state is s + k1/25, which does not follow deltaT: "
+                        + "a time step of 0.01000 s is hard-coded, and deltaT is "
                         + "ignored");
     }
 
@@ -84,7 +84,8 @@ class PlantedTimeTest {
     @Test
     void derivativeDividedByDeltaT() {
         assertFound("Mine", () -> euler((dSdt, deltaT) -> dSdt / deltaT),
-                "method: the new state does not follow deltaT: the derivative is divided by deltaT; it has to be "
+                "method: the new state is s + 16 k1, which does not follow deltaT: "
+                        + "the derivative is divided by deltaT; it has to be "
                         + "multiplied by deltaT");
     }
 }

@@ -1,0 +1,75 @@
+package particles.teaching.solvers;
+
+import deSolvers.DESolver;
+import java.util.Optional;
+import java.util.function.Supplier;
+import particles.teaching.Finding;
+import particles.teaching.Formula;
+import particles.teaching.sources.WindyOscillators;
+
+/** Whether the clock ends where the step does: for steps of several lengths, backward ones and later ones. */
+final class ClockCheck {
+    private static final double START = 2;
+    private static final double H = 1.0 / 32;
+    /** No power of 2, so that a clock in float arithmetic shows. */
+    private static final double TENTH = 0.1;
+    private static final double ROUNDING = 1e-13;
+    private static final int LATER_STEPS = 6;
+    /** The state belongs to the time at which it is this much more accurate. */
+    private static final double MUCH_BETTER = 0.25;
+
+    private ClockCheck() {
+    }
+
+    /** @return the first clock that is wrong, with its cause */
+    static Optional<Finding> mistake(Supplier<DESolver> maker) {
+        for (double h : new double[] {H, 8 * H, TENTH}) {
+            DESolver solver = maker.get();
+            WindyOscillators source = source();
+            for (int step = 1; step <= LATER_STEPS; step++) {
+                double start = source.getTime();
+                solver.stepState(source, h);
+                double moved = source.getTime() - start;
+                if (Math.abs(moved - h) > LATER_STEPS * ROUNDING * h) {
+                    return Optional.of(step == 1 ? wrong(maker, source, h, moved) : ends("from step " + step + " on ",
+                            h, moved));
+                }
+            }
+        }
+        try {
+            double back = moved(maker, -TENTH);
+            return back == 0 || Formula.sameTime(back, -TENTH) ? Optional.empty() : Optional.of(Phrase.CLOCK_BACK.of(
+                    -TENTH, back, back > 0 ? ": the sign of deltaT is lost, and a step back goes forward" : ""));
+        } catch (RuntimeException e) {
+            return Optional.empty();                    // it does not step backward
+        }
+    }
+
+    private static WindyOscillators source() {
+        WindyOscillators source = new WindyOscillators(1);
+        source.startAt(START);
+        return source;
+    }
+
+    private static double moved(Supplier<DESolver> maker, double h) {
+        WindyOscillators source = source();
+        maker.get().stepState(source, h);
+        return source.getTime() - START;
+    }
+
+    private static Finding ends(String when, double h, double moved) {
+        return moved == 0 ? Phrase.CLOCK_STILL.of(when) : Phrase.CLOCK_ENDS.of(when, Formula.time(moved / h), h);
+    }
+
+    private static Finding wrong(Supplier<DESolver> maker, WindyOscillators source, double h, double moved) {
+        double twice = moved(maker, 2 * h);
+        if (moved != 0 && Formula.sameTime(twice, moved)) {
+            return Phrase.CLOCK_FIXED.of(moved);
+        } else if (Formula.sameTime(moved - h, START) && Formula.sameTime(twice - 2 * h, START)) {
+            return Phrase.CLOCK_NEW_TIME.of(moved, h, START);
+        }
+        double error = source.error();
+        source.incTime(h - moved);
+        return error < MUCH_BETTER * source.error() ? Phrase.PARTS.of(moved / h) : ends("", h, moved);
+    }
+}
