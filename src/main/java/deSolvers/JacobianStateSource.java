@@ -19,7 +19,7 @@ public interface JacobianStateSource extends DEStateSource {
          */
         APPROXIMATE,
         /** Everything. */
-        EXACT
+        EXACT,
     }
 
     /**

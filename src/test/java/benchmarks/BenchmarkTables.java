@@ -80,8 +80,7 @@ public final class BenchmarkTables {
         return new DataTable(STEPS, "A step of ours beside plain loops written by hand for the workload",
                 List.of(DataTable.column("workload"), DataTable.column("solver"),
                         new DataTable.Column("ours (\u00b5s)", 3), new DataTable.Column("by hand (\u00b5s)", 3),
-                        new DataTable.Column("ours over by hand", 3)),
-                rows);
+                        new DataTable.Column("ours over by hand", 3)), rows);
     }
 
     private static String twoDigits(double ratio) {

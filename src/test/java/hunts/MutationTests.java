@@ -52,8 +52,7 @@ final class MutationTests {
         String others = PACKAGES.get(packageName);
         Path classes = Path.of(DESolver.class.getProtectionDomain().getCodeSource().getLocation().toURI());
         return List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
-                System.getProperty("java.class.path"),
-                "org.pitest.mutationtest.commandline.MutationCoverageReport",
+                System.getProperty("java.class.path"), "org.pitest.mutationtest.commandline.MutationCoverageReport",
                 "--reportDir", REPORTS.resolve(packageName).toString(), "--timestampedReports=false",
                 "--outputFormats", "HTML", "--mutationThreshold", Integer.toString(LEAST_KILLED),
                 "--targetClasses", classesOf(packageName), "--mutableCodePaths", classes.toString(),

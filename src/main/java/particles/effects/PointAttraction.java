@@ -130,8 +130,7 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
         private static final Key<Vector3> CENTRE = Key.withDefault("centre", VectorType.of("m"), Vector3.ZERO,
                 "The point that attracts (m).");
         private static final Key<Double> SOFTENING = Key.withDefault("softening", NumberType.notNegative("m"), 0.0,
-                "s (m): the acceleration is mu r / (r^2 + s^2)^1.5, so that particles can pass through the"
-                        + " centre.");
+                "s (m): the acceleration is mu r / (r^2 + s^2)^1.5, so that particles can pass through the centre.");
 
         /** Called once, by {@link EffectCatalog}. */
         public Keys() {

@@ -192,8 +192,8 @@ public final class Repulsion extends PairForce implements DivisibleEffect {
         private static final Key<Double> STIFFNESS = Key.required("stiffness", NumberType.positive("N/m"),
                 "k (N/m; for hertz N/m^1.5).");
         private static final Key<Double> DAMPING = Key.withDefault("damping", NumberType.notNegative("N s/m"), 0.0,
-                "c (N s/m): the push grows by c times the speed of approach, and is never negative; 0 loses no"
-                        + " energy.");
+                "c (N s/m): the push grows by c times the speed of"
+                        + " approach, and is never negative; 0 loses no energy.");
 
         /** Called once, by {@link EffectCatalog}. */
         public Keys() {

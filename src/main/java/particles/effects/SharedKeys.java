@@ -28,8 +28,7 @@ public final class SharedKeys {
             "k, the push per metre of depth (N/m).");
     /** The damping of a penalty force. */
     static final Key<Double> LOSS = Key.withDefault("loss", NumberType.notNegative("s/m"), 0.0,
-            "b (s/m): at depth d and inward speed v the push is k d (1 + b v), and never negative; 0 loses no"
-                    + " energy.");
+            "b (s/m): at depth d and inward speed v the push is k d (1 + b v), and never negative; 0 loses no energy.");
 
     private SharedKeys() {
     }

@@ -27,7 +27,9 @@ public interface Effect {
         CONSERVATIVE,
         /** Takes energy out: the dissipated power is never negative. */
         DISSIPATIVE,
-        /** Something outside the system does work: the driven power may have either sign. */
+        /**
+         * Something outside the system does work, such as wind or a hand: the driven power may have either sign.
+         */
         DRIVING;
 
         /**

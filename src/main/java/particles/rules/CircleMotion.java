@@ -20,8 +20,8 @@ public final class CircleMotion implements AnchorMotion {
     public CircleMotion(Vector3 start, Vector3 centre, Vector3 axis, double period) {
         if (!start.isFinite() || !centre.isFinite() || !(Math.abs(period) > 0)
                 || !(Math.abs(period) <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("a circle needs finite points and a period other than 0, not " + start
-                    + ", "
+            throw new IllegalArgumentException("a circle needs finite points and a period other than 0, not "
+                    + start + ", "
                     + centre + ", " + period);
         }
         Vector3 unit = axis.normalized();

@@ -36,8 +36,8 @@ public final class StudentFailure {
         Optional<StackTraceElement> found = written.stream().filter(frame -> !isOurs(frame)).findFirst()
                 .or(() -> written.stream().filter(frame ->
                         !frame.getClassName().startsWith("particles.teaching.")).findFirst());
-        return found.map(frame -> ", in " + frame.getClassName().replaceAll(".*[.$]", "") + "." + frame.getMethodName()
-                + ", line "
+        return found.map(frame -> ", in " + frame.getClassName().replaceAll(".*[.$]", "") + "."
+                + frame.getMethodName() + ", line "
                 + frame.getLineNumber() + " of " + frame.getFileName()).orElse("");
     }
 

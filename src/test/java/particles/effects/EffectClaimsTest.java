@@ -114,8 +114,7 @@ class EffectClaimsTest {
     @ValueSource(doubles = {0, 0.8, 5})
     void penaltiesKeepTheirClaims(double loss) {
         assertEquals(List.of(),
-                broken(p -> new PenaltyPlane(p, new Plane(new Vector3(1, 0.5, 1), new Vector3(1, 2, -1)), 30,
-                loss)));
+                broken(p -> new PenaltyPlane(p, new Plane(new Vector3(1, 0.5, 1), new Vector3(1, 2, -1)), 30, loss)));
         assertEquals(List.of(), broken(p -> new PenaltySphere(p, new Sphere(new Vector3(1, 0.3, 0.8), 1.2, false), 30,
                 loss)));
         assertEquals(List.of(), broken(p -> new PenaltySphere(p, new Sphere(new Vector3(1, 0.3, 0.8), 0.8, true), 30,

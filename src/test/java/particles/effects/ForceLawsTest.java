@@ -162,8 +162,7 @@ class ForceLawsTest {
                     ParticleSystem two = new ParticleSystem();
                     for (int p : new int[] {i, j}) {
                         two.addParticle("p", 1, new Vector3(state[6 * p], state[6 * p + 1], state[6 * p + 2]),
-                                Vector3.ZERO,
-                                false);
+                                Vector3.ZERO, false);
                     }
                     pairs += new Cohesion(two.getParticles(), 0.7, 0.4, 1, 0).getPotentialEnergy(two.getOwnState(), 0);
                 }

@@ -73,8 +73,7 @@ class ParticleJacobianTest {
             Obstacle other) {
         RestingContacts contacts = new RestingContacts(system.getParticles(),
                 List.of(new ContactSurface("one", one, 0, friction, 0.01),
-                new ContactSurface("other", other, 0, friction,
-                        0.01)));
+                new ContactSurface("other", other, 0, friction, 0.01)));
         for (int i = 0; i < N; i++) {
             contacts.getModes().set(0, i, i % 3 == 0 ? Mode.FREE : mode);
             contacts.getModes().set(1, i, i % 2 == 0 ? Mode.FREE : mode);

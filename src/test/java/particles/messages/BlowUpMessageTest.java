@@ -66,10 +66,9 @@ class BlowUpMessageTest {
     void namesAllThatOneWantsToKnow() {
         String line = blowUp(chain("rk4", 0));
         // Gershgorin: sqrt(4 * 400) * 0.2 = 8 = 2.83 * 2.8284; 0.9 * 2.8284 / 40 = 0.0636
-        Matcher match = Pattern.compile("rk4 stopped at t = [\\d.]+ s at particle '[abc]': the kinetic energy"
-                + " is [\\d.e]+ J,"
-                + " above the limit of [\\d.e]+ J\\ndeltaT is too long for the fastest vibration, by a factor of up to"
-                + " 2\\.83"
+        Matcher match = Pattern.compile("rk4 stopped at t = [\\d.]+ s at particle '[abc]': the kinetic"
+                + " energy is [\\d.e]+ J, above the limit of [\\d.e]+ J\\ndeltaT is"
+                + " too long for the fastest vibration, by a factor of up to 2\\.83"
                 + " \\(\\|lambda\\| \\* deltaT is at most 8;"
                 + " the limit of rk4 is 2\\.83; stiffest spring: 'a' to 'b'\\)\\ntry"
                 + " --deltaT=0\\.063, which takes about 4 times the work").matcher(line);

@@ -99,8 +99,7 @@ class ClampedRodsTest {
         }
         assertEquals(0, watch.worstLength, 1e-7, "measured: 3e-8 at most");
         assertEquals(0, Math.max(0, watch.mostEnergy - ledger.getStartEnergy()), 1e-3,
-                "clamping lifts particles; measured: 2.4e-4 J for the toppling triangle, for the others"
-                + " 1e-13");
+                "clamping lifts particles; measured: 2.4e-4 J for the toppling triangle, for the others 1e-13");
         assertTrue(ledger.getWork().get("contact") < 0 && ledger.getWork().get("impacts") < -5,
                 ledger.getWork().toString());
     }

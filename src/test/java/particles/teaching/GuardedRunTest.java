@@ -113,8 +113,7 @@ class GuardedRunTest {
     @Test
     void whatTheJvmPutsBetweenIsNobodysPlace() {
         StackTraceElement lambda =
-                new StackTraceElement("particles.app.student.CheckCommand$$Lambda$22/0x00007f5e08027988",
-                "call",
+                new StackTraceElement("particles.app.student.CheckCommand$$Lambda$22/0x00007f5e08027988", "call",
                 null, -1);
         StackTraceElement ours = new StackTraceElement("particles.ParticleSystem", "getState", "ParticleSystem.java",
                 90);
@@ -131,14 +130,13 @@ class GuardedRunTest {
             return 1;
         });
         assertTrue(found.startsWith("failure: it did not come back within 3/10 s of CPU time: it waits for something "
-                + "that never comes"),
-                found);
+                + "that never comes"), found);
     }
 
     @Test
     void aStackOverflowIsNamed() {
-        assertStarts("failure: the stack overflows: a method calls itself without end, in PlantedClasses.callsItself, "
-                + "line ",
+        assertStarts("failure: the stack overflows: a method calls itself"
+                + " without end, in PlantedClasses.callsItself, line ",
                 failure(() -> PlantedClasses.callsItself(0)));
     }
 

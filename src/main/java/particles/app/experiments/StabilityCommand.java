@@ -108,8 +108,8 @@ public final class StabilityCommand extends ExperimentCommand {
                                 List.of("euler", "midpoint", "rk4", "adams"), new Window(-3.5, 1, 3.5, 0.05), 5.5)
                                         .draw(progress, 0.5),
                         new Region("adaptive",
-                                "One sub-step. Longer steps are divided, so these outlines show the cost of a stiff"
-                                        + " system.",
+                                "One sub-step. Longer steps are divided, so these"
+                                        + " outlines show the cost of a stiff system.",
                                 List.of("step-doubling", "dormand-prince", "bulirsch-stoer"),
                                 new Window(-14, 4, 12, 0.15), 18).draw(progress, 0.6),
                         new Region("symplectic",

@@ -168,8 +168,7 @@ public final class GradeCommand extends ProgramCommand {
         }
         DataTable table = new DataTable("marks", "Marks",
                 List.of(DataTable.column("exercise"), DataTable.column("mark"),
-                DataTable.column("what there is to say")),
-                rows);
+                DataTable.column("what there is to say")), rows);
         ResultPageWriter.write(files, new ResultPage(NAME, title, problems, List.of(), List.of(table)),
                 ChartFormat.PAGE);
         JUnitXml.write(files, NAME, cases);

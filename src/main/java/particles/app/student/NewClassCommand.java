@@ -73,8 +73,8 @@ public abstract class NewClassCommand extends ProgramCommand {
     @Command(name = "newSolver", description = "Writes the skeleton of a solver of your own.")
     public static final class NewSolver extends NewClassCommand {
         @Option(names = "--from", paramLabel = "CLASS", defaultValue = SolverSkeleton.SLIDES_WAY,
-                description = "What it extends: DESolver, as on the slides, or FixedStepSolver, which has helpers for"
-                        + " formulas.")
+                description = "What it extends: DESolver, as on the slides, or"
+                        + " FixedStepSolver, which has helpers for formulas.")
         private String from;
 
         @Option(names = "--example", paramLabel = "METHOD",

@@ -75,8 +75,7 @@ final class StudentProcess {
                 return new Outcome(code, own.subList(0, own.size() - 1));
             }
         }
-        return new Outcome(ExitCode.BAD_INPUT, List.of("wrong: the check did not finish; the class ended the"
-                + " program"));
+        return new Outcome(ExitCode.BAD_INPUT, List.of("wrong: the check did not finish; the class ended the program"));
     }
 
     private static String property(String folder) {

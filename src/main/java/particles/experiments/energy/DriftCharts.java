@@ -54,8 +54,7 @@ public final class DriftCharts {
                     failures.stream().mapToDouble(f -> f[1]).toArray()));
         }
         Finding finding = drawn -> DriftHeadline.of(comparison.of(drawn));
-        return List.of(new ChartData(finding, "time (s)", "|energy error| / scale", false, true,
-                logarithmic),
+        return List.of(new ChartData(finding, "time (s)", "|energy error| / scale", false, true, logarithmic),
                 new ChartData(finding, "time (s)", "energy error / scale", false, false, linear));
     }
 

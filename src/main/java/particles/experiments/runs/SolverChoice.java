@@ -7,8 +7,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.NoSuchElementException;
 import java.util.Optional;
-import particles.view.ChartData.Series;
 import particles.scene.format.Tolerances;
+import particles.view.ChartData.Series;
 
 /**
  * A solver in an experiment: a name, and its catalogue entry if it has one.

@@ -16,7 +16,7 @@ public final class ContactModes {
         /** It touches and slides, or would if it moved. */
         SLIDING,
         /** It touches, and static friction holds it. */
-        STICKING
+        STICKING,
     }
 
     private final Particles particles;

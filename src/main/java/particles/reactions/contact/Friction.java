@@ -21,7 +21,7 @@ public record Friction(Law law, double coefficient, double staticCoefficient, do
          */
         SLIDE,
         /** Coulomb's law: the tangential force is mu times the normal force, against the sliding. */
-        COULOMB
+        COULOMB,
     }
 
     /** A surface without friction. */

@@ -39,8 +39,8 @@ public final class SceneFormat {
                     + " result is the same with any number, bit for bit.");
     public static final Key<List<Values>> PARTICLES = Key.withDefault("particles", ListType.of("a particle",
             ParticleDescription.TYPE),
-            List.of(), "Single particles. They collide with each other only if the scene names the effect"
-                    + " 'repulsion'.");
+            List.of(), "Single particles. They collide with each other"
+                    + " only if the scene names the effect 'repulsion'.");
     public static final Key<List<Chosen<ShapeKind>>> SHAPES = Key.withDefault("shapes",
             ListType.of("a shape", new KindType<>("shape", ShapeKind.ALL)), List.of(),
                     "Ropes, cloths and blocks: many particles and springs at once.");

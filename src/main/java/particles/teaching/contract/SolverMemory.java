@@ -99,10 +99,10 @@ final class SolverMemory {
             WindyOscillators source = new WindyOscillators(pairs);
             double[] start = source.getState();
             double[] expected = fresh(source);
-            String text = "the solver stepped a source of " + 6 * last + " numbers and then one of " + 6 * pairs
-                    + ", and ";
-            String cause = ": the size is cached from the first source. source.getStateSize() has to be asked in every "
-                    + "step";
+            String text = "the solver stepped a source of " + 6 * last + " numbers and then one of "
+                    + 6 * pairs + ", and ";
+            String cause = ": the size is cached from the first source."
+                    + " source.getStateSize() has to be asked in every step";
             try {
                 solver.stepState(source, H);
             } catch (IndexOutOfBoundsException | NegativeArraySizeException e) {

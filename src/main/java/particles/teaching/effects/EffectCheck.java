@@ -62,8 +62,8 @@ public final class EffectCheck {
     private Optional<Finding> contradiction() {
         Trait other = trial.claims(Trait.DISSIPATIVE) ? Trait.DISSIPATIVE : Trait.DRIVING;
         return trial.claims(Trait.CONSERVATIVE) && trial.claims(other) ? wrong(Kind.METHOD, "it claims CONSERVATIVE"
-                + " and " + other + ", which contradict each other: a conservative force keeps the energy that it"
-                + " stores")
+                + " and " + other + ", which contradict each other: a conservative"
+                + " force keeps the energy that it stores")
                 : Optional.empty();
     }
 

@@ -33,8 +33,8 @@ record ForceComparison(EffectTrial trial, double[] force, double[] expected) {
      */
     String cause(boolean velocities, String other) {
         if (EffectTrial.largest(expected) <= SAME * size()) {
-            return velocities ? ": a force that depends on the velocity is not CONSERVATIVE; claim DISSIPATIVE if it "
-                    + "damps"
+            return velocities ? ": a force that depends on the velocity is not"
+                    + " CONSERVATIVE; claim DISSIPATIVE if it damps"
                     : ": " + other + " is the same everywhere; getPotentialEnergy is missing (1/2 is 0 in "
                     + "Java, 0.5 is meant), or the claim CONSERVATIVE is wrong";
         }

@@ -31,29 +31,27 @@ final class AdaptiveStep extends NumericExercise {
         return new Question("A particle of m = " + Draw.text(m) + " kg on a spring of k = " + Draw.text(k)
                 + " N/m is at x = " + Draw.text(x) + " m with v = "
                 + Draw.text(v) + " m/s. Take two steps of RK4 with deltaT = " + Draw.text(h)
-                        + " s, and one of 2 deltaT from the same start; the"
+                + " s, and one of 2 deltaT from the same start; the"
                 + " difference of the two x is the error.\nWhich deltaT would make this error " + Draw.text(bound)
                 + " m? Assume that it grows with deltaT as the error of"
-                        + " a single step, not of a whole run, of a method of order 4.",
-                "s",
+                + " a single step, not of a whole run, of a method of order 4.", "s",
                 FOUR_DIGITS, next(h, factor, 1.0 / ERROR_ORDER), smallest, List.of(
                 new CommonMistake(next(h, factor, 1.0 / (ERROR_ORDER - 1)),
-                        "The error over a given time goes with the fourth power; that of one step goes with the "
-                                + "fifth."),
+                        "The error over a given time goes with the fourth"
+                                + " power; that of one step goes with the fifth."),
                 new CommonMistake(next(h, 1 / factor, 1.0 / ERROR_ORDER),
                         "The fraction is the wrong way round: too large an error needs a shorter step."),
                 new CommonMistake(next(h, factor, 1),
                         "The error does not go with deltaT itself but with its fifth power: take the fifth root."),
                 new CommonMistake(next(h, factor, 1.0 / 2),
-                        "The square root belongs to a method of order 1; RK4's error of one step goes with the fifth "
-                                + "power."),
+                        "The square root belongs to a method of order 1;"
+                                + " RK4's error of one step goes with the fifth power."),
                 new CommonMistake(next(h, factor, 1.0 / 3),
-                        "The cube root belongs to a method of order 2; RK4's error of one step goes with the fifth "
-                                + "power."),
+                        "The cube root belongs to a method of order 2; RK4's"
+                                + " error of one step goes with the fifth power."),
                 new CommonMistake(next(h, RICHARDSON * factor, 1.0 / ERROR_ORDER),
-                        "The fifteenth of the difference is the error of the better result; the question asks for "
-                                + "the difference "
-                                + "itself."),
+                        "The fifteenth of the difference is the error of the better"
+                                + " result; the question asks for the difference itself."),
                 new CommonMistake(2 * next(h, factor, 1.0 / ERROR_ORDER),
                         "This is 2 deltaT; the question asks for deltaT, the length of the short steps."),
                 new CommonMistake(next(h, bound / difference("midpoint", m, k, x, v, h), 1.0 / ERROR_ORDER),

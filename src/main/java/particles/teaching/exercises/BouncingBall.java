@@ -45,19 +45,19 @@ final class BouncingBall extends NumericExercise {
                 + Draw.text(r)
                 + ".\nWhen does it meet the ground for the " + bounce + (bounce == 3 ? "rd" : "th") + " time?", "s",
                         FOUR_DIGITS, answer, 0, List.of(
-                new CommonMistake(timeOf(bounce - 1, height, g, r), "This is one bounce too early; the first contact "
-                        + "counts as 1."),
-                new CommonMistake(timeOf(bounce + 1, height, g, r), "This is one bounce too late; the first contact "
-                        + "counts as 1."),
+                new CommonMistake(timeOf(bounce - 1, height, g, r), "This is one bounce too early;"
+                        + " the first contact counts as 1."),
+                new CommonMistake(timeOf(bounce + 1, height, g, r), "This is one bounce too late;"
+                        + " the first contact counts as 1."),
                 new CommonMistake(first * sum,
-                        "Between two bounces it flies up and down: each flight counts twice, only the first fall "
-                                + "once."),
-                new CommonMistake(first * (2 * sum), "The first fall is only down: it counts once, the later flights "
-                        + "twice."),
+                        "Between two bounces it flies up and down: each"
+                                + " flight counts twice, only the first fall once."),
+                new CommonMistake(first * (2 * sum), "The first fall is only down: it counts"
+                        + " once, the later flights twice."),
                 new CommonMistake(timeOf(bounce, height, g, Math.sqrt(r)),
                         "r multiplies the velocity, and a flight's time with it; not the energy or the height."),
-                new CommonMistake(timeOf(bounce, height, g, r * r), "The height goes with r^2, but a flight's time "
-                        + "with r."),
+                new CommonMistake(timeOf(bounce, height, g, r * r), "The height goes with r^2,"
+                        + " but a flight's time with r."),
                 new CommonMistake(first * (2 * bounce - 1),
                         "The bounces lose energy: each flight is r times as long as the one before."),
                 new CommonMistake(timeOf(bounce, height, EARTH, r), "This is g on Earth."),

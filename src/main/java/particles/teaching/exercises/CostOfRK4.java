@@ -38,18 +38,17 @@ final class CostOfRK4 extends NumericExercise {
         return new Question("x'' = -omega^2 x with omega = " + Draw.text(omega)
                 + " 1/s begins at x = 1 m, v = 0, and is followed for "
                 + Draw.text(duration) + " s. The error at the end, |(x - x exact, (v - v exact)/omega)|, may be "
-                        + Draw.text(error)
-                + " m.\nHow many times as many evaluations of the derivative does the midpoint method need as RK4, "
-                + "each with the"
-                + " longest deltaT that is good enough?", "", HALF_A_PERCENT, ratio, 0, List.of(
+                + Draw.text(error)
+                + " m.\nHow many times as many evaluations of the derivative does the midpoint method need as RK4,"
+                + " each with the longest deltaT that is good enough?", "", HALF_A_PERCENT, ratio, 0, List.of(
                 new CommonMistake(2 * ratio, "This is the ratio of the steps; a step of midpoint has two evaluations "
                         + "and one of RK4 four."),
                 new CommonMistake(4 * ratio, "The weights are the wrong way round: midpoint has two evaluations a "
                         + "step, RK4 four."),
                 new CommonMistake(1 / ratio, "This is RK4's cost over midpoint's; "
                         + "the question asks for midpoint's over RK4's."),
-                new CommonMistake(0.5, "This compares one step with one step; for the same accuracy RK4 may take far "
-                + "longer ones."),
+                new CommonMistake(0.5, "This compares one step with one step; for the"
+                + " same accuracy RK4 may take far longer ones."),
                 new CommonMistake(StrictMath.pow(HUNDRED, 0.25) * ratio,
                         "This is about the ratio for a hundredth of the error: check the power of ten."),
                 new CommonMistake(StrictMath.pow(error, -0.25),

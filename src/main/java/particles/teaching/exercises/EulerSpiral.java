@@ -12,8 +12,8 @@ final class EulerSpiral extends NumericExercise {
 
     EulerSpiral() {
         super("Why Euler spirals: the energy that steps add", 1.1, 1000,
-                "What does one step make of x^2 + (v/omega)^2? Draw the step in state space, and then think of all "
-                        + "steps.");
+                "What does one step make of x^2 + (v/omega)^2? Draw the"
+                        + " step in state space, and then think of all steps.");
     }
 
     @Override
@@ -26,13 +26,13 @@ final class EulerSpiral extends NumericExercise {
         double squared = h * h * k / m;
         return new Question("A particle of m = " + Draw.text(m) + " kg on an undamped spring of k = " + Draw.text(k)
                 + " N/m is pulled aside and released.\nBy which factor have " + steps + " Euler steps of deltaT = "
-                        + Draw.text(h)
+                + Draw.text(h)
                 + " s multiplied its energy, (m v^2 + k x^2)/2?", "", FOUR_DIGITS, growth, 0, List.of(
-                new CommonMistake(Math.sqrt(growth), "This is the factor of the amplitude; energy goes with its "
-                        + "square."),
+                new CommonMistake(Math.sqrt(growth), "This is the factor of the amplitude;"
+                        + " energy goes with its square."),
                 new CommonMistake(growth * growth,
-                        "This is squared once too often: Pythagoras gives the square of the radius, which is "
-                                + "the energy."),
+                        "This is squared once too often: Pythagoras gives"
+                                + " the square of the radius, which is the energy."),
                 new CommonMistake(ratio(m, k, h, 1), "This is what one step does; each step multiplies again."),
                 new CommonMistake(1 + steps * squared,
                         "What the steps add is itself multiplied by later steps: take the power, not the multiple."),

@@ -27,7 +27,7 @@ final class EulerSteps extends NumericExercise {
         return new Question("A particle of m = " + Draw.text(m) + " kg slides on a spring of k = " + Draw.text(k)
                 + " N/m, without gravity or friction: x'' = -(k/m) x. It is at x = "
                 + Draw.text(x) + " m and moves with v = " + Draw.text(v)
-                        + " m/s.\nWhere is it after three Euler steps of deltaT = "
+                + " m/s.\nWhere is it after three Euler steps of deltaT = "
                 + Draw.text(h) + " s?", "m", FOUR_DIGITS, answer, 0.1 * x, List.of(
                 new CommonMistake(new Spring(m, k, 0, x, v).after("symplectic-euler", STEPS, h).x(),
                         "The position was moved with the new velocity: that is the simple algorithm (symplectic "
@@ -38,8 +38,8 @@ final class EulerSteps extends NumericExercise {
                 new CommonMistake(new Spring(m, k, 0, x, v).after("euler", STEPS + 1, h).x(),
                         "These are four steps; three are wanted."),
                 new CommonMistake(new Spring(m, k, 0, x, v).after("euler", 1, STEPS * h).x(),
-                        "This is one step of three times deltaT; the derivative has to be evaluated anew after each "
-                                + "step."),
+                        "This is one step of three times deltaT; the"
+                                + " derivative has to be evaluated anew after each step."),
                 new CommonMistake(new Spring(m, k, 0, x, v).after("euler", STEPS, h).v(),
                         "This is the velocity; the question asks for the place."),
                 new CommonMistake(new Spring(1, k, 0, x, v).after("euler", STEPS, h).x(),

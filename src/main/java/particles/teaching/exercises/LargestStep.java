@@ -40,22 +40,22 @@ final class LargestStep extends NumericExercise {
         return new Question(count + " particles of m = " + Draw.text(m)
                 + " kg each stand in a row between two walls, joined to each other and to the"
                 + " walls by " + (count + 1) + " springs of k = " + Draw.text(k)
-                        + " N/m, without damping; they move along the row.\nWhat is the largest"
+                + " N/m, without damping; they move along the row.\nWhat is the largest"
                 + " deltaT with which RK4 is stable?", "s", FOUR_DIGITS, answer, 0, List.of(
                 new CommonMistake(REAL / highest,
-                        "2.785 is RK4's limit on the real axis, for damping; undamped springs lie on the imaginary "
-                                + "one."),
+                        "2.785 is RK4's limit on the real axis, for damping;"
+                                + " undamped springs lie on the imaginary one."),
                 new CommonMistake(LEAPFROG / highest,
                         "2 is the limit of symplectic Euler and verlet (and of Euler for damping), not that of RK4."),
                 new CommonMistake(IMAGINARY / omega,
-                        "sqrt(k/m) is one particle on one spring; here each has two, and neighbours that swing against "
-                                + "it."),
+                        "sqrt(k/m) is one particle on one spring; here each"
+                                + " has two, and neighbours that swing against it."),
                 new CommonMistake(IMAGINARY / (2 * omega),
-                        "This is the limit for a very long chain; this one is short, and its fastest swinging is "
-                                + "slower."),
+                        "This is the limit for a very long chain; this one"
+                                + " is short, and its fastest swinging is slower."),
                 new CommonMistake(IMAGINARY / lowest,
-                        "This is stable for the slowest swinging; the fastest one, neighbours against each other, sets "
-                                + "the limit."),
+                        "This is stable for the slowest swinging; the fastest"
+                                + " one, neighbours against each other, sets the limit."),
                 new CommonMistake(2 * Math.PI / highest,
                         "This is the shortest period; RK4 has a number of its own in the place of 2 pi."),
                 new CommonMistake(IMAGINARY / (highest * highest), "The root is missing: this divides by omega^2."),

@@ -29,9 +29,8 @@ final class NumericalDamping extends NumericExercise {
         double c = m * rate;
         return new Question("A particle of m = " + Draw.text(m) + " kg swings on a spring of k = " + Draw.text(k)
                 + " N/m without any damper. Backward Euler with deltaT = " + Draw.text(h)
-                        + " s takes energy from it all the same.\nWhich damping"
-                + " c would take as much in truth? A damper's force -c v lets the energy decay like e^(-(c/m) t) on "
-                + "average.",
+                + " s takes energy from it all the same.\nWhich damping c would take as much in truth?"
+                + " A damper's force -c v lets the energy decay like e^(-(c/m) t) on average.",
                 "N s/m", FOUR_DIGITS, c, 0, List.of(
                 new CommonMistake(c / 2, "This lets the energy decay as fast as the amplitude does; energy goes with "
                         + "the amplitude's square."),

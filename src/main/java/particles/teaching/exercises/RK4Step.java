@@ -28,36 +28,36 @@ final class RK4Step extends NumericExercise {
         double v = picks.decimal(20, 90, 1);
         double h = picks.of(0.4, 0.5, 0.6, 0.75, 0.8);
         double a = c / m;
+        Leaf leaf = new Leaf(a, b, v);
         return new Question("The leaf again: m = " + Draw.text(m) + " kg, drag c = " + Draw.text(c)
                 + " N s/m, the air moves with b t, b = " + Draw.text(b)
                 + " m/s^2, so that v' = -(c/m)(v - b t); at t = 0 it has v = " + Draw.text(v)
-                        + " m/s.\nWhat is v after one step of RK4 with deltaT = "
-                + Draw.text(h) + " s?", "m/s", FOUR_DIGITS, new Leaf(a, b, v).after("rk4", 1, h), a * h > LONGEST
+                + " m/s.\nWhat is v after one step of RK4 with deltaT = "
+                + Draw.text(h) + " s?", "m/s", FOUR_DIGITS, leaf.after("rk4", 1, h), a * h > LONGEST
                 ? Double.POSITIVE_INFINITY : 0.05 * v, List.of(
-                new CommonMistake(wrong(a, b, v, h, TIMES, new double[][] {{}, {1}, {0, 0.5}, {0, 0, 1}}, WEIGHTS),
+                new CommonMistake(wrong(leaf, h, TIMES, new double[][] {{}, {1}, {0, 0.5}, {0, 0, 1}}, WEIGHTS),
                         "k2 belongs at s + k1/2, not at s + k1."),
-                new CommonMistake(wrong(a, b, v, h, TIMES, new double[][] {{}, {0.5}, {0.5}, {0, 0, 1}}, WEIGHTS),
+                new CommonMistake(wrong(leaf, h, TIMES, new double[][] {{}, {0.5}, {0.5}, {0, 0, 1}}, WEIGHTS),
                         "k3 belongs at s + k2/2, not at s + k1/2."),
-                new CommonMistake(wrong(a, b, v, h, TIMES, new double[][] {{}, {0.5}, {0, 0.5}, {0, 0, 0.5}}, WEIGHTS),
+                new CommonMistake(wrong(leaf, h, TIMES, new double[][] {{}, {0.5}, {0, 0.5}, {0, 0, 0.5}}, WEIGHTS),
                         "k4 belongs at s + k3, not at s + k3/2."),
-                new CommonMistake(wrong(a, b, v, h, new double[] {0, 0.5, 0.5, 0.5}, STAGES, WEIGHTS),
+                new CommonMistake(wrong(leaf, h, new double[] {0, 0.5, 0.5, 0.5}, STAGES, WEIGHTS),
                         "k4 is evaluated at t + deltaT/2; the slide says t + deltaT."),
-                new CommonMistake(wrong(a, b, v, h, new double[4], STAGES, WEIGHTS),
+                new CommonMistake(wrong(leaf, h, new double[4], STAGES, WEIGHTS),
                         "All four were evaluated at time t; the clock has to move with the stages."),
-                new CommonMistake(wrong(a, b, v, h, TIMES, STAGES, new double[] {0.25, 0.25, 0.25, 0.25}),
+                new CommonMistake(wrong(leaf, h, TIMES, STAGES, new double[] {0.25, 0.25, 0.25, 0.25}),
                         "The weights are 1/6, 1/3, 1/3, 1/6, not four times 1/4."),
-                new CommonMistake(wrong(a, b, v, h, TIMES, STAGES, new double[] {1.0 / 3, 1.0 / 6, 1.0 / 6, 1.0 / 3}),
+                new CommonMistake(wrong(leaf, h, TIMES, STAGES, new double[] {1.0 / 3, 1.0 / 6, 1.0 / 6, 1.0 / 3}),
                         "The weights are the wrong way round: the two in the middle count 1/3, the outer ones 1/6."),
-                new CommonMistake(wrong(a, b, v, h, TIMES, STAGES, new double[] {1.0 / 6, 1.0 / 6, 1.0 / 6, 1.0 / 6}),
+                new CommonMistake(wrong(leaf, h, TIMES, STAGES, new double[] {1.0 / 6, 1.0 / 6, 1.0 / 6, 1.0 / 6}),
                         "The weights have to add up to 1: 1/6, 1/3, 1/3, 1/6."),
-                new CommonMistake(new Leaf(a, b, v).after("midpoint", 1, h), "This is the midpoint method."),
-                new CommonMistake(new Leaf(a, b, v).after("euler", 1, h), "This is the Euler method, k1 alone."),
+                new CommonMistake(leaf.after("midpoint", 1, h), "This is the midpoint method."),
+                new CommonMistake(leaf.after("euler", 1, h), "This is the Euler method, k1 alone."),
                 new CommonMistake(new Leaf(c, b, v).after("rk4", 1, h),
                         "The mass is missing: the acceleration is the force over m.")));
     }
 
-    private static double wrong(double a, double b, double v, double h, double[] times, double[][] stages,
-            double[] weights) {
-        return new Leaf(a, b, v).afterMistake(1, h, times, stages, weights);
+    private static double wrong(Leaf leaf, double h, double[] times, double[][] stages, double[] weights) {
+        return leaf.afterMistake(1, h, times, stages, weights);
     }
 }

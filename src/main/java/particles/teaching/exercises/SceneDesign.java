@@ -69,8 +69,8 @@ final class SceneDesign implements Exercise {
     private static List<String> names(Wanted wanted) {
         return List.of("solver: one of the catalogue, and not euler", "at least " + wanted.particles()
                 + " particles that can move, at most " + MOST_PARTICLES,
-                "at least " + wanted.springs() + " springs", "duration: at least " + Draw.text(wanted.duration())
-                + " s",
+                "at least " + wanted.springs() + " springs", "duration: at least "
+                + Draw.text(wanted.duration()) + " s",
                 "it runs to its end, with at most " + wanted.evaluations() + " evaluations of the derivative",
                 "at least " + wanted.bounces() + " bounces off the ground or another surface",
                 "damping, drag and bounces take at least " + Draw.text(wanted.lost())
@@ -87,8 +87,8 @@ final class SceneDesign implements Exercise {
         try {
             SceneDescription description = SceneReader.read(Path.of(answer.strip()));
             if (!SolverCatalog.names().contains(description.solver())) {
-                return Mark.wrong("does not hold: " + names(wanted(draw)).get(0) + " (here: " + description.solver()
-                        + ")");
+                return Mark.wrong("does not hold: " + names(wanted(draw)).get(0) + " (here: "
+                        + description.solver() + ")");
             }
             scene = SceneBuilder.build(description);
         } catch (SceneException e) {
@@ -106,8 +106,8 @@ final class SceneDesign implements Exercise {
         report.hold(0, !scene.description().solver().equals("euler"), scene.description().solver());
         report.hold(1, moving >= wanted.particles() && moving <= MOST_PARTICLES, moving + " can move");
         report.hold(2, scene.springs().springCount() >= wanted.springs(), scene.springs().springCount() + " springs");
-        report.hold(3, scene.description().duration() >= wanted.duration(), Draw.text(scene.description().duration())
-                + " s");
+        double duration = scene.description().duration();
+        report.hold(3, duration >= wanted.duration(), Draw.text(duration) + " s");
         if (moving > MOST_PARTICLES) {
             return report.mark();
         }

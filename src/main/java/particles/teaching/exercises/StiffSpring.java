@@ -12,8 +12,8 @@ final class StiffSpring extends NumericExercise {
 
     StiffSpring() {
         super("A stiff spring and backward Euler", -30, 6,
-                "Write down both equations with x and v at the end of the step as unknowns, and put one into the "
-                        + "other.");
+                "Write down both equations with x and v at the end of"
+                        + " the step as unknowns, and put one into the other.");
     }
 
     @Override
@@ -30,7 +30,7 @@ final class StiffSpring extends NumericExercise {
         return new Question("A particle of m = " + Draw.text(m) + " kg on a stiff spring of k = " + Draw.text(k)
                 + " N/m with a damper of c = " + Draw.text(c)
                 + " N s/m is at x = " + Draw.text(x) + " m and has v = " + Draw.text(v)
-                        + " m/s.\nWhat is its velocity after one step of backward Euler with deltaT = "
+                + " m/s.\nWhat is its velocity after one step of backward Euler with deltaT = "
                 + Draw.text(h) + " s, where force and velocity are those at the end of the step?", "m/s", FOUR_DIGITS,
                         answer, 0.1 * v, List.of(
                 new CommonMistake(new Spring(m, k, c, x, v).after("euler", 1, h).v(),

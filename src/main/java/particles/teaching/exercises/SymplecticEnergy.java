@@ -32,19 +32,19 @@ final class SymplecticEnergy extends NumericExercise {
                 + " N/m is pulled aside and released from rest, and moved by the simple algorithm (symplectic Euler) "
                 + "with deltaT = " + Draw.text(h)
                 + " s.\nWhat is the largest energy, (m v^2 + k x^2)/2, within " + STEPS
-                        + " steps, as a multiple of the energy at the start?",
+                + " steps, as a multiple of the energy at the start?",
                 "", FOUR_DIGITS, answer, smallest, List.of(
                 new CommonMistake(1 / (1 + half),
                         "This is the smallest energy of the swing; the question asks for the largest."),
-                new CommonMistake(Math.sqrt(answer), "This is the factor of the amplitude; energy goes with its "
-                        + "square."),
-                new CommonMistake(answer - 1, "This is what comes on top; the question asks for the multiple of the "
-                        + "energy at the "
+                new CommonMistake(Math.sqrt(answer), "This is the factor of the amplitude;"
+                        + " energy goes with its square."),
+                new CommonMistake(answer - 1, "This is what comes on top; the question asks"
+                        + " for the multiple of the energy at the "
                         + "start, 1 plus that."),
-                new CommonMistake(1 + half, "This is right for short steps only: the higher powers of deltaT omega "
-                        + "count too."),
-                new CommonMistake(1, "Verlet would never have more than at the start; symplectic Euler's energy swings "
-                        + "to both sides."),
+                new CommonMistake(1 + half, "This is right for short steps only: the"
+                        + " higher powers of deltaT omega count too."),
+                new CommonMistake(1, "Verlet would never have more than at the start;"
+                        + " symplectic Euler's energy swings to both sides."),
                 new CommonMistake(1 / (1 - 2 * half), "A half is missing beside deltaT omega."),
                 new CommonMistake(1 / (1 - h * Math.sqrt(k) / 2), "The mass is missing: omega^2 = k/m.")));
     }

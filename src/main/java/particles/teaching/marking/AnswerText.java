@@ -37,12 +37,12 @@ public record AnswerText(Optional<Double> value, String problem) {
         }
         String shown = text.length() > LONGEST ? text.substring(0, LONGEST) + "..." : text;
         if (text.toLowerCase(Locale.ROOT).matches("[+-]?(nan|inf|infinity|\u221e).*")) {
-            return refused("'" + shown + "' is no finite number: a calculation has divided by 0 or blown up; " + ALLOWED
-                    + ".");
+            return refused("'" + shown + "' is no finite number: a calculation has divided by 0 or blown up; "
+                    + ALLOWED + ".");
         }
         if (text.matches("[+-]?[\\d ']*\\d[.,]\\d+[.,]\\d+.*")) {
-            return refused("'" + shown + "' has two points or commas; write no separators of thousands; " + ALLOWED
-                    + ".");
+            return refused("'" + shown + "' has two points or commas; write no separators of thousands; "
+                    + ALLOWED + ".");
         }
         Matcher matcher = FORM.matcher(text);
         if (!matcher.matches()) {
@@ -61,8 +61,8 @@ public record AnswerText(Optional<Double> value, String problem) {
         }
         if (!rest.isEmpty() && !rest.equals(packed(unit)) && !SAME_UNITS.getOrDefault(packed(unit), List.of())
                 .contains(rest)) {
-            return refused("'" + matcher.group(3).strip() + "' after the number is not understood: the answer is "
-                    + "wanted "
+            return refused("'" + matcher.group(3).strip() + "' after the number is not"
+                    + " understood: the answer is wanted "
                     + (unit.isEmpty() ? "as a pure number" : "in " + unit) + ", with or without the unit.");
         }
         return new AnswerText(Optional.of(value), "");

@@ -27,7 +27,7 @@ record NamePromise(String says, int order, List<String> methods, Strength streng
         /** Unknown words: SmithEuler is no other known method, and may be one of Smith's own. */
         UNKNOWN,
         /** A word that makes another method of it: RichardsonEuler need not be Euler. */
-        CHANGED
+        CHANGED,
     }
 
     /** Words in a name that say nothing about the method; a letter and digits before it number an exercise. */

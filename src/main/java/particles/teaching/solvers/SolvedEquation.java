@@ -134,8 +134,8 @@ record SolvedEquation(Known method, double[] times, double[] weights) {
     private String text(double[] c) {
         List<String> names = new ArrayList<>(List.of("s", "s(one step before)", "s(two steps before)").subList(0,
                 method.old));
-        IntStream.range(0, times.length).forEach(j -> names.add("deltaT f(" + place(j) + ", " + Formula.time(times[j])
-                + ")"));
+        IntStream.range(0, times.length).forEach(j -> names.add("deltaT f(" + place(j) + ", "
+                + Formula.time(times[j]) + ")"));
         return Formula.sum(Arrays.stream(c).map(SolvedEquation::rational).toArray(), names);
     }
 

@@ -134,8 +134,7 @@ class GradeCommandTest {
         assertTrue(report.contains("'kg' after the number is not understood: the answer is wanted in m/s"), report);
         assertTrue(report.contains("| solver GoodSolver | 1 | GoodSolver: right. This is the Euler method."), report);
         assertTrue(report.contains(
-                "| solver BrokenSolver | 0 | exercises.BrokenSolver: it cannot be checked. WRONG, failure: "),
-                report);
+                "| solver BrokenSolver | 0 | exercises.BrokenSolver: it cannot be checked. WRONG, failure: "), report);
         assertTrue(report.contains(
                 "WRONG, failure: it does not compile: BrokenSolver.java:11: cannot find symbol: variable dSdx"),
                 report);

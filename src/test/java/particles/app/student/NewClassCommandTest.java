@@ -71,8 +71,7 @@ class NewClassCommandTest {
         Class<?> solver = compiled("MyRK4Solver");
         List<String> wrong = SolverCheck.check(() -> make(solver),
                 "MyRK4Solver").wrong().stream().map(Finding::toString).toList();
-        assertEquals(List.of("not yet: the step does nothing yet: write it, then check again"),
-                wrong);
+        assertEquals(List.of("not yet: the step does nothing yet: write it, then check again"), wrong);
     }
 
     @Test

@@ -153,8 +153,8 @@ class PlantedClaimsTest {
     @Test
     void claimsThatContradictEachOther() {
         assertFound(law(EnumSet.of(Trait.CONSERVATIVE, Trait.DISSIPATIVE), true, DRAG, NONE,
-                state -> 0.3 * squares(state, 3)), "it claims CONSERVATIVE and DISSIPATIVE, which contradict each "
-                        + "other");
+                state -> 0.3 * squares(state, 3)), "it claims CONSERVATIVE and DISSIPATIVE,"
+                        + " which contradict each other");
     }
 
     @Test

@@ -96,8 +96,8 @@ class StabilityFiguresTest {
             double off = Math.sqrt(Math.pow(stripes.x()[k] - centre, 2) + Math.pow(stripes.y()[k], 2)) - radius;
             if (!Double.isNaN(off)) {
                 inStripes++;
-                assertTrue(stableInside ? off < 1e-3 * radius : off > -1e-3 * radius, "a stripe ends " + off
-                        + " outside");
+                assertTrue(stableInside ? off < 1e-3 * radius : off > -1e-3 * radius, "a stripe ends "
+                        + off + " outside");
             }
         }
         assertTrue(inStripes > 40, "ends of stripes " + inStripes);

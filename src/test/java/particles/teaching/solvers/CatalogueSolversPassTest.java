@@ -39,8 +39,8 @@ class CatalogueSolversPassTest {
         assertTrue(verdict.advice().stream().allMatch(note -> note.text().startsWith(
                 "it works on systems of positions and velocities only, such as particles, and refuses others")),
                 verdict.advice().toString());
-        assertEquals(IDENTITIES.getOrDefault(name, "This is a method without fixed coefficients, adaptive or "
-                + "implicit."),
+        assertEquals(IDENTITIES.getOrDefault(name, "This is a method without fixed"
+                + " coefficients, adaptive or implicit."),
                 verdict.identity());
     }
 

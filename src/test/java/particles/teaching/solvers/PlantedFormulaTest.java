@@ -85,8 +85,8 @@ class PlantedFormulaTest {
     @Test
     void wholeNumbersDivided() {
         assertFound("RK4Solver", () -> rk4(PLACES, MOVES, new double[] {1 / 6, 1 / 3, 1 / 3, 1 / 6}),
-                "method: the new state is s" + NEW_STATE + ": no derivative is in it: it was left out, or 1/6 is "
-                        + "0 in Java");
+                "method: the new state is s" + NEW_STATE + ": no derivative is in it: it was"
+                        + " left out, or 1/6 is 0 in Java");
     }
 
     @Test

@@ -129,8 +129,8 @@ class PlantedHabitsTest {
             double[] dSdt = slope(source);
             source.setState(with(state(source), i -> deltaT * dSdt[i]));
             source.incTime(source.getTime() + deltaT);
-        }), "time: the clock moves by 65/32 s in a step of 1/32 s that begins at 2 s: incTime takes how far the clock "
-                + "moves");
+        }), "time: the clock moves by 65/32 s in a step of 1/32 s that"
+                + " begins at 2 s: incTime takes how far the clock moves");
     }
 
     @Test
@@ -140,9 +140,8 @@ class PlantedHabitsTest {
             double t = source.getTime();
             source.setState(with(state(source), i -> t * dSdt[i]));
             source.incTime(deltaT);
-        }), "method: the new state is s + 8 k1, which does not follow deltaT: "
-                + "its length is the time, source.getTime(), and deltaT is "
-                + "ignored");
+        }), "method: the new state is s + 8 k1, which does not follow deltaT:"
+                + " its length is the time, source.getTime(), and deltaT is ignored");
     }
 
     @Test

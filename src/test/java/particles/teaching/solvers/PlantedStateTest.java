@@ -90,8 +90,8 @@ class PlantedStateTest {
             source.incTime(deltaT / 2);
             double[] k4 = slopeAt(source, with(state, i -> deltaT * k3[i]));
             source.setState(with(state, i -> deltaT * (k1[i] / 6 + k2[i] / 3 + k3[i] / 3 + k4[i] / 6)));
-        }), "method: k3 is evaluated at s + k1/2 + k2/2; the slide says s + k2/2: go back to the start s before "
-                + "adding");
+        }), "method: k3 is evaluated at s + k1/2 + k2/2; the slide"
+                + " says s + k2/2: go back to the start s before adding");
     }
 
     @Test

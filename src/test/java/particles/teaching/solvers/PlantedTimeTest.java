@@ -67,9 +67,8 @@ class PlantedTimeTest {
     @Test
     void deltaTHardCoded() {
         assertFound("Mine", () -> euler((dSdt, deltaT) -> 0.01 * dSdt),
-                "method: the new state is s + k1/25, which does not follow deltaT: "
-                        + "a time step of 0.01000 s is hard-coded, and deltaT is "
-                        + "ignored");
+                "method: the new state is s + k1/25, which does not follow deltaT:"
+                        + " a time step of 0.01000 s is hard-coded, and deltaT is ignored");
     }
 
     @Test
