@@ -9,7 +9,6 @@ import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.energy.EnergyDrift.Drift;
 import particles.experiments.energy.EnergyDrift.Kind;
 import particles.view.ChartData;
-import particles.view.ChartData.Finding;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 import particles.view.DataTable;
@@ -53,9 +52,10 @@ public final class DriftCharts {
             logarithmic.add(new Series(STOPPED, Mark.FAILURES, failures.stream().mapToDouble(f -> f[0]).toArray(),
                     failures.stream().mapToDouble(f -> f[1]).toArray()));
         }
-        Finding finding = drawn -> DriftHeadline.of(comparison.of(drawn));
-        return List.of(new ChartData(finding, "time (s)", "|energy error| / scale", false, true, logarithmic),
-                new ChartData(finding, "time (s)", "energy error / scale", false, false, linear));
+        return List.of(new ChartData(drawn -> DriftHeadline.of(comparison.of(drawn)), "time (s)",
+                        "|energy error| / scale", false, true, logarithmic),
+                new ChartData(drawn -> DriftHeadline.within(LINEAR, comparison.of(drawn)), "time (s)",
+                        "energy error / scale", false, false, linear));
     }
 
     /**

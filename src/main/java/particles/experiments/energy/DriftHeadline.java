@@ -25,8 +25,29 @@ final class DriftHeadline {
     }
 
     static String of(Comparison comparison) {
+        return start(comparison) + parts(comparison) + end(comparison);
+    }
+
+    /** Of a chart that ends at a part of the energy scale: the solvers that leave it, then the others. */
+    static String within(double limit, Comparison comparison) {
+        List<String> far = comparison.drifts().stream().filter(drift -> drift.largest() > limit)
+                .map(DriftHeadline::label).toList();
+        Comparison near = comparison.only(drift -> drift.largest() <= limit);
+        return start(comparison) + (far.isEmpty() ? "" : said(far, "exceeds " + part(limit)))
+                + (far.isEmpty() || near.drifts().isEmpty() ? "" : "; ") + parts(near) + end(comparison);
+    }
+
+    private static String start(Comparison comparison) {
+        boolean exchanges = comparison.drifts().stream().anyMatch(drift -> drift.kind() == Kind.EXCHANGING);
+        return comparison.scene() + (exchanges ? ", numerical energy error: " : ": ");
+    }
+
+    private static String end(Comparison comparison) {
+        return comparison.equalWork() ? " (equal evaluations)" : "";
+    }
+
+    private static String parts(Comparison comparison) {
         List<Drift> drifts = comparison.drifts().stream().sorted(WORST_FIRST).toList();
-        boolean exchanges = drifts.stream().anyMatch(drift -> drift.kind() == Kind.EXCHANGING);
         Map<String, List<String>> verdicts = new LinkedHashMap<>();     // equal ones share a place
         for (Drift drift : drifts) {
             verdicts.computeIfAbsent(verdict(drift), verdict -> new ArrayList<>()).add(label(drift));
@@ -38,8 +59,7 @@ final class DriftHeadline {
         String others = named == drifts.size() ? "" : "; the other " + (drifts.size() - named)
                 + " are off by at most " + part(drifts.stream().filter(drift -> verdicts.keySet().stream().skip(places)
                 .anyMatch(verdict(drift)::equals)).mapToDouble(DriftHeadline::size).max().orElse(0));
-        return comparison.scene() + (exchanges ? ", numerical energy error: " : ": ") + parts + others
-                + (comparison.equalWork() ? " (equal evaluations)" : "");
+        return parts + others;
     }
 
     /** One solver gains, stays, blows up; several gain, stay, blow up. */

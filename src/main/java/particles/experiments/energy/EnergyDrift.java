@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import particles.Observer;
 import particles.energy.EnergyHistory;
 import particles.experiments.runs.EqualWork;
@@ -98,8 +99,11 @@ public final class EnergyDrift {
     public record Comparison(String scene, double duration, double scale, boolean equalWork, List<Drift> drifts) {
         /** @return the drifts of the solvers that are drawn */
         Comparison of(List<Series> drawn) {
-            return new Comparison(scene, duration, scale, equalWork, drifts.stream()
-                    .filter(drift -> drift.setting().solver().isIn(drawn)).toList());
+            return only(drift -> drift.setting().solver().isIn(drawn));
+        }
+
+        Comparison only(Predicate<Drift> which) {
+            return new Comparison(scene, duration, scale, equalWork, drifts.stream().filter(which).toList());
         }
     }
 

@@ -18,8 +18,6 @@ import particles.view.ChartData.Series;
 public final class WorkCharts {
     private static final double ROUGH = 1e-2;
     private static final double FINE = 1e-6;
-    /** Errors that are 0 count as this one. */
-    private static final double ROUND_OFF = 1e-17;
     /** Evaluations at a crossing between two runs are known to this part. */
     private static final double READ = 0.025;
 
@@ -182,14 +180,14 @@ public final class WorkCharts {
     }
 
     private static Optional<Crossing> crossing(Curve curve, double error, boolean time) {
-        List<Point> points = curve.points().stream().filter(point -> point.failure().isEmpty()).toList();
+        List<Point> points = curve.points().stream().filter(WorkCharts::isResult).toList();
         List<Crossing> found = new ArrayList<>();
         for (int k = 0; k < points.size(); k++) {
             Point from = points.get(Math.max(0, k - 1));
             Point to = points.get(k);
             if (to.error() <= error && (k == 0 || from.error() > error)) {
                 double part = k == 0 ? 1 : Math.log(from.error() / error)
-                        / Math.log(from.error() / Math.max(ROUND_OFF, to.error()));
+                        / Math.log(from.error() / to.error());
                 double evaluations = between(from, to, part, Point::evaluations);
                 found.add(time ? new Crossing(curve.solver().label(), between(from, to, part, Point::lower),
                         between(from, to, part, Point::seconds), between(from, to, part, Point::upper))

@@ -1,0 +1,99 @@
+package particles.app.experiments;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+
+/**
+ * What the CSV file beside a picture says of one of its quantities: for each series the points, in the order of the
+ * file. On charts of work the errors of a line are shown again, by points that are fitted or bars of quartiles.
+ *
+ * @param title    the chart's title
+ * @param quantity the label of its y axis
+ * @param series   by name the points
+ */
+record Drawn(String title, String quantity, Map<String, List<double[]>> series) {
+    /** Ends the name of a series that shows the points of another one again. */
+    static final String AGAIN = " again";
+
+    /** @return the charts of a file; those with the same title and quantity, as on panels, are one */
+    static List<Drawn> read(Path csv) throws IOException {
+        Map<String, Drawn> charts = new LinkedHashMap<>();
+        List<String> lines = Files.readAllLines(csv);
+        for (String line : lines.subList(1, lines.size())) {
+            List<String> cells = cells(line);
+            Map<String, List<double[]>> all = charts.computeIfAbsent(cells.get(4), quantity ->
+                    new Drawn(cells.get(0), quantity, new LinkedHashMap<>())).series();
+            double y = Double.parseDouble(cells.get(5));
+            String name = cells.get(1);
+            boolean again = cells.get(2).matches("evaluations of.*|CPU time.*") && (all.containsKey(name + AGAIN)
+                    || all.getOrDefault(name, List.of()).stream().anyMatch(point -> point[1] == y));
+            all.computeIfAbsent(name + (again ? AGAIN : ""), first -> new ArrayList<>())
+                    .add(new double[] {Double.parseDouble(cells.get(3)), y});
+        }
+        return List.copyOf(charts.values());
+    }
+
+    private static List<String> cells(String line) {
+        List<String> cells = new ArrayList<>();
+        StringBuilder cell = new StringBuilder();
+        boolean quoted = false;
+        for (char c : (line + ",").toCharArray()) {
+            if (c == '"') {
+                quoted = !quoted;
+            } else if (c == ',' && !quoted) {
+                cells.add(cell.toString());
+                cell.setLength(0);
+            } else {
+                cell.append(c);
+            }
+        }
+        return cells;
+    }
+
+    /** @return the points of a solver's first series that can be drawn */
+    List<double[]> of(String solver) {
+        return series.entrySet().stream().filter(one -> one.getKey().equals(solver)
+                || one.getKey().startsWith(solver + ",")).findFirst().orElseThrow(() ->
+                new AssertionError(solver + " is not drawn, but said in '" + title + "'")).getValue().stream()
+                .filter(point -> Double.isFinite(point[0]) && Double.isFinite(point[1])).toList();
+    }
+
+    /** @return the exponent of y as a power of x by least squares of logarithms, from an x on */
+    double exponent(String solver, double from) {
+        List<double[]> points = of(solver).stream().filter(point -> point[0] >= from).toList();
+        double n = points.size();
+        double sx = points.stream().mapToDouble(p -> Math.log(p[0])).sum();
+        double sy = points.stream().mapToDouble(p -> Math.log(p[1])).sum();
+        double sxx = points.stream().mapToDouble(p -> Math.log(p[0]) * Math.log(p[0])).sum();
+        double sxy = points.stream().mapToDouble(p -> Math.log(p[0]) * Math.log(p[1])).sum();
+        return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+    }
+
+    /** @return the least x at which the line through the points comes down to y, on logarithmic axes */
+    double crossing(String solver, double y) {
+        return crossing(of(solver), y);
+    }
+
+    /** @return the same for one end of the bars of a line; NaN if it has none */
+    double crossing(String solver, double y, int end) {
+        List<double[]> bars = series.get(solver + AGAIN);
+        return bars == null || bars.stream().allMatch(point -> Double.isFinite(point[0])) ? Double.NaN
+                : crossing(IntStream.range(0, bars.size() / 3).mapToObj(k -> bars.get(3 * k + end)).toList(), y);
+    }
+
+    private static double crossing(List<double[]> p, double y) {
+        return IntStream.range(0, p.size()).filter(k -> p.get(k)[1] <= y).mapToDouble(k -> {
+            if (k == 0 || p.get(k - 1)[1] <= y) {
+                return p.get(k)[0];
+            }
+            double part = Math.log(p.get(k - 1)[1] / y) / Math.log(p.get(k - 1)[1] / p.get(k)[1]);
+            return p.get(k - 1)[0] * Math.pow(p.get(k)[0] / p.get(k - 1)[0], part);
+        }).min().orElse(Double.POSITIVE_INFINITY);
+    }
+}
