@@ -51,25 +51,32 @@ public final class LectureFigures {
      * A run, measured against theory.
      *
      * @param figure      the run
-     * @param amplitude   the distance of the last state from the origin, divided by that of the first
-     * @param phaseError  the angle by which it is ahead of the exact solution (rad); negative if it lags
-     * @param theory      the same two numbers from R(ih), where it is known
+     * @param measured    how the last state differs from the exact one
+     * @param theory      the same from R(ih), |R|<sup>N</sup> and N (arg R - h), where it is known
      * @param evaluations the number of evaluations of the derivative
      * @param x           positions after each step, with the start
      * @param v           velocities
      */
-    public record Result(Figure figure, double amplitude, double phaseError, Optional<Theory> theory, long evaluations,
-            double[] x,
-                         double[] v) {
+    public record Result(Figure figure, Spiral measured, Optional<Spiral> theory, long evaluations, double[] x,
+            double[] v) {
+        /** @return the measured amplitude */
+        public double amplitude() {
+            return measured.amplitude;
+        }
+
+        /** @return the measured phase error (rad) */
+        public double phaseError() {
+            return measured.phaseError;
+        }
     }
 
     /**
-     * A method's stability on the imaginary axis, from R(ih).
+     * How far a path spirals away from the circle, and how far it runs ahead.
      *
-     * @param amplitude  |R|<sup>N</sup>
-     * @param phaseError N (arg R - h) (rad)
+     * @param amplitude  the distance of the last state from the origin, divided by that of the first
+     * @param phaseError the angle by which it is ahead of the exact solution (rad); negative if it lags
      */
-    public record Theory(double amplitude, double phaseError) {
+    public record Spiral(double amplitude, double phaseError) {
     }
 
     private LectureFigures() {
@@ -100,11 +107,11 @@ public final class LectureFigures {
             // clockwise; each step turns by less than half a circle, so that whole turns are not lost
             turned -= StrictMath.atan2(v[n] * x[n - 1] - x[n] * v[n - 1], x[n] * x[n - 1] + v[n] * v[n - 1]);
         }
-        Optional<Theory> theory = StabilityPolynomial.of(figure.solver(), figure.deltaT())
-                .map(r -> new Theory(r.amplitude(figure.steps()), r.phaseError(figure.steps(), figure.deltaT())));
-        return new Result(figure, Math.sqrt(state[0] * state[0] + state[1] * state[1]),
-                turned - figure.steps() * figure.deltaT(),
-                theory, oscillator.getEvaluations(), x, v);
+        Optional<Spiral> theory = StabilityPolynomial.of(figure.solver(), figure.deltaT())
+                .map(r -> new Spiral(r.amplitude(figure.steps()), r.phaseError(figure.steps(), figure.deltaT())));
+        Spiral measured = new Spiral(Math.sqrt(state[0] * state[0] + state[1] * state[1]),
+                turned - figure.steps() * figure.deltaT());
+        return new Result(figure, measured, theory, oscillator.getEvaluations(), x, v);
     }
 
     /**
@@ -222,7 +229,7 @@ public final class LectureFigures {
                 column("N (arg R - h)", 6, result -> theory(result).phaseError));
     }
 
-    private static Theory theory(Result result) {
-        return result.theory().orElse(new Theory(Double.NaN, Double.NaN));
+    private static Spiral theory(Result result) {
+        return result.theory().orElse(new Spiral(Double.NaN, Double.NaN));
     }
 }

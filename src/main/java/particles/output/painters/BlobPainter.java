@@ -54,7 +54,7 @@ public final class BlobPainter {
         int[] t = surface.corners;
         for (int k = 0; k < surface.cornerCount; k += 3) {
             if (projected.visible[t[k]] && projected.visible[t[k + 1]] && projected.visible[t[k + 2]]) {
-                raster.triangle(t[k], t[k + 1], t[k + 2], projected.x, projected.y, projected.near, colours);
+                raster.triangle(t, k, projected.x, projected.y, projected.near, colours);
             }
         }
     }

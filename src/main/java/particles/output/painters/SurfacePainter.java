@@ -17,6 +17,7 @@ import particles.view.Surface;
  */
 public final class SurfacePainter {
     /** The cosine between a triangle's normal and a particle's from which the surface counts as smooth. */
+    private static final int[] CORNERS = {0, 1, 2};
     private static final double SMOOTH = 0.85;
 
     private final Raster raster;
@@ -138,6 +139,6 @@ public final class SurfacePainter {
             }
             cornerColour[k] = Math.max(0, flat);
         }
-        raster.triangle(0, 1, 2, cornerX, cornerY, cornerNear, cornerColour);
+        raster.triangle(CORNERS, 0, cornerX, cornerY, cornerNear, cornerColour);
     }
 }

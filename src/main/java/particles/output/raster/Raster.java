@@ -93,14 +93,19 @@ public final class Raster {
     }
 
     /**
-     * Draws a triangle with colours interpolated between its corners, which are given by index.
+     * Draws a triangle with colours interpolated between its corners.
      *
-     * @param xs   each corner's place from the left, in samples
-     * @param ys   each corner's place from the top
-     * @param ns   each corner's nearness
-     * @param rgb  each corner's colour
+     * @param corners indices of corners; those of the triangle are three in a row
+     * @param place   the place of the first one
+     * @param xs      each corner's place from the left, in samples
+     * @param ys      each corner's place from the top
+     * @param ns      each corner's nearness
+     * @param rgb     each corner's colour
      */
-    public void triangle(int a, int b, int c, double[] xs, double[] ys, double[] ns, int[] rgb) {
+    public void triangle(int[] corners, int place, double[] xs, double[] ys, double[] ns, int[] rgb) {
+        int a = corners[place];
+        int b = corners[place + 1];
+        int c = corners[place + 2];
         double ax = xs[a];
         double ay = ys[a];
         double bx = xs[b];

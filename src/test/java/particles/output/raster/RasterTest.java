@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 
 /** Triangles on samples. */
 class RasterTest {
+    private static final int[] CORNERS = {0, 1, 2};
     private static final double[] NEAR = {1, 1, 1};
 
     private static int red(Raster raster, int x, int y) {
@@ -36,8 +37,8 @@ class RasterTest {
         for (int j = 0; j < n; j++) {
             for (int i = 0; i < n; i++) {
                 int a = j * (n + 1) + i;
-                raster.triangle(a, a + 1, a + n + 1, xs, ys, ns, rgb);
-                raster.triangle(a + 1, a + n + 2, a + n + 1, xs, ys, ns, rgb);
+                raster.triangle(new int[] {a, a + 1, a + n + 1}, 0, xs, ys, ns, rgb);
+                raster.triangle(new int[] {a + 1, a + n + 2, a + n + 1}, 0, xs, ys, ns, rgb);
             }
         }
         for (int p = 0; p < raster.near.length; p++) {
@@ -54,7 +55,7 @@ class RasterTest {
     void coloursAndNearnessChangeEvenly() {
         Raster raster = new Raster(50, 50);
         double[] near = {0, 1, 0};
-        raster.triangle(0, 1, 2, new double[] {0, 100, 0}, new double[] {0, 0, 100}, near,
+        raster.triangle(CORNERS, 0, new double[] {0, 100, 0}, new double[] {0, 0, 100}, near,
                 new int[] {0, 0xff0000, 0x00ff00});
         for (int x = 0; x < 99; x++) {
             assertEquals(255 * (x + 0.5) / 100, red(raster, x, 0), 1);
@@ -72,7 +73,7 @@ class RasterTest {
                 boolean front = k == order;
                 double[] near = front ? new double[] {2, 2, 2} : NEAR;
                 int colour = front ? 0xff0000 : 0x0000ff;
-                raster.triangle(0, 1, 2, new double[] {0, 100, 0}, new double[] {0, 0, 100}, near,
+                raster.triangle(CORNERS, 0, new double[] {0, 100, 0}, new double[] {0, 0, 100}, near,
                         new int[] {colour, colour, colour});
             }
             assertEquals(0xff0000, raster.colour[10 * 100 + 10]);
@@ -83,13 +84,13 @@ class RasterTest {
     void farOrNonFiniteShapesAreNotDrawn() {
         Raster raster = new Raster(50, 50);
         int[] rgb = {-1, -1, -1};
-        raster.triangle(0, 1, 2, new double[] {1e300, -1e300, 0}, new double[] {1e300, 0, -1e300}, NEAR, rgb);
-        raster.triangle(0, 1, 2, new double[] {Double.NaN, 1, 2}, new double[] {5, 8, 2}, NEAR, rgb);
-        raster.triangle(0, 1, 2, new double[] {5, 5, 5}, new double[] {5, 5, 5}, NEAR, rgb);
+        raster.triangle(CORNERS, 0, new double[] {1e300, -1e300, 0}, new double[] {1e300, 0, -1e300}, NEAR, rgb);
+        raster.triangle(CORNERS, 0, new double[] {Double.NaN, 1, 2}, new double[] {5, 8, 2}, NEAR, rgb);
+        raster.triangle(CORNERS, 0, new double[] {5, 5, 5}, new double[] {5, 5, 5}, NEAR, rgb);
         for (float near : raster.near) {
             assertEquals(Float.NEGATIVE_INFINITY, near);
         }
-        raster.triangle(0, 1, 2, new double[] {-1e6, 1e6, 0}, new double[] {-1e6, -1e6, 1e6}, NEAR, rgb);
+        raster.triangle(CORNERS, 0, new double[] {-1e6, 1e6, 0}, new double[] {-1e6, -1e6, 1e6}, NEAR, rgb);
         assertTrue(raster.firstColumn() == 0 && raster.endColumn() == 50 && raster.firstRow() == 0
                 && raster.endRow() == 50);
         assertEquals(1, raster.near[0]);
@@ -114,7 +115,7 @@ class RasterTest {
             }
             int low = k % 2 == 0 ? 0 : 100;
             int high = k % 3 == 0 ? 255 : 180;
-            raster.triangle(0, 1, 2, xs, ys, NEAR, new int[] {low * 0x010101, high * 0x010101, low * 0x010101});
+            raster.triangle(CORNERS, 0, xs, ys, NEAR, new int[] {low * 0x010101, high * 0x010101, low * 0x010101});
             for (int p = 0; p < raster.near.length; p++) {
                 int colour = raster.colour[p];
                 int red = colour >> 16;
