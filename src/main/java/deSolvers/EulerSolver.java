@@ -11,7 +11,7 @@ package deSolvers;
  *      | 1
  * </pre>
  * <b>Order</b> 1: the error of a step is O(h<sup>2</sup>); the error after a given time is proportional to h.<br>
- * <b>Evaluations</b> 1 a step.<br>
+ * <b>Evaluations</b> 1 per step.<br>
  * <b>Stability</b> R(z) = 1 + z, the factor of a step of s' = lambda s with z = h lambda: stable for h |lambda| &le; 2
  * on the negative real axis and nowhere on the imaginary axis. The amplitude of an undamped spring grows by the factor
  * (1 + (h omega)<sup>2</sup>)<sup>1/2</sup> a step, however small h is.<br>

@@ -10,10 +10,10 @@ package deSolvers;
  *       |  0    1
  * </pre>
  * <b>Order</b> 2.<br>
- * <b>Evaluations</b> 2 a step.<br>
+ * <b>Evaluations</b> 2 per step.<br>
  * <b>Stability</b> R(z) = 1 + z + z<sup>2</sup>/2: stable for h |lambda| &le; 2 on the negative real axis, nowhere on
  * the imaginary axis. If h omega is small, the amplitude of an undamped spring grows by the fraction
- * (h omega)<sup>4</sup>/8 a step, which takes many steps to show.<br>
+ * (h omega)<sup>4</sup>/8 per step, which takes many steps to show.<br>
  * <b>When to use</b> short or damped animations where a second evaluation buys a lot; not for long undamped
  * oscillation, where {@code verlet} costs half and does not grow.<br>
  * <b>Source</b> COMPSCI 715 (2003), slides "Mid-point Method" to "Mid-point method: Algorithm (cont'd)".

@@ -12,7 +12,7 @@ package deSolvers;
  *       | 1/6  1/3  1/3  1/6
  * </pre>
  * <b>Order</b> 4.<br>
- * <b>Evaluations</b> 4 a step.<br>
+ * <b>Evaluations</b> 4 per step.<br>
  * <b>Stability</b> R(z) = 1 + z + z<sup>2</sup>/2 + z<sup>3</sup>/6 + z<sup>4</sup>/24: stable for h |lambda| &le;
  * 2.7853 on the negative real axis and for h omega &le; 2.8284 on the imaginary axis. If h omega is small, the
  * amplitude of an undamped spring shrinks by the fraction (h omega)<sup>6</sup>/144 a step.<br>

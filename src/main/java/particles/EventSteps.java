@@ -19,8 +19,7 @@ final class EventSteps {
     private static final double SHORTEST_PIECE = 0x1p-40;
     /**
      * The largest number of evaluations in a step near a sharp turn of the path. A particle that creeps, because
-     * springs pull it only just harder than friction holds it, is stiff for every explicit solver: 12 particles took 20
-     * million in a step.
+     * springs pull it only just harder than friction holds it, is stiff for every explicit solver.
      */
     private static final int MOST_EVALUATIONS = 1_000_000;
     /** After this number of events in a step, and some more for each particle, its progress is checked. */

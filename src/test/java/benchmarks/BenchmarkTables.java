@@ -61,7 +61,7 @@ public final class BenchmarkTables {
         }
         return new DataTable("solvers", "One step of each solver; adaptive ones with their own tolerances",
                 List.of(DataTable.column("workload"), DataTable.column("solver"),
-                new DataTable.Column("evaluations a step", 3),
+                new DataTable.Column("evaluations per step", 3),
                         new DataTable.Column("time a step (\u00b5s)", 3),
                         new DataTable.Column("time an evaluation (ns)",
                                 3)), rows);

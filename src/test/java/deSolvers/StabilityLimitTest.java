@@ -81,7 +81,7 @@ class StabilityLimitTest {
 
     private static void assertLimit(int n, double limit, Supplier<DESolver> solver) {
         // Below its limit RK4 loses amplitude, verlet keeps it and symplectic Euler's x stays on an ellipse of at most
-        // 1/sqrt(1 - 0.999^2) = 22.4 times the start's; above it RK4 grows by 0.7 % a step, the other two by 9 %.
+        // 1/sqrt(1 - 0.999^2) = 22.4 times the start's; above it RK4 grows by 0.7 % per step, the other two by 9 %.
         assertTrue(amplitudeAfter2000(n, limit * 0.999, solver.get()) < 22.4);
         assertTrue(amplitudeAfter2000(n, limit * 1.001, solver.get()) > 1e5);
     }

@@ -12,7 +12,7 @@ import deSolvers.rungeKutta.RungeKuttaStages;
  * sub-step and is the first stage of the next one (FSAL).
  *
  * <p><b>Order</b> 5; the estimate is that of order 4.<br>
- * <b>Evaluations</b> 6 a sub-step, taken or rejected, and 2 to begin with.<br>
+ * <b>Evaluations</b> 6 per sub-step, taken or rejected, and 2 to begin with.<br>
  * <b>Stability</b> R(z) = 1 + z + z<sup>2</sup>/2 + z<sup>3</sup>/6 + z<sup>4</sup>/24 + z<sup>5</sup>/120 +
  * z<sup>6</sup>/600: stable for h |lambda| &le; 3.3066 on the negative real axis and for h omega &le; 0.9972 on the
  * imaginary one, where an amplitude shrinks by the fraction (h omega)<sup>6</sup>/3600 a sub-step. On a stiff system

@@ -20,7 +20,7 @@ import deSolvers.rungeKutta.RungeKuttaStages;
  * nothing, and a reader may skip it.
  *
  * <p><b>Order</b> 4.<br>
- * <b>Evaluations</b> 11 a sub-step (the two methods share the first), 10 for one that is tried again.<br>
+ * <b>Evaluations</b> 11 per sub-step (the two methods share the first), 10 for one that is tried again.<br>
  * <b>Stability</b> a sub-step has R(z) = R4(z/2)<sup>2</sup>, with R4 that of RK4: h |lambda| &le; 5.5706 on the
  * negative real axis, h omega &le; 5.6569 on the imaginary one. A fast vibration that has decayed may grow again, in
  * our tests up to 150 times its tolerance (19 with {@code dormand-prince}).<br>

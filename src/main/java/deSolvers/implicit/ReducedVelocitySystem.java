@@ -26,7 +26,7 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
     private final LinearOperator products = this::applyReal;
     private final LinearOperator complex = this::applyComplex;
     private BlockMatrix matrix;
-    private final int m;                                // 3 a particle
+    private final int m;                                // 3 per particle
     private final double[] realRight;
     private final double[] realVelocities;
     private final double[] right;                       // real parts first, then imaginary ones

@@ -17,9 +17,9 @@ import deSolvers.LastStep;
  * deltaT differ from those at the end of the last step.
  *
  * <p><b>Order</b> 4.<br>
- * <b>Evaluations</b> 2 a step; 4 in each of the first three.<br>
+ * <b>Evaluations</b> 2 per step; 4 in each of the first three.<br>
  * <b>Stability</b> h |lambda| &le; 1.2848 on the negative real axis; unstable on the imaginary axis, though there
- * the growth is only 1.6e-7 a step at h omega = 0.1 and 1.5e-3 at 0.5.<br>
+ * the growth is only 1.6e-7 per step at h omega = 0.1 and 1.5e-3 at 0.5.<br>
  * <b>When to use</b> costly derivatives and smooth motion at a fixed deltaT: half the evaluations of {@code rk4} for a
  * step of the same length, at less than half the stable length; not where bounces and contacts restart it again and
  * again, nor for long undamped oscillation.<br>

@@ -13,7 +13,7 @@ import deSolvers.DEStateSource;
  * where that one spirals out. (The slide's loop moves the clock first; here, as usual, forces are those at t.)
  *
  * <p><b>Order</b> 1.<br>
- * <b>Evaluations</b> 1 a step.<br>
+ * <b>Evaluations</b> 1 per step.<br>
  * <b>Stability</b> an undamped spring for h omega &lt; 2, a critically damped one for h omega &lt; 0.8284. On x'' = -x
  * from (1, 0) the energy error stays below h/(2 - h) of the energy for ever; x<sup>2</sup> + v<sup>2</sup> - h x v
  * stays exactly the same.<br>

@@ -4,7 +4,7 @@ package particles.lab;
  * A moment of a run.
  *
  * @param time      t (s)
- * @param state     positions and velocities, six numbers a particle (m, m/s)
+ * @param state     positions and velocities, six numbers per particle (m, m/s)
  * @param energies  the energies in the order of {@link EnergyParts#getNames()} (J)
  * @param structure the particles and springs at that time
  */

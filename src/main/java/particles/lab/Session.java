@@ -158,7 +158,7 @@ public final class Session {
                 "over", run.isOver() && shown.time() >= run.getScene().system().getTime(), "failure", failure));
     }
 
-    /** @return positions and velocities at the moment that is shown, six numbers a particle */
+    /** @return positions and velocities at the moment that is shown, six numbers per particle */
     public float[] state() {
         return shown.state();
     }

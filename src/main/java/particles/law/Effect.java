@@ -49,7 +49,7 @@ public interface Effect {
     /**
      * Adds the force on every particle.
      *
-     * @param state the particles' state (m, m/s), 6 doubles a particle; read only
+     * @param state the particles' state (m, m/s), 6 doubles per particle; read only
      * @param time  t (s)
      * @param force the same layout: add the force (N) on particle i to the entries 6 i + 3 to 6 i + 5, and leave the
      *              others alone

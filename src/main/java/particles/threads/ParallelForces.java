@@ -15,10 +15,7 @@ import particles.law.Particles;
  * same.
  */
 public final class ParallelForces implements ParallelDerivative {
-    /**
-     * With fewer forces one thread is faster. For cloths with rk4, two are as fast at 8,000 and take 0.8 of the time at
-     * 16,000.
-     */
+    /** With fewer forces one thread is faster: on cloths with rk4, two are only as fast at half this number. */
     public static final long PAYS_FROM = 16_384;
     private static final int NOBODY = -1;
 

@@ -10,16 +10,14 @@ import java.util.concurrent.locks.LockSupport;
 final class Workers implements AutoCloseable {
     /**
      * Spins before a thread parks, if each has a processor: one or two milliseconds, longer than a solver's own
-     * arithmetic takes. Waking a thread takes up to 0.1 ms: with a fortieth of the spins, two threads were slower than
-     * one on a cloth of 64 x 64; with these they take two thirds of its time.
+     * arithmetic takes, as waking a thread may take longer than its part of a cloth's forces.
      */
     private static final int LOOKS = 40_000;
     /** Spins if threads share a processor, where spinning keeps the other thread from working. */
     private static final int FEW_LOOKS = 500;
     /**
-     * After this number of spins, some microseconds, each further one yields the processor: the other thread may have
-     * none while something else runs, such as the drawing of frames. Without yielding, two threads then took four times
-     * as long as one on that cloth; with it, as long.
+     * After this number of spins, some microseconds, each further one yields the processor, which the other thread may
+     * need while something else runs, such as the drawing of frames.
      */
     private static final int LOOKS_ALONE = 100;
     /** A yield takes as long as this many spins. */

@@ -52,7 +52,7 @@ public final class StiffGalleryCommand extends ExperimentCommand {
                 """
                         Euler, midpoint and adams multiply an undamped vibration in each step, however short it is: \
                         they are never stable, and a result to 1 % is a race between their growth and the end of the \
-                        run. What grows by (h omega)^4 / 8 a step, as with midpoint, needs steps as k^(2/3); Euler, \
+                        run. What grows by (h omega)^4 / 8 per step, as with midpoint, needs steps as k^(2/3); Euler, \
                         by (h omega)^2 / 2, needs them as k.""",
                 """
                         The third chart shows what is left of the energy of the stiff vibration: that is the price \

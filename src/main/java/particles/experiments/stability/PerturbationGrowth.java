@@ -32,7 +32,7 @@ final class PerturbationGrowth {
     /**
      * A run has left the motion when the distance is this many times that of the motion itself. Just below the limit of
      * verlet a distance swings by up to 1/(2 d)<sup>1/2</sup>, where d is the relative distance to the limit: by 16 at
-     * two thousandths. Just above the limit, a growth of 0.6 % a step makes a factor of 20 in 512 steps; rk4 grows so
+     * two thousandths. Just above the limit, a growth of 0.6 % per step makes a factor of 20 in 512 steps; rk4 grows so
      * at 0.08 % beyond its limit, and euler at 0.3 % with critical damping, at 3 % with a third of that.
      */
     private static final double GROWN = 20;

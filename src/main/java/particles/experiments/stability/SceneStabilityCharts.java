@@ -19,7 +19,7 @@ import particles.view.ChartData.Series;
 public final class SceneStabilityCharts {
     private static final int POINTS = 400;
     private static final double CELLS = 90;
-    /** Beyond this factor a step is far from safe, and all lines look alike. */
+    /** Beyond this factor per step is far from safe, and all lines look alike. */
     private static final double TOP = 2;
 
     private SceneStabilityCharts() {

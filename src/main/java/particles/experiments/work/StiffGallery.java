@@ -23,7 +23,7 @@ public final class StiffGallery {
     private static final double UNSTABLE = 1e4;
     /**
      * In few steps nothing grows so much, so a short run goes on until it has made this number of steps. That detects a
-     * growth of 0.5 % a step, which rk4 has when its step is 0.03 % too long.
+     * growth of 0.5 % per step, which rk4 has when its step is 0.03 % too long.
      */
     private static final int STEPS_TO_GROW = 2000;
     private static final int MOST_STEPS = 1 << 20;

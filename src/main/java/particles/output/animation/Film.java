@@ -30,10 +30,7 @@ public final class Film implements FrameSink {
     /** The clock's ticks in a frame; the format counts up to 2^32 ticks, more than 8 million frames. */
     private static final int TICKS = 512;
     private static final int KEY_FRAMES_SECONDS = 2;
-    /**
-     * The distance over which the encoder searches for motion (pixels). Its default, 16, took twice the time for a
-     * cloth in wind of 1280 x 720, with 32 kB a frame instead of 37.
-     */
+    /** The distance over which the encoder searches for motion (pixels); its default, 16, takes twice the time. */
     private static final int SEARCH_RANGE = 4;
 
     private final OutputFolder folder;

@@ -43,7 +43,7 @@ final class CostOfRK4 extends NumericExercise {
                 + " each with the longest deltaT that is good enough?", "", HALF_A_PERCENT, ratio, 0, List.of(
                 new CommonMistake(2 * ratio, "This is the ratio of the steps; a step of midpoint has two evaluations "
                         + "and one of RK4 four."),
-                new CommonMistake(4 * ratio, "The weights are the wrong way round: midpoint has two evaluations a "
+                new CommonMistake(4 * ratio, "The weights are the wrong way round: midpoint has two evaluations per "
                         + "step, RK4 four."),
                 new CommonMistake(1 / ratio, "This is RK4's cost over midpoint's; "
                         + "the question asks for midpoint's over RK4's."),

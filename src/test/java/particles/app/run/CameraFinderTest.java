@@ -98,7 +98,7 @@ class CameraFinderTest {
     }
 
     /**
-     * bulirsch-stoer takes 13.5 evaluations a step: 12 million of a particle are enough. The ledger makes 2.7 million
+     * bulirsch-stoer takes 13.5 evaluations per step: 12 million of a particle are enough. The ledger makes 2.7 million
      * of its own beside them. 1.5 million steps, as many as are enough with rk4, would make 50 million.
      */
     @Test

@@ -82,7 +82,7 @@ class SceneStabilityTest {
         assertEquals("Arnoldi on the Jacobian", SceneStability.spectrum(scene).method());
         Limit limit = limits(scene, "euler").get(0);
         assertEquals(0.3, limit.predicted(), 3e-6, limit.toString());
-        // measured 0.330: growth under 0.6 % a step is not seen
+        // measured 0.330: growth under 0.6 % per step is not seen
         assertEquals(0.3, limit.measured(), 0.04, limit.toString());
     }
 
@@ -142,7 +142,7 @@ class SceneStabilityTest {
 
     /**
      * A stretched spring that damping brings to its rest length: its pull sideways fades, so that a distance sideways
-     * grows by itself, by 2.5e-3 a step. Measured of midpoint beside the motion itself: below 5e-6 either way.
+     * grows by itself, by 2.5e-3 per step. Measured of midpoint beside the motion itself: below 5e-6 either way.
      */
     @Test
     void growthByRunningIsCountedOverThatOfTheMotion() {
