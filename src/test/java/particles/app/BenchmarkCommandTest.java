@@ -17,7 +17,7 @@ class BenchmarkCommandTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-            --fork=2           | unknown option -Pfork; did you mean -Pforks? allowed: -Pout, -Pslide, -Psvg, \
+            --fork=2           | unknown option -Pfork; did you mean -Pforks? allowed: -Pout, -Pslide, -Psvg, -Pdark, \
             -Pinclude, -Pforks, -Piterations, -Pseconds, -Phelp
             --forks=0          | option -Pforks: 0 has to be 1 or more
             --iterations=-1    | option -Piterations: -1 has to be 1 or more

@@ -8,6 +8,7 @@ import picocli.CommandLine.Option;
 public final class ChartOptions {
     private static final String SLIDE = "--slide";
     private static final String SVG = "--svg";
+    private static final String DARK = "--dark";
 
     @Option(names = SLIDE, arity = "0..1", fallbackValue = "true", defaultValue = "false", paramLabel = "true|false",
             description =
@@ -18,13 +19,17 @@ public final class ChartOptions {
             description = "Writes each chart as an SVG file, too (default: ${DEFAULT-VALUE}).")
     private boolean svg;
 
+    @Option(names = DARK, arity = "0..1", fallbackValue = "true", defaultValue = "false", paramLabel = "true|false",
+            description = "Draws charts on black, for a dark room (default: ${DEFAULT-VALUE}).")
+    private boolean dark;
+
     /** @return the format of the charts */
     public ChartFormat format() {
-        return new ChartFormat(slide, svg);
+        return new ChartFormat(slide, svg, dark);
     }
 
     /** @return the options as they are typed for another command */
     public List<String> arguments() {
-        return List.of(SLIDE + "=" + slide, SVG + "=" + svg);
+        return List.of(SLIDE + "=" + slide, SVG + "=" + svg, DARK + "=" + dark);
     }
 }

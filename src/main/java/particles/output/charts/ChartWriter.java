@@ -5,6 +5,7 @@ import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import particles.output.files.OutputException;
@@ -54,6 +55,11 @@ public record ChartWriter(OutputFolder folder, ChartFormat format) {
         write(name, ChartPage.of(Panel.phase(data, field), format));
     }
 
+    /** @return a writer for pages with pictures of scenes, which are never inverted */
+    public ChartWriter onWhite() {
+        return new ChartWriter(folder, new ChartFormat(format.slide(), format.svg()));
+    }
+
     /**
      * @param name the file's name, such as {@code work-precision.png}
      * @param page the page
@@ -70,9 +76,13 @@ public record ChartWriter(OutputFolder folder, ChartFormat format) {
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         page.drawing().accept(g);
         g.dispose();
+        int[] pixels = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
+        if (format.dark()) {
+            Arrays.setAll(pixels, k -> ChartFormat.onBlack(pixels[k]));
+        }
         PngEncoder encoder = new PngEncoder(image.getWidth(), image.getHeight());
         try (OutputFile file = folder.create(name)) {
-            encoder.write(((DataBufferInt) image.getRaster().getDataBuffer()).getData(), file);
+            encoder.write(pixels, file);
             file.commit();
         } catch (IOException e) {
             throw new OutputException(folder.getPath().resolve(name), "write", e);
@@ -80,7 +90,7 @@ public record ChartWriter(OutputFolder folder, ChartFormat format) {
             encoder.close();
         }
         if (format.svg()) {
-            SvgDrawing.write(folder, name.replace(PNG, SVG), page);
+            SvgDrawing.write(folder, name.replace(PNG, SVG), page, format.dark());
         }
     }
 }

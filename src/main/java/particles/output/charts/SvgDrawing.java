@@ -4,6 +4,7 @@ import java.awt.Dimension;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
+import java.util.regex.Pattern;
 import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.parsers.ParserConfigurationException;
 import org.apache.batik.svggen.SVGGraphics2D;
@@ -15,10 +16,13 @@ import particles.output.files.OutputFolder;
 
 /** A drawing as a vector graphic; its text is text, so that it can be searched and edited. */
 final class SvgDrawing {
+    private static final Pattern COLOUR = Pattern.compile(
+            "(?<=[:\"])(?:white|black|rgb\\((\\d+),(\\d+),(\\d+)\\))(?=[;\"])");
+
     private SvgDrawing() {
     }
 
-    static void write(OutputFolder folder, String name, ChartPage page) {
+    static void write(OutputFolder folder, String name, ChartPage page, boolean dark) {
         try (OutputFile file = folder.create(name); StringWriter text = new StringWriter()) {
             DOMImplementation dom = DocumentBuilderFactory.newInstance().newDocumentBuilder().getDOMImplementation();
             SVGGraphics2D g = new SVGGraphics2D(dom.createDocument("http://www.w3.org/2000/svg", "svg", null));
@@ -28,10 +32,18 @@ final class SvgDrawing {
             root.setAttribute("viewBox", "0 0 " + page.width() + " " + page.height());
             g.stream(root, text, true, false);
             // without the document type, which names an address that some programs would wait for
-            file.write(text.toString().replaceFirst("<!DOCTYPE[^>]*>", "").getBytes(StandardCharsets.UTF_8));
+            String svg = text.toString().replaceFirst("<!DOCTYPE[^>]*>", "");
+            file.write((dark ? onBlack(svg) : svg).getBytes(StandardCharsets.UTF_8));
             file.commit();
         } catch (IOException | ParserConfigurationException e) {
             throw new OutputException(folder.getPath().resolve(name), "write", new IOException(e));
         }
+    }
+
+    private static String onBlack(String svg) {
+        return COLOUR.matcher(svg).replaceAll(colour -> "#%06x".formatted(ChartFormat.onBlack(
+                colour.group().equals("white") ? 0xffffff : colour.group().equals("black") ? 0
+                : Integer.parseInt(colour.group(1)) << 16 | Integer.parseInt(colour.group(2)) << 8
+                | Integer.parseInt(colour.group(3)))));
     }
 }

@@ -48,7 +48,7 @@ final class RaceSheet {
         int height = width * one.getHeight() / one.getWidth();
         int beside = (WIDTH - columns * (width + GAP) + GAP) / 2;
         int bottom = HEAD + rows * (RacePage.LABEL + height + GAP);
-        writer.write(name, new ChartPage(WIDTH, HEIGHT, g -> {
+        writer.onWhite().write(name, new ChartPage(WIDTH, HEIGHT, g -> {
             RacePage.smooth(g);
             g.setColor(Color.WHITE);
             g.fillRect(0, 0, WIDTH, HEIGHT);

