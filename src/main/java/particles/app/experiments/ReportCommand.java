@@ -66,7 +66,8 @@ public final class ReportCommand extends ResultsCommand {
     private String solvers;
 
     @Option(names = "--experiments", paramLabel = "NAMES", defaultValue = "all",
-            description = "Experiments, separated by commas (default: ${DEFAULT-VALUE}).")
+            description = "Experiments, separated by commas (default: ${DEFAULT-VALUE}; with a scene, those"
+            + " that look at it).")
     private String names;
 
     private Supplier<Optional<SceneDescription>> about;
@@ -132,7 +133,16 @@ public final class ReportCommand extends ResultsCommand {
     private List<ExperimentCommand> readNames() {
         List<String> wanted = names("experiments", "experiment", names,
                 experiments.stream().map(ExperimentCommand::name).toList());
-        return experiments.stream().filter(experiment -> wanted.contains(experiment.name())).toList();
+        boolean onlyOfScene = scene != null && names.strip().equals("all");
+        return experiments.stream().filter(experiment -> wanted.contains(experiment.name()) && (!onlyOfScene
+                || new CommandLine(experiment).getCommandSpec().findOption(SCENE_OPTION) != null)).toList();
+    }
+
+    /** A scene's report leaves that of the course alone. */
+    @Override
+    protected String folderName() {
+        return scene == null ? name() : name() + "-" + scene.replaceFirst("(?s).*[/\\\\]", "")
+                .replaceFirst("[.]yaml$", "");
     }
 
     /** The section of an experiment, also if it fails; a full disk ends the report. */

@@ -117,6 +117,8 @@ class ReportCommandTest {
         assertFalse(page.contains("<script>alert") || page.contains("<i>"), page);
         assertTrue(page.contains("<h2>&lt;script&gt;alert('&amp;')&lt;/script&gt; by 5</h2>"), page);
         assertFalse(page.contains("could not be made"), "only what was asked for");
+        assertEquals(ExitCode.DONE, report(new IllegalStateException("odd"), "--scene=" + odd), err.toString());
+        assertFalse(page().contains("could not be made"), "and by default only what looks at the scene");
     }
 
     @Test
