@@ -4,23 +4,31 @@ import deSolvers.text.Digits;
 import particles.law.Particles;
 
 /**
- * Detects a blow-up: the kinetic energy above which a run is ended.
+ * Ends a run that has blown up: the last of its rules, which changes nothing. The observer {@code NumericalErrorLimit}
+ * ends most blow-ups of a scene earlier, by their numerical error; this one needs no ledger.
  *
- * @param joules positive; may be infinite
+ * @param joules the kinetic energy above which a run has blown up (J), positive; may be infinite
  */
-record EnergyLimit(double joules) {
-    EnergyLimit {
+public record EnergyLimit(double joules) implements Rule {
+    /** @throws IllegalArgumentException if the limit is not positive */
+    public EnergyLimit {
         if (!(joules > 0)) {
             throw new IllegalArgumentException("the energy limit has to be positive, not " + joules);
         }
     }
 
+    @Override
+    public String getName() {
+        return "energy limit";
+    }
+
     /** @throws BlowUpException if the kinetic energy is above the limit; names the fastest particle */
-    void check(ParticleSystem system) {
+    @Override
+    public boolean afterStep(ParticleSystem system, double deltaT) {
         double[] state = system.getOwnState();
         double energy = system.getKineticEnergy(state);
         if (energy <= joules) {
-            return;
+            return false;
         }
         int fastest = fastest(system.getParticles(), state);
         throw new BlowUpException(system.getTime(), fastest, "the kinetic energy is " + Digits.few(energy)

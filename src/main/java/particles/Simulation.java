@@ -12,8 +12,7 @@ import particles.law.Violation;
 
 /**
  * The simulation loop. Until the duration is over, it tells the rules that a step begins, makes the step, shows it to
- * the observers that want it, applies the rules and checks the energy limit. The last step is shortened to end exactly
- * at the end.
+ * the observers that want it and applies the rules. The last step is shortened to end exactly at the end.
  */
 public final class Simulation {
     /** The last step may be longer than deltaT by this fraction, to absorb round-off of the clock. */
@@ -25,7 +24,6 @@ public final class Simulation {
     private final DESolver solver;
     private final double deltaT;
     private final double duration;
-    private final EnergyLimit energyLimit;
     private final List<Rule> rules = new ArrayList<>();
     private final List<Observer> observers = new ArrayList<>();
     private final Observers notifier = new Observers(observers);
@@ -39,12 +37,9 @@ public final class Simulation {
      *                    memory of the run's own
      * @param deltaT      the time step (s), positive
      * @param duration    the duration of the run, from the system's present time (s), 0 or more
-     * @param energyLimit the kinetic energy above which the run counts as blown up (J), positive; may be infinite. The
-     *                    observer {@code NumericalErrorLimit} ends most blow-ups of a scene earlier, by their error
      * @throws IllegalArgumentException if a number is out of its range
      */
-    public Simulation(ParticleSystem system, Supplier<DESolver> solver, double deltaT, double duration,
-                      double energyLimit) {
+    public Simulation(ParticleSystem system, Supplier<DESolver> solver, double deltaT, double duration) {
         if (!(deltaT > 0) || !(deltaT <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException("deltaT has to be positive and finite, not " + deltaT);
         }
@@ -55,7 +50,6 @@ public final class Simulation {
         this.solver = solver.get();
         this.deltaT = deltaT;
         this.duration = duration;
-        this.energyLimit = new EnergyLimit(energyLimit);
         this.eventSteps = new EventSteps(system, this.solver, solver, notifier);
     }
 
@@ -121,9 +115,9 @@ public final class Simulation {
     /**
      * Makes one step.
      *
-     * @throws SimulationException if the solver fails, as on NaN or without convergence; if the energy exceeds its
-     *         limit; if impacts follow each other without end, or deltaT is too small to move the clock. Observers
-     *         keep the results so far; {@link #finish} need not be called
+     * @throws SimulationException if the solver fails, as on NaN or without convergence; if the energy exceeds an
+     *         {@link EnergyLimit}; if impacts follow each other without end, or deltaT is too small to move the clock.
+     *         Observers keep the results so far; {@link #finish} need not be called
      */
     public void advance() {
         double left = endTime - system.getTime();
@@ -186,7 +180,6 @@ public final class Simulation {
         if (changed) {
             solver.reset();
         }
-        energyLimit.check(system);
     }
 
     /** @return the system */
@@ -202,11 +195,6 @@ public final class Simulation {
     /** @return the duration of the run (s) */
     public double getDuration() {
         return duration;
-    }
-
-    /** @return the kinetic energy above which the run counts as blown up (J) */
-    public double getEnergyLimit() {
-        return energyLimit.joules();
     }
 
     /** @return the number of events located so far */

@@ -22,7 +22,7 @@
  *     {@code particles.energy.EnergyLedger}.</li>
  * <li>Each {@link particles.Rule} may change the state, and add or remove particles and springs. Observers are told of
  *     each change. After a change the solver is {@linkplain deSolvers.DESolver#reset reset}.</li>
- * <li>{@link particles.EnergyLimit} ends a run whose kinetic energy has blown up. (An observer,
+ * <li>The last rule, {@link particles.EnergyLimit}, ends a run whose kinetic energy has blown up. (An observer,
  *     {@code particles.energy.NumericalErrorLimit}, ends a run whose energy is almost all numerical error.)</li>
  * </ol>
  *

@@ -30,7 +30,7 @@ class ConstraintViolationTest {
         RigidConstraints rods = new RigidConstraints(system, 0);
         rods.addRod(0, 1, 1);
         system.addReaction(rods);
-        return new Simulation(system, () -> solver, deltaT, 2, Double.POSITIVE_INFINITY);
+        return new Simulation(system, () -> solver, deltaT, 2);
     }
 
     /** Euler's step along the tangent lengthens the rod by a fifth; rk4's by 3e-10 of it. */

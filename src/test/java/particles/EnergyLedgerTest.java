@@ -43,7 +43,7 @@ class EnergyLedgerTest {
 
     private static EnergyLedger run(ParticleSystem system, DESolver solver, double deltaT, double duration) {
         EnergyLedger ledger = new EnergyLedger();
-        Simulation simulation = new Simulation(system, () -> solver, deltaT, duration, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, () -> solver, deltaT, duration);
         simulation.addObserver(ledger);
         simulation.run();
         return ledger;
@@ -224,7 +224,7 @@ class EnergyLedgerTest {
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         system.addReaction(contacts);
         EnergyLedger ledger = new EnergyLedger();
-        Simulation simulation = new Simulation(system, RK4Solver::new, 0.01, 4, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, RK4Solver::new, 0.01, 4);
         simulation.addRule(new ExactImpacts(contacts));
         simulation.addObserver(ledger);
         simulation.run();

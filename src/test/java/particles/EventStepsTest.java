@@ -69,7 +69,7 @@ class EventStepsTest {
     private static ParticleSystem run(Sequence sequence, Supplier<DESolver> solver) {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("a", 1, Vector3.ZERO, new Vector3(1, 0, 0), false);
-        Simulation simulation = new Simulation(system, solver, 0.1, 0.2, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, solver, 0.1, 0.2);
         simulation.addRule(sequence);
         simulation.run();
         return system;

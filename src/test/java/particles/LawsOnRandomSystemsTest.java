@@ -193,8 +193,7 @@ class LawsOnRandomSystemsTest {
         ParticleSystem system = any.build();
         system.addEffect(new Gravity(system.getParticles(), new Vector3(0, -9.81, 0)));
         system.addEffect(new LinearDrag(system.getParticles(), 0.3, Wind.STILL));
-        Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, DELTA_T * STEPS,
-                Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, DELTA_T * STEPS);
         EnergyLedger ledger = new EnergyLedger();
         simulation.addObserver(ledger);
         simulation.run();

@@ -57,7 +57,7 @@ class MotionTest {
         RestingContacts contacts = new RestingContacts(system.getParticles(),
                 List.of(new ContactSurface("ground", Plane.ground(0), 1, Friction.NONE, 1e-3)));
         system.addReaction(contacts);
-        Simulation simulation = new Simulation(system, solver, 4, 4, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, solver, 4, 4);
         simulation.addRule(new ExactImpacts(contacts));
         Pieces pieces = new Pieces();
         simulation.addObserver(pieces);

@@ -59,7 +59,7 @@ class SimulationTest {
         ParticleSystem alone = swinging();
         run(alone, new RK4Solver(), 0.01, 2.005);
         ParticleSystem observed = swinging();
-        Simulation simulation = new Simulation(observed, RK4Solver::new, 0.01, 2.005, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(observed, RK4Solver::new, 0.01, 2.005);
         List<Double> every = new ArrayList<>();
         List<Double> rare = new ArrayList<>();
         simulation.addObserver(new Observer() {
@@ -93,7 +93,7 @@ class SimulationTest {
     void interpolatedFramesLieOnTheParabola() {
         ParticleSystem system = oneParticle(new Vector3(1, 2, 3), new Vector3(4, 5, 6));
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-        Simulation simulation = new Simulation(system, RK4Solver::new, 0.25, 1, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, RK4Solver::new, 0.25, 1);
         simulation.addObserver(new Observer() {
             @Override
             public void moved(Motion motion) {
@@ -157,7 +157,8 @@ class SimulationTest {
         SpringForce spring = new SpringForce(system.getParticles());
         spring.addSpring(a, b, 9, 0, 0);
         system.addEffect(spring);
-        Simulation simulation = new Simulation(system, EulerSolver::new, 1, 100, 1e6);
+        Simulation simulation = new Simulation(system, EulerSolver::new, 1, 100);
+        simulation.addRule(new EnergyLimit(1e6));
         SimulationException e = assertThrows(SimulationException.class, simulation::run);
         assertEquals(1, e.getParticle());
         assertTrue(e.getMessage()
@@ -190,10 +191,10 @@ class SimulationTest {
                 new Vector3(1, 0, 0), true));
         assertEquals(0, system.getStateSize());
         for (double bad : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
-            assertThrows(IllegalArgumentException.class, () -> new Simulation(system, EulerSolver::new, bad, 1, 1));
+            assertThrows(IllegalArgumentException.class, () -> new Simulation(system, EulerSolver::new, bad, 1));
         }
-        assertThrows(IllegalArgumentException.class, () -> new Simulation(system, EulerSolver::new, 1, -1, 1));
-        assertThrows(IllegalArgumentException.class, () -> new Simulation(system, EulerSolver::new, 1, 1, Double.NaN));
+        assertThrows(IllegalArgumentException.class, () -> new Simulation(system, EulerSolver::new, 1, -1));
+        assertThrows(IllegalArgumentException.class, () -> new EnergyLimit(Double.NaN));
     }
 
     @Test

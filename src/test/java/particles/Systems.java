@@ -21,13 +21,13 @@ public final class Systems {
 
     /** @return a run by rk4 without an energy limit */
     public static Simulation rk4(ParticleSystem system, double deltaT, double duration) {
-        return new Simulation(system, RK4Solver::new, deltaT, duration, Double.POSITIVE_INFINITY);
+        return new Simulation(system, RK4Solver::new, deltaT, duration);
     }
 
     /** Runs to the end, with rules and no energy limit. */
     public static Simulation run(ParticleSystem system, DESolver solver, double deltaT, double duration,
             Rule... rules) {
-        Simulation simulation = new Simulation(system, () -> solver, deltaT, duration, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, () -> solver, deltaT, duration);
         for (Rule rule : rules) {
             simulation.addRule(rule);
         }

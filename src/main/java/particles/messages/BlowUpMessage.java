@@ -93,7 +93,7 @@ public final class BlowUpMessage {
     private String energy() {
         double energy = scene.system().getKineticEnergy(scene.system().getOwnState());
         return "the kinetic energy is " + Digits.few(energy) + " J, above the limit of "
-                + Digits.few(scene.simulation().getEnergyLimit()) + " J";
+                + Digits.few(scene.energyLimit()) + " J";
     }
 
     private void found(String cause, Advice advice) {

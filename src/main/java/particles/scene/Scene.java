@@ -13,11 +13,15 @@ import particles.view.SpringView;
  * @param simulation  the simulation; it can be run once
  * @param springs     its springs, maybe none
  * @param scenery     surfaces, planes, spheres and wires to draw
- * @param energyEstimate the estimated energy (J); a run whose kinetic energy exceeds {@code blowUpFactor} times this
- *                    value is ended
+ * @param energyEstimate the estimated energy (J)
  */
 public record Scene(SceneDescription description, Simulation simulation, SpringView springs, Scenery scenery,
         double energyEstimate) {
+
+    /** @return the kinetic energy above which the run counts as blown up and is ended (J) */
+    public double energyLimit() {
+        return description.settings().blowUpFactor() * energyEstimate;
+    }
 
     /** @return the particles and forces */
     public ParticleSystem system() {

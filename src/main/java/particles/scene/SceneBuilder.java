@@ -3,6 +3,7 @@ package particles.scene;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import particles.EnergyLimit;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.effects.EffectCatalog;
@@ -100,7 +101,7 @@ public final class SceneBuilder {
 
         double estimate = EnergyEstimate.of(system, springs, assembly, Math.max(scene.duration(), scene.deltaT()));
         Simulation simulation = new Simulation(system, scene.settings().solver()::create, scene.deltaT(),
-                scene.duration(), scene.settings().blowUpFactor() * estimate);
+                scene.duration());
         if (!assembly.getSurfaces().isEmpty()) {               // the ground and others to collide with
             RestingContacts contacts = new RestingContacts(system.getParticles(), assembly.getSurfaces());
             system.addReaction(contacts);
@@ -109,7 +110,9 @@ public final class SceneBuilder {
         }
         contents.constraints().build(system, index, simulation, assembly);     // rods take over contacts
         assembly.rules().forEach(simulation::addRule);
-        return new Scene(scene, simulation, springs, assembly.scenery(cloths), estimate);
+        Scene built = new Scene(scene, simulation, springs, assembly.scenery(cloths), estimate);
+        simulation.addRule(new EnergyLimit(built.energyLimit()));
+        return built;
     }
 
     /** Effects are built in the order of the catalogue, students' own ones last. */

@@ -35,7 +35,7 @@ class EnergyHistoryTest {
         SpringForce springs = new SpringForce(system.getParticles());
         springs.addSpring(0, 1, 1, 3, 0);
         system.addEffect(springs);
-        return new Simulation(system, () -> solver, deltaT, duration, Double.POSITIVE_INFINITY);
+        return new Simulation(system, () -> solver, deltaT, duration);
     }
 
     /**

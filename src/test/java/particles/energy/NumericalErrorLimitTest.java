@@ -55,7 +55,7 @@ class NumericalErrorLimitTest {
     }
 
     private static Simulation of(ParticleSystem system, DESolver solver, double deltaT, double duration) {
-        return new Simulation(system, () -> solver, deltaT, duration, Double.POSITIVE_INFINITY);
+        return new Simulation(system, () -> solver, deltaT, duration);
     }
 
     /**

@@ -37,8 +37,7 @@ class ResolutionTest {
     }
 
     private static Resolution run(ParticleSystem system, String solver, double deltaT, double steps) {
-        Simulation run = new Simulation(system, () -> SolverCatalog.create(solver), deltaT, steps * deltaT,
-                Double.POSITIVE_INFINITY);
+        Simulation run = new Simulation(system, () -> SolverCatalog.create(solver), deltaT, steps * deltaT);
         Resolution resolution = new Resolution(deltaT, steps * deltaT);
         run.addObserver(resolution);
         run.run();

@@ -2,6 +2,7 @@ package particles.hard;
 
 import deSolvers.DESolverException;
 import deSolvers.catalog.SolverCatalog;
+import particles.EnergyLimit;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.SimulationException;
@@ -43,7 +44,9 @@ final class HardSystems {
 
     /** Runs with a solver of the catalogue until its end or until the kinetic energy passes the limit. */
     static End run(ParticleSystem system, String solver, double deltaT, double duration, double energyLimit) {
-        return run(new Simulation(system, () -> SolverCatalog.create(solver), deltaT, duration, energyLimit));
+        Simulation simulation = new Simulation(system, () -> SolverCatalog.create(solver), deltaT, duration);
+        simulation.addRule(new EnergyLimit(energyLimit));
+        return run(simulation);
     }
 
     static End run(Simulation simulation) {

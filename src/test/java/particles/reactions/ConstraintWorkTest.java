@@ -33,8 +33,7 @@ class ConstraintWorkTest {
     private static EnergyLedger run(ParticleSystem system, String solver, double deltaT, double duration,
             boolean projected) {
         EnergyLedger ledger = new EnergyLedger();
-        Simulation simulation = new Simulation(system, () -> SolverCatalog.create(solver), deltaT, duration,
-                Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, () -> SolverCatalog.create(solver), deltaT, duration);
         if (projected) {
             simulation.addRule(new ConstraintProjection(constraints(system)));
         }

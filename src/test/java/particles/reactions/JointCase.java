@@ -43,13 +43,13 @@ final class JointCase {
     }
 
     Simulation exact(double deltaT, double duration) {
-        Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, duration, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, duration);
         simulation.addRule(new ExactImpacts(contacts));
         return simulation;
     }
 
     Simulation clamped(double deltaT, double duration) {
-        Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, duration, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, duration);
         simulation.addRule(new ClampedImpacts(contacts));
         return simulation;
     }

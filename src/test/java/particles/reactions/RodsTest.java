@@ -46,7 +46,7 @@ class RodsTest {
     @CsvSource({"1, 90", "2, 60"})
     void projectionKeepsLengthsToRounding(int rods, double degrees) {
         ParticleSystem system = chain(rods, degrees, 5);
-        Simulation simulation = new Simulation(system, RK4Solver::new, 0.01, 600, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, RK4Solver::new, 0.01, 600);
         simulation.addRule(new ConstraintProjection(constraints(system)));
         double[] worst = {0};
         simulation.addRule(new Pendulums.AfterStep(s -> worst[0] = Math.max(worst[0], Pendulums.lengthError(s))));

@@ -155,7 +155,7 @@ class WiresTest {
         }
         assertTrue(worst <= 1e-6, "off by " + worst);
         ParticleSystem projected = bead(start, Vector3.ZERO, wire);
-        Simulation simulation = new Simulation(projected, RK4Solver::new, 0.01, 60, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(projected, RK4Solver::new, 0.01, 60);
         simulation.addRule(new ConstraintProjection((RigidConstraints) projected.getReactions().get(0)));
         double[] most = {0};
         simulation.addRule(new Pendulums.AfterStep(s -> most[0] = Math.max(most[0],

@@ -40,7 +40,7 @@ class BirthAndDeathTest {
     }
 
     private static Simulation simulation(ParticleSystem system, double deltaT, double duration, Rule... rules) {
-        Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, duration, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, duration);
         for (Rule rule : rules) {
             simulation.addRule(rule);
         }
@@ -127,7 +127,7 @@ class BirthAndDeathTest {
         RestingContacts contacts = new RestingContacts(system.getParticles(),
                 List.of(new ContactSurface("ground", Plane.ground(0), 0.4, Friction.NONE, 1e-3)));
         system.addReaction(contacts);
-        Simulation simulation = new Simulation(system, RK4Solver::new, 0.01, 4, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, RK4Solver::new, 0.01, 4);
         simulation.addRule(new ExactImpacts(contacts));
         for (Rule rule : new Rule[] {emitter(100, 1.5, 3), new Lifetimes(),
                 new KillPlane(new Plane(new Vector3(3, 0, 0),

@@ -45,7 +45,7 @@ class ClampedBouncesTest {
             RestingContacts contacts = new RestingContacts(system.getParticles(), List.of(surfaces));
             system.addEffect(new Gravity(system.getParticles(), GRAVITY));
             system.addReaction(contacts);
-            Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, duration, Double.POSITIVE_INFINITY);
+            Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, duration);
             simulation.addRule(new ClampedImpacts(contacts));
             simulation.addObserver(ledger);
             simulation.addObserver(this);

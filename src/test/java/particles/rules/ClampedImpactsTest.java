@@ -57,7 +57,7 @@ class ClampedImpactsTest {
         ClampedImpacts rule = planes(system, ground(0.5, Friction.NONE));
         double[] expected = {0.451523640986, 0.903047281971, 1.128809102464, 1.241690012711};
         int[] seen = {0};
-        Simulation simulation = new Simulation(system, RK4Solver::new, 1e-4, 1.26, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, RK4Solver::new, 1e-4, 1.26);
         simulation.addRule(rule);
         simulation.addObserver(new Observer() {
             @Override
@@ -184,7 +184,7 @@ class ClampedImpactsTest {
                 List.of(ground(0, new Friction(Friction.Law.COULOMB, 0.3, 0.4, 0))));
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         system.addReaction(contacts);
-        Simulation simulation = new Simulation(system, RK4Solver::new, 0.01, 0.5, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, RK4Solver::new, 0.01, 0.5);
         simulation.addRule(new ClampedImpacts(contacts));
         simulation.addObserver(new Observer() {
             @Override

@@ -87,7 +87,7 @@ class ClampedRodsTest {
         system.addReaction(rods);
         EnergyLedger ledger = new EnergyLedger();
         Watch watch = new Watch(rods);
-        Simulation simulation = new Simulation(system, RK4Solver::new, 0.005, duration, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, RK4Solver::new, 0.005, duration);
         simulation.addRule(new ClampedImpacts(contacts));
         simulation.addObserver(ledger);
         simulation.addObserver(watch);

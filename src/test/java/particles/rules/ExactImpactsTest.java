@@ -128,7 +128,7 @@ class ExactImpactsTest {
         if (atImpact) {
             simulation = simulation(system, contacts, solver, deltaT, 1.15);
         } else {
-            simulation = new Simulation(system, solver, deltaT, 1.15, Double.POSITIVE_INFINITY);
+            simulation = new Simulation(system, solver, deltaT, 1.15);
             simulation.addRule(new ClampedImpacts(contacts));
         }
         simulation.run();

@@ -37,7 +37,7 @@ final class ExactRuns {
 
     static Simulation simulation(ParticleSystem system, RestingContacts contacts, Supplier<DESolver> solver,
             double deltaT, double duration) {
-        Simulation simulation = new Simulation(system, solver, deltaT, duration, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, solver, deltaT, duration);
         simulation.addRule(new ExactImpacts(contacts));
         return simulation;
     }

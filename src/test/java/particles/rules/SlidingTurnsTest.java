@@ -37,7 +37,7 @@ class SlidingTurnsTest {
                 new Plane(Vector3.ZERO, new Vector3(-SLOPE, SLOPE, 0)), 0.5,
                 new Friction(Friction.Law.COULOMB, MU, MU, threshold), 1e-6)));
         system.addReaction(contacts);
-        Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, duration, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, duration);
         simulation.addRule(new ExactImpacts(contacts));
         simulation.addObserver(ledger);
         simulation.run();

@@ -46,7 +46,7 @@ class SphereImpactsTest {
 
     private static Simulation exact(ParticleSystem system, RestingContacts contacts, double deltaT, double duration) {
         Supplier<DESolver> solver = RK4Solver::new;
-        Simulation simulation = new Simulation(system, solver, deltaT, duration, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, solver, deltaT, duration);
         simulation.addRule(new ExactImpacts(contacts));
         return simulation;
     }
@@ -105,7 +105,7 @@ class SphereImpactsTest {
         for (boolean hollow : new boolean[] {false, true}) {
             ParticleSystem clamped = oneParticle(hollow ? Vector3.ZERO : new Vector3(-3, 0, 0), new Vector3(1e5, 0, 0));
             RestingContacts contacts = contacts(clamped, solid(hollow ? HOLLOW : BALL, 0.5, Friction.NONE));
-            Simulation simulation = new Simulation(clamped, RK4Solver::new, 0.01, 0.01, Double.POSITIVE_INFINITY);
+            Simulation simulation = new Simulation(clamped, RK4Solver::new, 0.01, 0.01);
             simulation.addRule(new ClampedImpacts(contacts));
             simulation.run();
             assertEquals(hollow ? 1 : -1, entry(clamped, 0), 1e-12);
@@ -212,7 +212,7 @@ class SphereImpactsTest {
         if (atImpact) {
             exact(system, contacts, deltaT, 1.1).run();
         } else {
-            Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, 1.1, Double.POSITIVE_INFINITY);
+            Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, 1.1);
             simulation.addRule(new ClampedImpacts(contacts));
             simulation.run();
         }
@@ -226,8 +226,7 @@ class SphereImpactsTest {
                 Vector3.ZERO);
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         double period = 2 * Math.PI / Math.sqrt(G) * 1.039973343196804;
-        Simulation simulation = new Simulation(system, RK4Solver::new, period / 400, period / 4,
-                Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, RK4Solver::new, period / 400, period / 4);
         simulation.addRule(new ClampedImpacts(contacts(system, solid(HOLLOW, 0, Friction.NONE))));
         simulation.run();
         assertEquals(0, entry(system, 0), 1e-8);

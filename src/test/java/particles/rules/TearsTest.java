@@ -40,7 +40,7 @@ class TearsTest {
     private int impactsInTheStepOfATear;
 
     private Simulation simulation(double deltaT, double duration) {
-        Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, duration, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, duration);
         simulation.addObserver(ledger);
         simulation.addObserver(new Observer() {
             private int impacts;

@@ -150,7 +150,7 @@ class OnlyWhatIsNamedTest {
 
     private static Set<String> withSprings(Addition addition) {
         Set<String> all = new TreeSet<>(addition.laws());
-        all.add("SpringForce");
+        all.addAll(Set.of("SpringForce", "EnergyLimit"));       // the scene's springs, and what ends any run
         return all;
     }
 

@@ -100,7 +100,7 @@ class SceneBuilderTest {
         assertEquals(1, build(BOB.replace("mass: 2", "fixed: true")).energyEstimate());
         assertTrue(SceneBuilder.build(TestScenes.read(HEAD + BOB).withDuration(0)).energyEstimate() > 0);
         assertEquals(1e3 * build(BOB).energyEstimate(), build(BOB
-                + "blowUpFactor: 1e3\n").simulation().getEnergyLimit(), 1e-9);
+                + "blowUpFactor: 1e3\n").energyLimit(), 1e-9);
     }
 
     @Test

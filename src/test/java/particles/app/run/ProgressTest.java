@@ -23,7 +23,7 @@ class ProgressTest {
         AtomicLong nanos = new AtomicLong(123);
         ParticleSystem system = new ParticleSystem();
         system.addParticle("a", 1, Vector3.ZERO, Vector3.ZERO, false);
-        Simulation simulation = new Simulation(system, EulerSolver::new, 0.5, 50, 1);
+        Simulation simulation = new Simulation(system, EulerSolver::new, 0.5, 50);
         simulation.addObserver(new Observer() {
             @Override
             public void moved(Motion motion) {
