@@ -3,6 +3,7 @@ package particles.teaching.solvers;
 import deSolvers.DESolver;
 import java.util.Optional;
 import java.util.function.Supplier;
+import particles.teaching.EndlessLoop;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
 import particles.teaching.sources.WindyOscillators;
@@ -40,7 +41,7 @@ final class ClockCheck {
             double back = moved(maker, -TENTH);
             return back == 0 || Formula.sameTime(back, -TENTH) ? Optional.empty() : Optional.of(Phrase.CLOCK_BACK.of(
                     -TENTH, back, back > 0 ? ": the sign of deltaT is lost, and a step back goes forward" : ""));
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | EndlessLoop e) {
             return Optional.empty();                    // it does not step backward
         }
     }
@@ -70,6 +71,6 @@ final class ClockCheck {
         }
         double error = source.error();
         source.incTime(h - moved);
-        return error < MUCH_BETTER * source.error() ? Phrase.PARTS.of(moved / h) : ends("", h, moved);
+        return error < MUCH_BETTER * source.error() ? Phrase.PARTS.of(Formula.time(moved / h)) : ends("", h, moved);
     }
 }

@@ -77,7 +77,8 @@ record EarlierSteps(double[] weights, double[] times) {
     /** @return the finding for first steps that are less accurate than the formula; empty if they are not */
     Optional<Finding> poorBeginning(double measured) {
         int order = weights.length;
-        return order >= 2 && measured < order - 0.5 ? Optional.of(Phrase.ADAMS_START.of(order,
+        boolean adams = Combination.same(weights, adamsWeights(times));
+        return adams && order >= 2 && measured < order - 0.5 ? Optional.of(Phrase.ADAMS_START.of(order,
                 ExplicitMethod.twoDigits(measured), order - 1)) : Optional.empty();
     }
 

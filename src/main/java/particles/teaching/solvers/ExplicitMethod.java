@@ -12,6 +12,8 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
+import particles.teaching.StudentFailure;
+import particles.teaching.sources.Probe;
 import particles.teaching.sources.Springs;
 import particles.teaching.sources.StiffDecay;
 
@@ -66,10 +68,23 @@ final class ExplicitMethod {
             return Optional.of(new Diagnosis("It makes no step.", Stream.concat(findings.stream(), Stream.of(
                     Phrase.NO_DERIVATIVE.of())).findFirst()));
         }
+        oddSize().filter(finding -> !step.isOfParticles()).ifPresent(findings::add);
         Scheme scheme = scheme();
         boolean end = rules.checkState(scheme) && rules.checkDeltaT(scheme);
         String identity = identity(scheme, end);
         return Optional.of(new Diagnosis(identity, List.copyOf(findings), order, method));
+    }
+
+    /** A method with one formula for all entries can step a state of any size. */
+    private Optional<Finding> oddSize() {
+        try {
+            maker.get().stepState(new Probe(new double[3], 0, (evaluation, dSdt) -> dSdt[0] = StepReading.TINY,
+                    Probe.MOST_EVALUATIONS), H);
+            return Optional.empty();
+        } catch (RuntimeException e) {
+            return Optional.of(Phrase.ODD_SIZE.of(StudentFailure.describe(e))).filter(finding ->
+                    !StudentFailure.isRefusal(e));
+        }
     }
 
     static String twoDigits(double x) {

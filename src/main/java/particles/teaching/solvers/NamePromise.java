@@ -78,6 +78,8 @@ record NamePromise(String says, int order, List<String> methods, Strength streng
             an Adams method | 2 | adams adamsbashforth adamsmoulton adamsbashforthmoulton |
             a BDF method of order 2 | 2 | bdf2 |
             a BDF method of order 3 | 3 | bdf3 |
+            Beeman's method | 2 | beeman |
+            a Gauss method | 2 | gauss gausslegendre |
             a Radau method | 2 | radau |
             a Radau method of order 3 | 3 | radau3 radauiia3 |
             Radau IIA of order 5 | 5 | radau5 radauiia5 |
@@ -101,9 +103,10 @@ record NamePromise(String says, int order, List<String> methods, Strength streng
      * @return the promised method, if the name contains one
      */
     static Optional<NamePromise> of(String className) {
-        String lower = className.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]", "");
-        Optional<Row> longest = ROWS.stream().filter(row -> lower.contains(row.word)).max(Comparator.comparingInt(row ->
-                row.word.length()));
+        String bare = className.replaceAll("[^A-Za-z0-9]", "");
+        String lower = bare.toLowerCase(Locale.ROOT);
+        Optional<Row> longest = ROWS.stream().filter(row -> Pattern.compile("((?<![A-Za-z])|(?=[A-Z]))(?i)" + row.word)
+                .matcher(bare).find()).max(Comparator.comparingInt(row -> row.word.length()));     // not Homework5
         boolean adapts = ADAPTS.matcher(lower).find();
         if (longest.isEmpty()) {
             return adapts ? Optional.of(new NamePromise("a method with step-size control", 1, List.of(),

@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import particles.teaching.StudentFailure;
 import particles.teaching.sources.NonlinearOscillators;
 import particles.teaching.sources.StudentSource;
@@ -29,6 +30,8 @@ public record OrderMeasurement(double order, List<double[]> points) {
     /** An adaptive method of low order divides steps of 2/256 s still, and shows its order only below. */
     private static final int MOST = 4096;
     private static final int SLOPES = 3;
+    private static final double LARGE = 1e-3;
+    private static final double JUMP = 1e3;
 
     /** @return the measurement, on {@link WindyOscillators} */
     public static OrderMeasurement of(Supplier<DESolver> maker) {
@@ -86,6 +89,14 @@ public record OrderMeasurement(double order, List<double[]> points) {
         return Double.isNaN(error) || Arrays.stream(source.getState()).anyMatch(Double::isNaN)
                 ? Double.POSITIVE_INFINITY
                 : error;
+    }
+
+    /** @return whether half the time step makes a large error a thousand times smaller, as rejected sub-steps may */
+    boolean jumps() {
+        return IntStream.range(1, points.size()).anyMatch(i -> {
+            double error = points.get(i - 1)[1];
+            return error > LARGE && Double.isFinite(error) && error > JUMP * points.get(i)[1];
+        });
     }
 
     /** @return the point with the smallest error */

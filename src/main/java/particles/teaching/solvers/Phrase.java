@@ -11,8 +11,8 @@ import particles.teaching.Formula;
 /** The phrase book of the check: the sentences for mistakes, with the kind of each. */
 enum Phrase {
     NOTHING_YET, NOT_FINITE, EXCEPTION, NOT_REPEATABLE, CLOCK_STILL, CLOCK_FIXED, CLOCK_NEW_TIME, CLOCK_BACK,
-    CLOCK_ENDS, STAGE_TIMES, TIME_OF_STAGE, REJECTED_CLOCK, NO_DERIVATIVE,
-    ARRAY_LENGTH, NEVER_SET, LEFT_AT_TRIAL, SET_TOO_EARLY, OLD_STATE,
+    CLOCK_ENDS, STAGE_TIMES, TIME_OF_STAGE, REJECTED_CLOCK, STAGE_CLOCKS, NO_DERIVATIVE,
+    ARRAY_LENGTH, ODD_SIZE, NEVER_SET, LEFT_AT_TRIAL, SET_TOO_EARLY, OLD_STATE,
     LEFT_OUT, DIGITS, CUT_OFF, ENTRY_BY_ENTRY, DELTA_T, MISSING, TOO_MANY,
     DIFFERS, CHANGED, PARTS, WEIGHTS_SUM, LOW_ORDER, OTHER_STEPS, CONTRADICTS, EXPLICIT, ROUNDS, OLD_VELOCITY,
     NEW_VELOCITY, NOTHING_EARLIER, NO_CONTROL, NAME_ORDER, EQUATION, UNSOLVED, EQUATION_TIME, LOOSE, STALE,
@@ -40,6 +40,8 @@ enum Phrase {
             time STAGE_TIMES: %s is evaluated at %s; %s says %s%s
             time TIME_OF_STAGE: %s %s and %s: the coefficients of a stage have to add up to that of \
                 its time, and make %s instead of %s
+            time STAGE_CLOCKS: the measured order is %s where a force changes with time, and %s where none does: some \
+                evaluations are at another clock than their states
             time REJECTED_CLOCK: after a sub-step that is rejected the state is put back and the clock is not: the \
                 clock may move only when a sub-step is accepted
             # the state
@@ -47,6 +49,8 @@ enum Phrase {
                 where to go
             state ARRAY_LENGTH: an array of %s numbers was handed to a source whose state has 24: arrays have to be \
                 source.getStateSize() long
+            state ODD_SIZE: with a source of 3 numbers the step ends in an exception, though the formula is the same \
+                for all entries: a loop has to go through them one by one, to source.getStateSize(): %s
             state NEVER_SET: the new state never reaches the source: setState(state) is missing
             state LEFT_AT_TRIAL: the state is left at a trial state, %s, that of the last evaluation: setState with \
                 the new state is missing at the end
@@ -55,7 +59,9 @@ enum Phrase {
             state OLD_STATE: %s %s, with %s times %s in it instead of once: %s
             state LEFT_OUT: these entries stay as they were in %s: %s; the loop has to reach all %s, from 0 to \
                 source.getStateSize() - 1
-            state DIGITS: digits get lost: the new state is off by %s of its size, as %s
+            state DIGITS: digits get lost: the new state is off by %s of its size, as in float arithmetic, or as if \
+                numbers were rounded to some decimals on the way; all numbers have to be double, and only what is \
+                printed may be rounded
             method CUT_OFF: with derivatives up to %s the step is not the one that it makes with derivatives up to \
                 1: something is cut off, or depends on the size
             state ENTRY_BY_ENTRY: getStateDerivative is called %s times per step, once for each entry: later entries \
@@ -68,7 +74,7 @@ enum Phrase {
             method TOO_MANY: there is an evaluation too many: the calls of getStateDerivative are %s, %s needs %s
             method DIFFERS: %s %s; %s says %s%s
             method CHANGED: this is nearly %s
-            method PARTS: the parts of the step add up to %s deltaT, and have to add up to deltaT: is the step made \
+            method PARTS: the parts of the step lead to %s, and have to lead to t + deltaT: is the step made \
                 once only? The last sub-step has to be cut to what is left of deltaT; lengths and signs of the other \
                 parts have to be those of the book
             method WEIGHTS_SUM: the weights of the new state add up to %s; they have to add up to 1
@@ -92,7 +98,7 @@ enum Phrase {
             name NO_CONTROL: the name promises step-size control, and all steps are made with one step size: is the \
                 error estimate always 0? Is it compared with the tolerance, and the sub-step repeated when it is \
                 larger?
-            name NAME_ORDER: the measured order is %s; the name promises %s: compare the coefficients with those of \
+            name NAME_ORDER: the measured order is %s; %s: compare the coefficients with those of \
                 the book, and the times of the stages
             # equations and earlier steps
             method EQUATION: the new state solves new = %s; %s is new = %s%s

@@ -29,6 +29,7 @@ record SolvedEquation(Known method, double[] times, double[] weights) {
     /** Newton iterations to 1e-10 leave 5e-14, simple ones to 1e-6 leave 1e-6; a tolerance of 1e-2 leaves 3e-5. */
     private static final double SOLVED = 1e-5;
     private static final double SAME = 1e-4;
+    private static final double MUCH = 10;
     private static final double START = 0.5;
     private static final double[] STEPS = {1.0 / 8, 1.0 / 4, 3.0 / 16, 3.0 / 32, 1.0 / 16, 3.0 / 64, 1.0 / 32, 1.0 / 64,
         1.0 / 128};
@@ -86,7 +87,7 @@ record SolvedEquation(Known method, double[] times, double[] weights) {
                     double[][] columns = made.columns(known, times);
                     double[] weights = LeastSquares.weights(columns, made.states.get(0))[0];
                     double misfit = LeastSquares.misfit(columns, weights, made.states.get(0)) / h;
-                    if (misfit < least) {
+                    if (misfit < (best == null ? FITS : least / MUCH)) {    // an equation with more terms fits as well
                         least = misfit;
                         best = new SolvedEquation(known, times, weights);
                     }

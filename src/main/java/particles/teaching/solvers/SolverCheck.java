@@ -11,6 +11,7 @@ import java.util.function.Supplier;
 import particles.teaching.Finding;
 import particles.teaching.StudentFailure;
 import particles.teaching.contract.SolverContract;
+import particles.teaching.sources.Springs;
 import particles.teaching.sources.WindyOscillators;
 
 /**
@@ -160,7 +161,8 @@ public final class SolverCheck {
                 .isPresent();
         return new Diagnosis(multistep || equation ? MULTISTEP : UNREAD, source.getEvaluations() == once ? Optional.of(
                 Phrase.STALE.of()) : clock.isPresent() || !multistep ? clock : SolverContract.memory(maker, true,
-                true).or(() -> EarlierSteps.of(maker).flatMap(EarlierSteps::wrongWeights)));
+                true).or(() -> measurement().order() > wanted(true) - 0.5 ? Optional.empty() : EarlierSteps.of(maker)
+                .flatMap(EarlierSteps::wrongWeights)));
     }
 
     /**
@@ -170,8 +172,9 @@ public final class SolverCheck {
     private Optional<Finding> afterContract(boolean multistep) {
         Optional<Finding> begins = multistep ? EarlierSteps.of(maker).flatMap(reading -> reading.poorBeginning(
                 measurement().order())) : Optional.empty();
-        return begins.or(() -> poorOrder(() -> firstSubStep(finding -> true).or(() -> SolvedEquation.of(maker, true,
-                name -> true).flatMap(SolvedEquation::mistake))));
+        return begins.or(() -> poorOrder(multistep, () -> (multistep ? Optional.<Finding>empty() : firstSubStep(
+                finding -> true)).or(() -> SolvedEquation.of(maker, true, name -> true).flatMap(
+                SolvedEquation::mistake))));
     }
 
     /** The diagnosis of an implicit method whose equation is known. */
@@ -192,8 +195,9 @@ public final class SolverCheck {
                 .or(() -> vanishes(measurement()) ? Optional.empty() : unread.rejectedClock())
                 .or(() -> firstSubStep(finding -> finding.kind() != Finding.Kind.METHOD))
                 .or(this::layout)
-                .or(() -> poorOrder(() -> firstSubStep(finding -> true).or(unread::unstable)))
-                .or(unread::uncontrolled).or(unread::asymmetric).or(unread::unstable));
+                .or(() -> measurement().jumps() ? unread.rejectedClock() : Optional.empty())
+                .or(() -> poorOrder(false, () -> firstSubStep(finding -> true).or(unread::unstable)))
+                .or(this::stageClocks).or(unread::uncontrolled).or(unread::asymmetric).or(unread::unstable));
     }
 
     /** A mistake in the first sub-step of an adaptive method, which it accepts where derivatives are tiny. */
@@ -213,23 +217,37 @@ public final class SolverCheck {
                 ExplicitMethod.twoDigits(measurement().order()), order)) : Optional.empty();
     }
 
+    /** Whether the order falls where forces change with time. */
+    private Optional<Finding> stageClocks() {
+        double constant = OrderMeasurement.of(maker, Springs::new).order();
+        double changing = OrderMeasurement.of(maker).order();
+        return constant > changing + 0.7 ? Optional.of(Phrase.STAGE_CLOCKS.of(ExplicitMethod.twoDigits(changing),
+                ExplicitMethod.twoDigits(constant))) : Optional.empty();
+    }
+
     /** Whether only one particle is moved as it should be. */
     private Optional<Finding> layout() {
         return measurement().order() >= LOWEST_ORDER && !vanishes(OrderMeasurement.of(maker, () ->
                 new WindyOscillators(2))) ? Optional.of(Phrase.LAYOUT.of()) : Optional.empty();
     }
 
+    /** The lowest order that the name allows; to use earlier steps without gaining order does not pay. */
+    private int wanted(boolean multistep) {
+        return Math.max(multistep ? 2 : 0, promise.map(NamePromise::order).orElse(0));
+    }
+
     /** Whether the error goes to 0, and as fast as the class's name promises. */
-    private Optional<Finding> poorOrder(Supplier<Optional<Finding>> causes) {
+    private Optional<Finding> poorOrder(boolean multistep, Supplier<Optional<Finding>> causes) {
         OrderMeasurement measurement = measurement();
         boolean vanishes = vanishes(measurement);
         double order = measurement.order();
-        if (vanishes && (Double.isNaN(order) || promise.isEmpty() || order > promise.get().order() - 0.5)) {
+        if (vanishes && (Double.isNaN(order) || order > wanted(multistep) - 0.5)) {
             return Optional.empty();
         }
         Optional<Finding> far = vanishes ? Optional.empty() : unread.elsewhere();
         return far.or(causes).or(() -> Optional.of(vanishes ? Phrase.NAME_ORDER.of(ExplicitMethod.twoDigits(order),
-                promise.get().saysWithOrder()) : Phrase.NO_CONVERGENCE.of(measurement.smallest()[1],
+                promise.map(name -> "the name promises " + name.saysWithOrder()).orElse("a method that uses derivatives"
+                + " of earlier steps has at least order 2")) : Phrase.NO_CONVERGENCE.of(measurement.smallest()[1],
                 measurement.smallest()[0])));
     }
 }

@@ -152,9 +152,7 @@ record StepReading(boolean isOfParticles, double h, int steps, Probe calls, doub
             throw new IllegalStateException("the weights do not describe the step, or are difference quotients");
         }
         if (rounded > DOUBLE_ROUNDING) {
-            findings.add(Phrase.DIGITS.of(rounded, rounded < 1e-6
-                    ? "in float arithmetic; all numbers have to be double"
-                    : "if a number were rounded on the way; only what is printed may be"));
+            findings.add(Phrase.DIGITS.of(rounded));
         }
         if (!(cut <= ROUNDED)) {
             findings.add(Phrase.CUT_OFF.of(LARGE));

@@ -26,6 +26,8 @@ final class UnreadMethod {
     private static final int SHORT_STEPS = 16;
     /** The motion is 1.5 wide. */
     private static final double FAR = 10;
+    /** An iteration for an implicit method may diverge in a long step. */
+    private static final double DIVERGED = 1e6;
     private static final double LITTLE = 1e-3;
     private static final double MUCH = 100;
     private static final double SWING = 0.5;
@@ -66,9 +68,10 @@ final class UnreadMethod {
 
     /** @return the mistake if the derivative is evaluated at the old state and another clock, after a longer trial */
     Optional<Finding> rejectedClock() {
-        double[] start = new Random(7).doubles(SIZE).toArray();
-        Probe probe = new Probe(start, START, (evaluation, dSdt) -> Arrays.setAll(dSdt, k -> 1 + k * (evaluation + 1)),
-                SIZE);
+        Random random = new Random(7);
+        double[] start = random.doubles(SIZE).toArray();
+        Probe probe = new Probe(start, START, (evaluation, dSdt) -> Arrays.setAll(dSdt, k -> SIZE
+                * random.nextDouble()), SIZE);
         unlessRefused(() -> {
             maker.get().stepState(probe, LONG);
             return Optional.empty();
@@ -123,7 +126,7 @@ final class UnreadMethod {
                 solver.stepState(often, LONG / SHORT_STEPS);
             }
             double error = once.error();
-            boolean far = error > FAR || error > LITTLE && error > MUCH * often.error();
+            boolean far = error < DIVERGED && (error > FAR || error > LITTLE && error > MUCH * often.error());
             return moves <= often.timeMoves() / 2 || !far ? Optional.empty()
                     : Optional.of(Phrase.UNCONTROLLED.of(error, LONG, often.error(), SHORT_STEPS));
         });

@@ -116,6 +116,7 @@ public class Probe extends StudentSource {
 
     /** A probe of particles: three positions and three velocities for each in turn. */
     public static final class OfParticles extends Probe implements SecondOrderStateSource {
+        private static final double ROUNDING = 1e-14;
         private final boolean moving;
 
         /**
@@ -150,7 +151,7 @@ public class Probe extends StudentSource {
 
         private static boolean samePositions(double[] one, double[] two) {
             for (int k = 0; k < one.length; k += k % 6 == 2 ? 4 : 1) {
-                if (one[k] != two[k]) {
+                if (Math.abs(one[k] - two[k]) > ROUNDING * Math.abs(one[k])) {
                     return false;
                 }
             }

@@ -25,6 +25,13 @@ public final class Springs extends StudentSource implements SecondOrderStateSour
     }
 
     @Override
+    public double[] exactState(double t) {
+        double cos = StrictMath.cos(t);
+        double sin = StrictMath.sin(t);
+        return new double[] {cos, sin, 0, -sin, cos, 0};
+    }
+
+    @Override
     public int getDimension() {
         return 3;
     }

@@ -336,6 +336,13 @@ final class SolverSpecimens {
                 | pair 1/2; 0 3/4; 2/9 1/3 4/9 -> 2/9 1/3 1/9 0 -> 7/24 1/4 0 1/8 : 1e-8 3
                 W138AdaptiveBogackiShampine | trial loop to n - 1 | trial state at evaluation 2: 23; \
                 | pair BOGACKI : 1e-8 3 loop
+                GaussSolver | clocks of the stages exchanged | at another clock than their states \
+                | irk 0.25 -0.03867513459481287; 0.5386751345948129 0.25 -> 1/2 1/2 \
+                @ 0.7886751345948129 0.21132486540518713 NEWTON
+                Again | clock moves though rejected | clock may move only when \
+                | pair 1/2; -1 2 -> 1/6 2/3 1/6 -> 1 0 0 : 1e-6 3 clock-runs
+                Homework5 | three stages, not Runge-Kutta of order 5 | k3 is evaluated at s - k1 \\+ k2; \
+                | rk 1/2; -1 1 -> 1/6 2/3 1/6
                 W136AdaptiveBogackiShampine | nothing for negative deltaT | negative deltaT does nothing \
                 | pair BOGACKI : 1e-8 3 forward-only
                 """).stream()).toList();

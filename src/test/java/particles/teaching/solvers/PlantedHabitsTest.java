@@ -113,7 +113,7 @@ class PlantedHabitsTest {
                 source.setState(with(state(source), i -> deltaT * dSdt[i]));
                 source.incTime(deltaT);
             }
-        }), "method: the parts of the step add up to 2 deltaT, and have to add up to deltaT: is the step made once");
+        }), "method: the parts of the step lead to t + 2 deltaT, and have to lead to t + deltaT: is the step");
     }
 
     @Test
