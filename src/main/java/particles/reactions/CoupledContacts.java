@@ -5,7 +5,6 @@ import java.util.Optional;
 import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.law.Particles;
-import particles.reactions.contact.ContactModes;
 import particles.reactions.contact.ContactModes.Mode;
 
 /**
@@ -118,9 +117,8 @@ final class CoupledContacts {
         int n = joint.constraintRows();
         for (int r = 0; r < n; r++) {
             int row = joint.member(r);
-            double b = -(rows.times(row, accelerations, 3) + rows.bend[row]) - feedback * feedback * rows.value[row]
-                    - 2 * feedback * rows.rate[row];
-            joint.right[r] = joint.isIdle(r) ? 0 : b;
+            joint.right[r] = joint.isIdle(r) ? 0 : -(rows.times(row, accelerations, 3) + rows.bend[row])
+                    - feedback * feedback * rows.value[row] - 2 * feedback * rows.rate[row];
         }
         ContactRows touching = joint.touching;
         for (int k = 0; k < touching.count; k++) {
@@ -140,16 +138,20 @@ final class CoupledContacts {
 
     /** Adds the forces found by {@link #solve}. */
     void addForces(Linkage linkage, double[] force, double[] lambda) {
+        addReactions(linkage, lambda, force);
+        for (int i : linkage.particles()) {
+            if (joint.mobility[i] == 0) {
+                Arrays.fill(force, STRIDE * i + 3, STRIDE * (i + 1), 0.0);
+            }
+        }
+    }
+
+    private void addReactions(Linkage linkage, double[] lambda, double[] force) {
         for (int row : linkage.members()) {
             rows.addForce(row, lambda[row], force);
         }
         for (int k = 0; k < joint.touching.count; k++) {
             joint.touching.addForce(k, push(k), force);
-        }
-        for (int i : linkage.particles()) {
-            if (joint.mobility[i] == 0) {
-                Arrays.fill(force, STRIDE * i + 3, STRIDE * (i + 1), 0.0);
-            }
         }
     }
 
@@ -168,16 +170,9 @@ final class CoupledContacts {
 
     /** Sums the forces of effects, rods, wires and sliding contacts. */
     private void addUp(Linkage linkage, double[] force, double[] lambda) {
-        if (total.length != force.length) {
-            total = new double[force.length];
-        }
+        total = total.length == force.length ? total : new double[force.length];
         System.arraycopy(force, 0, total, 0, force.length);
-        for (int row : linkage.members()) {
-            rows.addForce(row, lambda[row], total);
-        }
-        for (int k = 0; k < joint.touching.count; k++) {
-            joint.touching.addForce(k, push(k), total);
-        }
+        addReactions(linkage, lambda, total);
     }
 
     /** As {@link RestingContacts#pressure}. */
@@ -220,8 +215,8 @@ final class CoupledContacts {
         }
         joint.take(linkage, state, i -> i == particle || (contacts.getModes().isSticking(i)
                 || contacts.isSlow(i, state)) && !linkage.isDriven(i, state, accelerations));
-        Optional<String> failure = find(linkage, state, system.getTime(), force, lambda);
-        if (failure.isPresent() || left > RestingContacts.ROUNDING && linkage.isDriven(-1, state, accelerations)) {
+        if (find(linkage, state, system.getTime(), force, lambda).isPresent()
+                || left > RestingContacts.ROUNDING && linkage.isDriven(-1, state, accelerations)) {
             // the rods' motion keeps it from standing still, which is not a failure
             return -1;
         }
@@ -234,12 +229,24 @@ final class CoupledContacts {
         return total;
     }
 
-    /** As {@link RestingContacts#strike}. */
-    void strike(Linkage linkage, int surface, int particle, double leaving, double[] state) {
+    /** As {@link RestingContacts#canPush}: some impulses of the linkage move the particle away from the surface. */
+    boolean canPush(Linkage linkage, int surface, int particle, double[] state) {
+        takeForImpact(linkage, surface, particle, state);
+        joint.right[joint.constraintRows()] = 1;
+        return joint.solve(true, 1) && Math.abs(joint.separation(0)) < RigidConstraints.CONTRADICTION;
+    }
+
+    /** The first contact is that of the impact. */
+    private void takeForImpact(Linkage linkage, int surface, int particle, double[] state) {
         queryMembers = new int[0];
         rows.evaluate(state);
         joint.takeForImpact(linkage, state, surface, particle);
         joint.assemble();
+    }
+
+    /** As {@link RestingContacts#strike}. */
+    void strike(Linkage linkage, int surface, int particle, double leaving, double[] state) {
+        takeForImpact(linkage, surface, particle, state);
         int n = joint.constraintRows();
         for (int r = 0; r < n; r++) {
             joint.right[r] = -rows.rate[joint.member(r)];
@@ -247,17 +254,18 @@ final class CoupledContacts {
         for (int k = 0; k < joint.touching.count; k++) {
             joint.right[n + k] = (k == 0 ? leaving : 0) - joint.touching.rate[k];
         }
-        if (!joint.solve(true, 1)) {
+        int v = STRIDE * particle + 3;
+        double fast = leaving + Math.abs(state[v]) + Math.abs(state[v + 1]) + Math.abs(state[v + 2]);
+        if (!joint.solve(true, 1) || Math.abs(joint.separation(0)) > RigidConstraints.CONTRADICTION * fast) {
             throw failure(linkage, system.getTime(), "no impulses keep all particles out");
         }
         joint.move(state, 3);
-        ContactModes modes = contacts.getModes();
         for (int i : linkage.particles()) {
-            modes.setWhereTouching(i, Mode.SLIDING);
+            contacts.getModes().setWhereTouching(i, Mode.SLIDING);
         }
         for (int k = 1; k < joint.touching.count; k++) {
             if (joint.separation(k) > contacts.getSurfaces().get(joint.touching.surface[k]).restSpeed()) {
-                modes.set(joint.touching.surface[k], joint.touching.particle[k], Mode.FREE);
+                contacts.getModes().set(joint.touching.surface[k], joint.touching.particle[k], Mode.FREE);
             }
         }
     }

@@ -126,6 +126,20 @@ public final class RestingContacts implements Reaction {
     }
 
     /**
+     * Whether a surface can push a particle away. It cannot where rods and wires keep the particle from moving across
+     * the surface, as at the bottom of a wire that touches the ground there: the wire then carries the particle, and
+     * the surface exerts no force.
+     *
+     * @param surface  the surface's index
+     * @param particle the particle's index
+     * @param state    the state, with the particle on the surface
+     * @return true for every particle without rods and wires
+     */
+    public boolean canPush(int surface, int particle, double[] state) {
+        return !isCoupled(particle) || coupled.get().canPush(surface, particle, state);
+    }
+
+    /**
      * Corrects the velocities of a linkage after one of them was changed: no rod is stretched, no touched surface
      * entered, and sticking particles stay. Does nothing for a particle without rods and wires.
      *

@@ -242,9 +242,15 @@ public final class RigidConstraints implements Reaction, SpringView {
         coupled.orElseThrow().strike(linkages.of(particle), surface, particle, leaving, state);
     }
 
+    boolean canPush(int surface, int particle, double[] state) {
+        return coupled.orElseThrow().canPush(linkages.of(particle), surface, particle, state);
+    }
+
     void settle(int particle, double[] state) {
         rows.evaluate(state);
-        coupled.orElseThrow().correct(linkages.of(particle), state, 3);
+        if (!coupled.orElseThrow().correct(linkages.of(particle), state, 3)) {      // nothing is touched
+            projection.velocities(state, particles.getInverseMasses());
+        }
     }
 
     /**

@@ -70,7 +70,7 @@ public final class ClampedImpacts implements Rule {
                 if (!system.getParticles().isFixed(i) && Math.abs(distance(surface, state, i)) <= slack(state, i)
                         && Math.abs(normalSpeed(surface, state, i)) <= surface.restSpeed()) {
                     stopAlong(normal(surface, state, i), state, i);
-                    touch(p, i);
+                    touch(p, i, state);
                 }
             }
         }
@@ -79,9 +79,11 @@ public final class ClampedImpacts implements Rule {
         }
     }
 
-    private void touch(int p, int i) {
-        modes.set(p, i, Mode.SLIDING);
-        modes.setWhereTouching(i, Mode.SLIDING);
+    private void touch(int p, int i, double[] state) {
+        if (contacts.canPush(p, i, state)) {
+            modes.set(p, i, Mode.SLIDING);
+            modes.setWhereTouching(i, Mode.SLIDING);
+        }
     }
 
     @Override
@@ -175,7 +177,7 @@ public final class ClampedImpacts implements Rule {
             moveAlong(normal, state, STRIDE * i + 3, leaving - normalSpeed(surface, state, i));
         }
         if (rests) {
-            touch(p, i);
+            touch(p, i, state);
             keepOnOthers(system, p, i, deltaT);
         }
     }

@@ -269,6 +269,9 @@ public final class ExactImpacts implements EventRule {
 
     /** Lets a particle rest on a surface if the forces press it on. */
     private void rest(ParticleSystem system, int p, int i) {
+        if (!contacts.canPush(p, i, system.getOwnState())) {
+            return;
+        }
         stopAlong(normal(contacts.getSurfaces().get(p), system.getOwnState(), i), system.getOwnState(), i);
         modes.set(p, i, Mode.SLIDING);
         modes.setWhereTouching(i, Mode.SLIDING);
