@@ -1,6 +1,7 @@
 package hunts;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -9,9 +10,7 @@ import particles.Observer;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.SimulationException;
-import particles.energy.EnergyHistory;
-import particles.energy.EnergyLedgerRecorder;
-import particles.energy.NumericalErrorLimit;
+import particles.energy.EnergyRecorder;
 import particles.law.DifferentiableEffect;
 import particles.law.Effect;
 import particles.law.Obstacle;
@@ -68,8 +67,7 @@ final class Trial implements Observer {
 
     private final Scene scene;
     private final ParticleSystem system;
-    private final EnergyHistory energy = new EnergyHistory();
-    private final EnergyLedgerRecorder books = new EnergyLedgerRecorder(1);
+    private final EnergyRecorder energy;
     private final double[] start;
     private double[] end;
     private double speed;
@@ -83,10 +81,8 @@ final class Trial implements Observer {
         system.addEffect(new Meter(mostEvaluations));
         start = state();
         Simulation simulation = scene.simulation();
-        simulation.addObserver(energy);
-        simulation.addObserver(books);
-        simulation.addObserver(new NumericalErrorLimit(energy, books, scene.energyEstimate()));
-        simulation.addObserver(this);
+        energy = new EnergyRecorder(simulation, scene.energyEstimate(), 1);
+        energy.attachTo(simulation, List.of(this));
         try {
             simulation.run();
         } catch (Enough e) {
@@ -128,8 +124,24 @@ final class Trial implements Observer {
         return !cut && stopped.isEmpty();
     }
 
+    /** The impacts and changes of contact at their exact times. */
+    long events() {
+        return scene.simulation().getEvents();
+    }
+
     boolean struck() {
-        return books.getWork().containsKey("impacts") || scene.simulation().getEvents() > 0;
+        return energy.getLedger().getWork().containsKey("impacts") || events() > 0;
+    }
+
+    /**
+     * Whether friction acts on rods or wires: the forces may become infinite in a finite time, or have no solution (P.
+     * Painlev&eacute; 1895), so that there is no motion from then on.
+     */
+    boolean mayJam() {
+        List<Reaction> reactions = system.getReactions();
+        return reactions.stream().anyMatch(RigidConstraints.class::isInstance) && reactions.stream()
+                .anyMatch(reaction -> reaction instanceof RestingContacts contacts && contacts.getSurfaces().stream()
+                        .anyMatch(surface -> surface.friction().coefficient() > 0));
     }
 
     boolean hasSurfaces() {
@@ -208,18 +220,18 @@ final class Trial implements Observer {
     }
 
     private double scale() {
-        return Math.max(energy.getScale(), 1e-9 * scene.energyEstimate());
+        return Math.max(energy.getHistory().getScale(), 1e-9 * scene.energyEstimate());
     }
 
     /** The numerical error of the ledger, relative to the energy scale. */
     double ledger() {
-        return books.getLargestNumericalError() / scale();
+        return energy.getLedger().getLargestNumericalError() / scale();
     }
 
     /** The energy that surfaces and dissipation add, relative to the energy scale; 0 with moving anchors. */
     double gain() {
         double gain = 0;
-        for (Map.Entry<String, Double> work : books.getWork().entrySet()) {
+        for (Map.Entry<String, Double> work : energy.getLedger().getWork().entrySet()) {
             gain += work.getKey().matches("impacts|contact|.*dissipated.*") ? work.getValue() : 0;
         }
         return system.getMovingAnchors().length > 0 ? 0 : gain / scale();
