@@ -90,7 +90,8 @@ public final class Cohesion extends PairForce {
     @Override
     double perLength(int i, int j, double square, double parting) {
         double u = u(square);
-        double perLength = 2 * inverseSquare * slope(u);
+        // the slope first: the page's compiler drops the brackets of a product on the right
+        double perLength = slope(u) * 2 * inverseSquare;
         return damping > 0 ? perLength - damping * u * u * inverseSquare * parting : perLength;
     }
 
