@@ -75,8 +75,8 @@ public final class EffectCheck {
         boolean accounted = trial.claims(Trait.CONSERVATIVE) || trial.claims(Trait.DISSIPATIVE)
                 || trial.claims(Trait.DRIVING);
         if (line.startsWith("power") && !accounted && line.contains("none of")) {
-            return new Finding(Kind.STYLE, "it claims no account of its energy: a run counts its work as numerical"
-                    + " error, until it claims CONSERVATIVE with getPotentialEnergy, DISSIPATIVE with"
+            return new Finding(Kind.STYLE, "it claims no account of its energy: a run lists its work, whether it"
+                    + " is stored or lost, until it claims CONSERVATIVE with getPotentialEnergy, DISSIPATIVE with"
                     + " getDissipatedPower or DRIVING with getDrivenPower");
         }
         Optional<Finding> cause = potential().or(() -> new EffectPower(trial).wrong().map(EffectCheck::method)).or(() ->

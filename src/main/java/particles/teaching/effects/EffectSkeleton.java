@@ -24,7 +24,7 @@ public final class EffectSkeleton {
     private static final String NO_ENERGY = """
 
                 // With -Pconservative=true, newEffect writes a law with a potential energy. A law that claims
-                // nothing is right too; but then a run counts its work as numerical error.
+                // nothing is right too; a run then lists its work, whether that is stored or lost.
             """;
 
     private EffectSkeleton() {

@@ -124,7 +124,7 @@ class PlantedClaimsTest {
     @Test
     void nothingIsClaimedAtAll() {
         assertFound(law(EnumSet.noneOf(Trait.class), true, DRAG, NONE, NONE), "style: it claims no account of its"
-                + " energy: a run counts its work as numerical error, until it claims CONSERVATIVE");
+                + " energy: a run lists its work, whether it is stored or lost, until it claims CONSERVATIVE");
     }
 
     /** Symmetries are claims too, and say nothing of the power. */
