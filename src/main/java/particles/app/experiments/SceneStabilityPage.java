@@ -2,6 +2,7 @@ package particles.app.experiments;
 
 import static particles.view.DataTable.column;
 
+import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -58,8 +59,8 @@ final class SceneStabilityPage {
     }
 
     private static String planeTitle(SceneDescription scene, Mode fastest) {
-        return String.format(Locale.ROOT, "%s: the fastest mode lies at deltaT |lambda| = %.3g", scene.title(),
-                scene.deltaT() * fastest.size());
+        return scene.title() + ": the fastest mode lies at deltaT |lambda| = "
+                + Digits.few(scene.deltaT() * fastest.size());
     }
 
     private static String title(SceneDescription scene, List<Limit> limits, Mode fastest) {

@@ -71,7 +71,7 @@ public final class StabilityRegion {
     private static ChartData chart(Finding finding, List<Series> series, Window window, double bottom) {
         series.add(new Series("imaginary axis", Mark.LINE, new double[] {0, 0}, new double[] {bottom, window.top}));
         return new ChartData(finding, "Re(deltaT lambda): decay to the left", "Im(deltaT lambda): oscillation",
-                false, false, series).scaledTo(List.of(new Series("window", Mark.POINTS,
+                false, false, series).scaledTo(List.of(new Series("window", Mark.LINE,
                 new double[] {window.left, window.right}, new double[] {bottom, window.top})));
     }
 

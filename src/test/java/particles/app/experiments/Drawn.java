@@ -77,23 +77,33 @@ record Drawn(String title, String quantity, Map<String, List<double[]>> series) 
 
     /** @return the least x at which the line through the points comes down to y, on logarithmic axes */
     double crossing(String solver, double y) {
-        return crossing(of(solver), y);
+        return crossing(of(solver), of(solver), y);
     }
 
-    /** @return the same for one end of the bars of a line; NaN if it has none */
+    /** @return the same for one end of the bars of a line, on the same piece of it; NaN if it has none */
     double crossing(String solver, double y, int end) {
         List<double[]> bars = series.get(solver + AGAIN);
         return bars == null || bars.stream().allMatch(point -> Double.isFinite(point[0])) ? Double.NaN
-                : crossing(IntStream.range(0, bars.size() / 3).mapToObj(k -> bars.get(3 * k + end)).toList(), y);
+                : crossing(of(solver), IntStream.range(0, bars.size() / 3).mapToObj(k -> bars.get(3 * k + end))
+                        .toList(), y);
     }
 
-    private static double crossing(List<double[]> p, double y) {
-        return IntStream.range(0, p.size()).filter(k -> p.get(k)[1] <= y).mapToDouble(k -> {
-            if (k == 0 || p.get(k - 1)[1] <= y) {
-                return p.get(k)[0];
+    private static double crossing(List<double[]> line, List<double[]> told, double y) {
+        double least = Double.POSITIVE_INFINITY;
+        double there = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < line.size(); k++) {
+            double[] from = line.get(Math.max(0, k - 1));
+            double[] to = line.get(k);
+            if (to[1] <= y && (k == 0 || from[1] > y)) {
+                double part = k == 0 ? 1 : Math.log(from[1] / y) / Math.log(from[1] / to[1]);
+                double x = from[0] * Math.pow(to[0] / from[0], part);
+                if (x < least) {
+                    least = x;
+                    double begin = told.get(Math.max(0, k - 1))[0];
+                    there = begin * Math.pow(told.get(k)[0] / begin, part);
+                }
             }
-            double part = Math.log(p.get(k - 1)[1] / y) / Math.log(p.get(k - 1)[1] / p.get(k)[1]);
-            return p.get(k - 1)[0] * Math.pow(p.get(k)[0] / p.get(k - 1)[0], part);
-        }).min().orElse(Double.POSITIVE_INFINITY);
+        }
+        return there;
     }
 }

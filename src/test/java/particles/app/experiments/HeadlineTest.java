@@ -46,7 +46,8 @@ class HeadlineTest {
     @ValueSource(strings = {"lectureFigures", "phasePlots", "energyDrift --duration=2",
         "energyDrift --scene=3 --solvers=rk4,verlet,midpoint",
         "stiffGallery --decades=5 --solvers=euler,rk4,verlet,radau",
-        "effectCost --columns=3 --rounds=1", "workPrecision --problem=kepler --solvers=rk4,euler,dormand-prince"})
+        "effectCost --columns=3 --rounds=1", "stability --scene=4",
+        "workPrecision --problem=kepler --solvers=rk4,euler,dormand-prince"})
     void headlinesSayWhatTheirNumbersShow(String task) throws IOException {
         int judged = 0;
         Path out = top.resolve("out");
@@ -206,6 +207,10 @@ class HeadlineTest {
                             .allMatch(p -> p[0] > -1e-9), said.group()))),
             new Claim(NAMES + " also makes? fast growth decay", (said, drawn) -> named(said.group(1)).forEach(solver ->
                     assertTrue(drawn.get(0).of(solver).stream().anyMatch(p -> p[0] > 1), said.group()))),
+            new Claim("the fastest mode lies at deltaT \\|lambda\\| = " + NUMBER, (said, drawn) ->
+                    assertTrue(drawn.get(0).of("deltaT times an eigenvalue of the scene").stream()
+                    .anyMatch(p -> Math.abs(Math.hypot(p[0], p[1]) / Double.parseDouble(said.group(1)) - 1) < 0.005),
+                    said.group())),
             new Claim("Runs move apart from deltaT = (?=\\d)", (said, drawn) -> { }),
             new Claim(NUMBER + " s \\((" + NAME + ")\\)", (said, drawn) -> assertTrue(drawn.get(0).series()
                     .containsKey(said.group(2) + ", runs: " + said.group(1) + " s"), said.group())),
