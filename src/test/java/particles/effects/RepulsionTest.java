@@ -50,24 +50,24 @@ class RepulsionTest {
         return 1 - new Vector3(entry(system, 6) - entry(system, 0), entry(system, 7) - entry(system, 1), 0).length();
     }
 
-    /** An impact takes pi sqrt(m/k), and exchanges velocities as in mechanics. Measured: 3e-9 and 2e-7. */
+    /** An impact takes pi sqrt(m/k), and exchanges velocities as in mechanics. Measured: 4e-15 m and 4e-14 m/s. */
     @Test
     void aLinearImpactTakesHalfAPeriod() {
         ParticleSystem system = impact(false, 0, 1e-12, new Vector3(SPEED, 0, 0));
         double time = Math.PI * Math.sqrt(REDUCED / K);
         run(system, new RK4Solver(), time / 2000, 1000);
-        assertEquals(SPEED * Math.sqrt(REDUCED / K), overlap(system), 1e-10, "at half time");
+        assertEquals(SPEED * Math.sqrt(REDUCED / K), overlap(system), 4e-14, "at half time");
         run(system, new RK4Solver(), time / 2000, 999);
         assertTrue(overlap(system) > 0 && overlap(system) < 0.002 * time * SPEED, "about to end: " + overlap(system));
         run(system, new RK4Solver(), time / 2000, 2);
         assertTrue(overlap(system) < 0, "over");
-        assertEquals(SPEED * (LIGHT - HEAVY) / (LIGHT + HEAVY), entry(system, 3), 2e-6);
-        assertEquals(2 * SPEED * LIGHT / (LIGHT + HEAVY), entry(system, 9), 2e-6);
+        assertEquals(SPEED * (LIGHT - HEAVY) / (LIGHT + HEAVY), entry(system, 3), 4e-13);
+        assertEquals(2 * SPEED * LIGHT / (LIGHT + HEAVY), entry(system, 9), 4e-13);
     }
 
     /**
      * With the force cut off where it would pull, e = exp(-beta/omega (pi - atan2(2 beta omega, omega^2 - beta^2))),
-     * beta = c/(2 m), omega^2 = k/m - beta^2. T. Schwager, T. P&ouml;schel, Granular Matter 9 (2007). Measured: 2e-8.
+     * beta = c/(2 m), omega^2 = k/m - beta^2. T. Schwager, T. P&ouml;schel, Granular Matter 9 (2007). Measured: 5e-12.
      */
     @ParameterizedTest
     @ValueSource(doubles = {0.5, 5, 15, 30})
@@ -77,26 +77,26 @@ class RepulsionTest {
         double time = (Math.PI - Math.atan2(2 * beta * omega, omega * omega - beta * beta)) / omega;
         ParticleSystem system = impact(false, damping, 1e-12, new Vector3(SPEED, 0, 0));
         run(system, new RK4Solver(), time / 4000, 6000);
-        assertEquals(Math.exp(-beta * time), (entry(system, 9) - entry(system, 3)) / SPEED, 2e-7);
+        assertEquals(Math.exp(-beta * time), (entry(system, 9) - entry(system, 3)) / SPEED, 5e-11);
     }
 
-    /** Measured: 4e-6 of the time, 1e-9 of the overlap. */
+    /** Measured: 5e-6 of the time, 8e-10 of the overlap. */
     @Test
     void hertzImpactTakesItsTime() {
         double speed = 0.7;
         ParticleSystem system = impact(true, 0, 1e-12, new Vector3(speed, 0, 0));
         double deepest = StrictMath.pow(1.25 * REDUCED * speed * speed / K, 0.4);
         double time = 3.2180 * StrictMath.pow(REDUCED * REDUCED / (K * K * speed), 0.2);
-        assertEquals(2.9432 * deepest / speed, time, 1e-4 * time);
+        assertEquals(2.9432 * deepest / speed, time, 5e-5 * time);
         run(system, new RK4Solver(), time / 2000, 1000);
-        assertEquals(deepest, overlap(system), 1e-8 * deepest);
+        assertEquals(deepest, overlap(system), 5e-9 * deepest);
         run(system, new RK4Solver(), time / 2000, 999);
         assertTrue(overlap(system) > 0, "about to end: " + overlap(system));
         run(system, new RK4Solver(), time / 2000, 2);
         assertTrue(overlap(system) < 0, "over: " + overlap(system));
     }
 
-    /** Momentum and angular momentum stay, and without damping the energy does too. Measured: 2e-14, 2e-6. */
+    /** Momenta stay, and without damping the energy does too. Measured: 7e-15, 2.4e-14 and 1.8e-6. */
     @ParameterizedTest
     @CsvSource({"false,0", "true,0", "false,8", "true,8"})
     void anObliqueImpactKeepsMomenta(boolean hertz, double damping) {
@@ -121,7 +121,7 @@ class RepulsionTest {
                 + HEAVY * (entry(system, 6) * entry(system, 10) - entry(system, 7) * entry(system, 9));
     }
 
-    /** Each ball carries those above it: overlaps are j m g/k. Measured: 1e-13. */
+    /** Each ball carries those above it: overlaps are j m g/k. Measured: 1.3e-15 m. */
     @Test
     void aStackStandsAsStaticsSays() {
         ParticleSystem system = new ParticleSystem();
@@ -132,9 +132,9 @@ class RepulsionTest {
         system.addEffect(new PenaltyPlane(system.getParticles(), Plane.ground(0.1), 4000, 0));
         system.addEffect(new Repulsion(system.getParticles(), 0.1, false, 4000, 150));
         run(system, new RK4Solver(), 0.002, 10_000);
-        assertEquals(5 * 2 * 9.81 / 4000, 0.1 - entry(system, 1), 1e-12);
+        assertEquals(5 * 2 * 9.81 / 4000, 0.1 - entry(system, 1), 1e-14);
         for (int i = 1; i < 5; i++) {
-            assertEquals((5 - i) * 2 * 9.81 / 4000, 0.2 - entry(system, 6 * i + 1) + entry(system, 6 * i - 5), 1e-12);
+            assertEquals((5 - i) * 2 * 9.81 / 4000, 0.2 - entry(system, 6 * i + 1) + entry(system, 6 * i - 5), 1e-14);
         }
     }
 
@@ -142,7 +142,10 @@ class RepulsionTest {
         return SolverCatalog.all();
     }
 
-    /** Inside an impact the motion is a damped vibration, and every solver converges to it with its order. */
+    /**
+     * Inside an impact the motion is a damped vibration, and every solver converges to it with its order. Measured:
+     * 0.025 off.
+     */
     @ParameterizedTest
     @MethodSource("solvers")
     void everySolverConvergesInAnImpact(SolverInfo solver) {
@@ -152,7 +155,7 @@ class RepulsionTest {
             assertTrue(fine < 1e-7, "error " + fine);
         } else {
             double order = Math.log(coarse / fine) / Math.log(2);
-            assertEquals(solver.order(), order, 0.5);
+            assertEquals(solver.order(), order, 0.2);
         }
     }
 
