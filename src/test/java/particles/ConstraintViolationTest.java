@@ -57,7 +57,7 @@ class ConstraintViolationTest {
     @Test
     void aFreeParticleBelowASurfaceIsAViolation() {
         ParticleSystem system = Systems.oneParticle(new Vector3(0, -0.2, 0), Vector3.ZERO);
-        RestingContacts contacts = new RestingContacts(system.getParticles(), List.of(new ContactSurface("ground",
+        RestingContacts contacts = new RestingContacts(system, List.of(new ContactSurface("ground",
                 new Plane(Vector3.ZERO, new Vector3(0, 1, 0)), 0.5, Friction.NONE, 0.01)));
         assertEquals(0.2, contacts.getViolation(system.getOwnState()).part(), 1e-15);
         system.getOwnState()[1] = 0.2;

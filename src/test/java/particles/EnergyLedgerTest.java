@@ -218,7 +218,7 @@ class EnergyLedgerTest {
     @Test
     void bouncesAndRestAreBookedOnce() {
         ParticleSystem system = Systems.oneParticle(new Vector3(0, 1, 0), new Vector3(1, 0, 0));
-        RestingContacts contacts = new RestingContacts(system.getParticles(),
+        RestingContacts contacts = new RestingContacts(system,
                 List.of(new ContactSurface("ground", Plane.ground(0), 0.5,
                 new Friction(Friction.Law.COULOMB, 0.1, 0.2, 0), 1e-6)));
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));

@@ -54,7 +54,7 @@ class MotionTest {
     private static Pieces fall(Supplier<DESolver> solver) {
         ParticleSystem system = oneParticle(new Vector3(0, 10, 0), Vector3.ZERO);
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-        RestingContacts contacts = new RestingContacts(system.getParticles(),
+        RestingContacts contacts = new RestingContacts(system,
                 List.of(new ContactSurface("ground", Plane.ground(0), 1, Friction.NONE, 1e-3)));
         system.addReaction(contacts);
         Simulation simulation = new Simulation(system, solver, 4, 4);

@@ -35,10 +35,8 @@ public record Sphere(Vector3 centre, double radius, boolean hollow) implements O
     @Override
     public Vector3 normal(double x, double y, double z) {
         Vector3 r = fromCentre(x, y, z);
-        if (r.length() == 0) {
-            return new Vector3(0, 1, 0);
-        }
-        return r.times((hollow ? -1 : 1) / r.length());
+        double length = r.length();
+        return length == 0 ? new Vector3(0, 1, 0) : r.times((hollow ? -1 : 1) / length);
     }
 
     @Override

@@ -1,7 +1,7 @@
 package particles.reactions;
 
 import deSolvers.text.Digits;
-import java.util.Optional;
+import java.util.List;
 import particles.SimulationException;
 import particles.law.Particles;
 
@@ -17,30 +17,25 @@ final class ConstraintCorrection {
     private static final int MOST_ITERATIONS = 30;
 
     private final ConstraintRows rows;
-    private final Linkages linkages;
-    private final Optional<CoupledContacts> coupled;
-    private final double[] right;
-    private final double[] amount;
+    private final List<Block> all;
+    private final BlockForces blocks;
 
-    ConstraintCorrection(ConstraintRows rows, Linkages linkages, Optional<CoupledContacts> coupled) {
-        this.coupled = coupled;
+    ConstraintCorrection(ConstraintRows rows, List<Block> all, BlockForces blocks) {
         this.rows = rows;
-        this.linkages = linkages;
-        right = new double[rows.count()];
-        amount = new double[rows.count()];
+        this.all = all;
+        this.blocks = blocks;
     }
 
     /** @return whether anything was moved */
-    boolean positions(double[] state, double time, double[] mobility) {
+    boolean positions(double[] state, double time) {
         double before = Double.POSITIVE_INFINITY;
         for (int iteration = 0;; iteration++) {
             rows.evaluate(state);
             double error = 0;
-            for (int r = 0; r < right.length; r++) {
-                right[r] = -rows.value[r];
+            for (int r = 0; r < rows.count(); r++) {
                 int x = Particles.STRIDE * rows.first(r);
                 double place = Math.abs(state[x]) + Math.abs(state[x + 1]) + Math.abs(state[x + 2]);
-                error = Math.max(error, Math.abs(right[r]) / (rows.scale(r) + place));
+                error = Math.max(error, Math.abs(rows.value[r]) / (rows.scale(r) + place));
             }
             if (!(error <= Double.MAX_VALUE)) {
                 throw new SimulationException(time, -1, "a step ends with positions too large to compute with", null);
@@ -54,37 +49,28 @@ final class ConstraintCorrection {
                         + Digits.few(error), null);
             }
             before = error;
-            correct(mobility, state, 0);
+            correct(state, 0);
         }
     }
 
     /** @return whether anything was changed */
-    boolean velocities(double[] state, double[] mobility) {
+    boolean velocities(double[] state) {
         rows.evaluate(state);
         boolean changed = false;
-        for (int r = 0; r < right.length; r++) {
-            right[r] = -rows.rate[r];
+        for (int r = 0; r < rows.count(); r++) {
             int v = Particles.STRIDE * rows.first(r) + 3;
             double speed = Math.abs(state[v]) + Math.abs(state[v + 1]) + Math.abs(state[v + 2]);
-            changed |= Math.abs(right[r]) > FINE * (1 + speed);
+            changed |= Math.abs(rows.rate[r]) > FINE * (1 + speed);
         }
         if (changed) {
-            correct(mobility, state, 3);
+            correct(state, 3);
         }
         return changed;
     }
 
-    private void correct(double[] mobility, double[] state, int place) {
-        for (int l = 0; l < linkages.count(); l++) {
-            Linkage linkage = linkages.get(l);
-            if (coupled.isPresent() && coupled.get().correct(linkage, state, place)) {
-                continue;
-            }
-            linkage.factorise(mobility);
-            linkage.solve(right, amount);
-            for (int row : linkage.members()) {
-                rows.move(row, amount[row], mobility, state, place);
-            }
+    private void correct(double[] state, int place) {
+        for (Block block : all) {
+            blocks.correct(block, state, place, false);
         }
     }
 }

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import particles.law.Obstacle;
 import particles.law.Particles;
 import particles.law.Vector3;
-import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.ContactSurface;
 import particles.reactions.contact.Friction;
 import particles.reactions.contact.SlidingDirection;
 
@@ -17,14 +17,16 @@ final class ContactRows {
 
     private final RestingContacts contacts;
     int count;
-    int[] particle = new int[4];
-    int[] surface = new int[4];
-    double[] normal = new double[12];
-    double[] slip = new double[12];                     // minus the sliding friction for a normal force of 1 N
-    double[] value = new double[4];                     // d (m)
-    double[] rate = new double[4];                      // d' (m/s)
-    double[] bend = new double[4];                      // contribution of the surface's curvature to d'' (m/s^2)
-    private final double[] pressing = new double[3];
+    int[] particle = {};
+    int[] surface = {};
+    Vector3[] normal = {};
+    Friction[] friction = {};
+    private Obstacle[] obstacle = {};
+    double[] slip = {};                                 // minus the sliding friction for a normal force of 1 N
+    double[] value = {};                                // d (m)
+    double[] rate = {};                                 // d' (m/s)
+    double[] push = {};                                 // without friction (N), for findSlip
+    double[] bend = {};                                 // contribution of the surface's curvature to d'' (m/s^2)
 
     ContactRows(RestingContacts contacts) {
         this.contacts = contacts;
@@ -34,57 +36,89 @@ final class ContactRows {
         count = 0;
     }
 
-    /** Adds a row for each surface that a particle touches. */
-    void addTouching(int i, double[] state) {
-        for (int p = 0; p < contacts.getSurfaces().size(); p++) {
-            if (contacts.getModes().get(p, i) != Mode.FREE) {
-                add(p, i, state);
-            }
+    /** Adds a row, whether the particle touches or not; returns its index. */
+    int add(int p, int i) {
+        if (count == particle.length) {
+            int more = 2 * count + 1;
+            particle = Arrays.copyOf(particle, more);
+            surface = Arrays.copyOf(surface, more);
+            normal = Arrays.copyOf(normal, more);
+            friction = Arrays.copyOf(friction, more);
+            obstacle = Arrays.copyOf(obstacle, more);
+            slip = new double[3 * more];
+            value = new double[more];
+            rate = new double[more];
+            bend = new double[more];
+            push = new double[more];
+        }
+        particle[count] = i;
+        surface[count] = p;
+        bend[count] = 0;
+        friction[count] = contacts.getSurfaces().get(p).friction();
+        obstacle[count] = contacts.getSurfaces().get(p).obstacle();
+        return count++;
+    }
+
+    /**
+     * Evaluates a row, without friction yet.
+     *
+     * @param withValue whether the distance is needed
+     */
+    void update(int k, double[] state, boolean withValue) {
+        int x = STRIDE * particle[k];
+        Obstacle obstacle = this.obstacle[k];
+        Vector3 n = obstacle.normal(state[x], state[x + 1], state[x + 2]);
+        double along = n.x() * state[x + 3] + n.y() * state[x + 4] + n.z() * state[x + 5];
+        normal[k] = n;
+        rate[k] = along;
+        slip[3 * k] = 0;
+        slip[3 * k + 1] = 0;
+        slip[3 * k + 2] = 0;
+        if (withValue) {
+            value[k] = obstacle.distance(state[x], state[x + 1], state[x + 2]);
+        }
+        if (!obstacle.isFlat()) {
+            double square = state[x + 3] * state[x + 3] + state[x + 4] * state[x + 4] + state[x + 5] * state[x + 5];
+            bend[k] = obstacle.curvature(state[x], state[x + 1], state[x + 2]) * (square - along * along);
         }
     }
 
-    /** Adds a row, whether the particle touches or not. */
-    void add(int p, int i, double[] state) {
-        if (count == particle.length) {
-            particle = Arrays.copyOf(particle, 2 * count);
-            surface = Arrays.copyOf(surface, 2 * count);
-            normal = Arrays.copyOf(normal, 6 * count);
-            slip = Arrays.copyOf(slip, 6 * count);
-            value = Arrays.copyOf(value, 2 * count);
-            rate = Arrays.copyOf(rate, 2 * count);
-            bend = Arrays.copyOf(bend, 2 * count);
+    /** The largest curvature of the surfaces (1/m), 0 for planes. */
+    double curvature(double[] state) {
+        double most = 0;
+        for (int k = 0; k < count; k++) {
+            int x = STRIDE * particle[k];
+            most = Math.max(most, Math.abs(obstacle[k].curvature(state[x], state[x + 1], state[x + 2])));
         }
-        int x = STRIDE * i;
-        Obstacle obstacle = contacts.getSurfaces().get(p).obstacle();
-        Vector3 n = obstacle.normal(state[x], state[x + 1], state[x + 2]);
-        particle[count] = i;
-        surface[count] = p;
-        normal[3 * count] = n.x();
-        normal[3 * count + 1] = n.y();
-        normal[3 * count + 2] = n.z();
-        Arrays.fill(slip, 3 * count, 3 * count + 3, 0.0);
-        value[count] = obstacle.distance(state[x], state[x + 1], state[x + 2]);
-        double along = n.x() * state[x + 3] + n.y() * state[x + 4] + n.z() * state[x + 5];
-        rate[count] = along;
-        double square = state[x + 3] * state[x + 3] + state[x + 4] * state[x + 4] + state[x + 5] * state[x + 5];
-        bend[count++] = obstacle.isFlat() ? 0
-                : obstacle.curvature(state[x], state[x + 1], state[x + 2]) * (square - along * along);
+        return most;
+    }
+
+    /** Writes the normal of row k to three entries of an array. */
+    void putNormal(int k, double[] vectors, int place) {
+        vectors[place] = normal[k].x();
+        vectors[place + 1] = normal[k].y();
+        vectors[place + 2] = normal[k].z();
     }
 
     /** The normal of row k times a vector of its particle, which begins at {@code place} + 6 i. */
     double times(int k, double[] vectors, int place) {
         int i = STRIDE * particle[k] + place;
-        return normal[3 * k] * vectors[i] + normal[3 * k + 1] * vectors[i + 1] + normal[3 * k + 2] * vectors[i + 2];
+        return normal[k].x() * vectors[i] + normal[k].y() * vectors[i + 1] + normal[k].z() * vectors[i + 2];
     }
 
-    /** Whether friction on any particle depends on the force, as it is at rest and about to slide, or may stop. */
-    boolean isAnyAboutToMove(double[] state) {
+    /**
+     * Whether friction depends on the normal forces in another way than in proportion: where a particle is at rest and
+     * about to slide, or may stop, and on several surfaces.
+     */
+    boolean isFrictionIndirect(double[] state) {
         for (int k = 0; k < count; k++) {
             int v = STRIDE * particle[k] + 3;
-            if (friction(k).law() == Friction.Law.COULOMB && (contacts.sliding().mayStop(particle[k])
+            if (friction[k].law() != Friction.Law.NONE && (k > 0 && particle[k - 1] == particle[k]
+                    || k + 1 < count && particle[k + 1] == particle[k])
+                    || friction[k].law() == Friction.Law.COULOMB && (contacts.sliding().mayStop(particle[k])
                     || contacts.sliding().startsFromRest(particle[k])
-                    || state[v] - rate[k] * normal[3 * k] == 0 && state[v + 1] - rate[k] * normal[3 * k + 1] == 0
-                    && state[v + 2] - rate[k] * normal[3 * k + 2] == 0)) {
+                    || state[v] - rate[k] * normal[k].x() == 0 && state[v + 1] - rate[k] * normal[k].y() == 0
+                    && state[v + 2] - rate[k] * normal[k].z() == 0)) {
                 return true;
             }
         }
@@ -92,47 +126,55 @@ final class ContactRows {
     }
 
     /**
-     * Finds the sliding friction of a contact.
+     * Finds the sliding friction of a contact: along all surfaces that push its particle.
      *
-     * @param k     the row
-     * @param push  the normal force without friction (N); used only if the particle is about to move
-     * @param share as for {@link SlidingDirection#find}
-     * @param force the force that will move the particle, without friction (N), from entry 6 i + 3 on
+     * @param k         the row
+     * @param pushKnown whether {@link #push} holds the normal forces without friction
+     * @param force     the force that will move the particle, without friction (N), from entry 6 i + 3 on
      */
-    void findSlip(int k, double push, double share, double[] force, double[] state) {
-        int f = STRIDE * particle[k] + 3;
+    void findSlip(int k, boolean pushKnown, double[] force, double[] state) {
+        if (friction[k].law() == Friction.Law.NONE) {
+            return;
+        }
         SlidingDirection sliding = contacts.sliding();
-        System.arraycopy(force, f, pressing, 0, 3);
-        double reference = push > 0 ? push : 1;
-        Vector3 across = new Vector3(normal[3 * k], normal[3 * k + 1], normal[3 * k + 2]);
-        double factor = sliding.find(friction(k), across, reference, share, pressing, state, f) / reference;
+        sliding.release();
+        sliding.keepAlong(normal[k]);
+        for (int j = 0; pushKnown && j < count; j++) {
+            if (j != k && particle[j] == particle[k] && push[j] != 0) {
+                sliding.keepAlong(normal[j]);
+            }
+        }
+        int v = STRIDE * particle[k] + 3;
+        boolean pushes = pushKnown && push[k] > 0;
+        double factor = sliding.find(friction[k], pushes ? push[k] : 1, pushKnown ? share(k) : 1, force, state, v);
+        if (pushes) {
+            factor /= push[k];
+        }
         for (int c = 0; c < 3; c++) {
             slip[3 * k + c] = factor == 0 ? 0 : factor * sliding.direction[c];
         }
     }
 
-    /**
-     * The part of a particle's Coulomb friction that contact k gives.
-     *
-     * @param pushes the normal forces (N), from entry {@code first} on
-     */
-    double share(int k, double[] pushes, int first) {
+    /** The part of a particle's Coulomb friction that contact k gives. */
+    private double share(int k) {
         double all = 0;
         for (int j = 0; j < count; j++) {
-            all += particle[j] == particle[k] ? friction(j).ofCoulomb(pushes[first + j]) : 0;
+            all += particle[j] == particle[k] ? friction[j].ofCoulomb(push[j]) : 0;
         }
-        return all > 0 ? friction(k).ofCoulomb(pushes[first + k]) / all : 1;
-    }
-
-    private Friction friction(int k) {
-        return contacts.getSurfaces().get(surface[k]).friction();
+        return all > 0 ? friction[k].ofCoulomb(push[k]) / all : 1;
     }
 
     /** Adds the normal force and friction of row k. */
     void addForce(int k, double push, double[] force) {
         int f = STRIDE * particle[k] + 3;
-        for (int c = 0; c < 3; c++) {
-            force[f + c] += push * (normal[3 * k + c] - slip[3 * k + c]);
-        }
+        force[f] += push * (normal[k].x() - slip[3 * k]);
+        force[f + 1] += push * (normal[k].y() - slip[3 * k + 1]);
+        force[f + 2] += push * (normal[k].z() - slip[3 * k + 2]);
+    }
+
+    /** The slip of row k times its particle's velocity. */
+    double slipTimes(int k, double[] state) {
+        int v = STRIDE * particle[k] + 3;
+        return slip[3 * k] * state[v] + slip[3 * k + 1] * state[v + 1] + slip[3 * k + 2] * state[v + 2];
     }
 }

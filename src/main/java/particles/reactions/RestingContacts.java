@@ -2,6 +2,7 @@ package particles.reactions;
 
 import deSolvers.ForceDerivatives;
 import deSolvers.text.Digits;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import particles.ParticleSystem;
@@ -11,17 +12,15 @@ import particles.law.Reaction;
 import particles.law.Vector3;
 import particles.law.Violation;
 import particles.reactions.contact.ContactModes;
-import particles.reactions.contact.ContactResponse;
 import particles.reactions.contact.ContactSurface;
 import particles.reactions.contact.Friction;
-import particles.reactions.contact.NormalForces;
 import particles.reactions.contact.SlidingDirection;
 
 /**
  * The contact force on particles that rest on surfaces, the slides' "Particle/Plane Contact": for N . F &ge; 0 it is 0;
  * otherwise the normal force is lambda = -(N . F), and friction is lambda times the friction law. Several surfaces on
- * one particle share the load ({@link NormalForces}). On a sphere the normal force differs by the centripetal term m
- * v_t&sup2;/R: less on a ball, more in a hollow.
+ * one particle share the load. On a sphere the normal force differs by the centripetal term m v_t&sup2;/R: less on a
+ * ball, more in a hollow.
  *
  * <p>Whether a particle touches a surface, and whether it slides or sticks there, does not change within a step: {@code
  * particles.rules.ClampedImpacts} decides it between steps, {@code ExactImpacts} at events that end one piece of
@@ -46,19 +45,25 @@ public final class RestingContacts implements Reaction {
     private final Particles particles;
     private final List<ContactSurface> surfaces;
     private final ContactModes modes;
-    private Optional<RigidConstraints> coupled = Optional.empty();
     private final SlidingDirection sliding = new SlidingDirection();
-    private final ContactResponse response;
+    private final List<Block> touching = new ArrayList<>();
+    private int touchingAt = -1;                        // the modes' count of changes
+    private Optional<RigidConstraints> joints = Optional.empty();
+    private BlockForces blocks;
+    private ContactQueries queries;
+    private boolean holdsOn;
 
     /**
-     * @param particles the particles
-     * @param surfaces  the surfaces
+     * @param system   the system of the particles
+     * @param surfaces the surfaces
      */
-    public RestingContacts(Particles particles, List<ContactSurface> surfaces) {
-        this.particles = particles;
+    public RestingContacts(ParticleSystem system, List<ContactSurface> surfaces) {
+        this.particles = system.getParticles();
         this.surfaces = List.copyOf(surfaces);
         modes = new ContactModes(particles, surfaces.size());
-        response = new ContactResponse(particles, this.surfaces, modes, sliding);
+        ConstraintRows none = new ConstraintRows();
+        blocks = new BlockForces(system, none, this, 0);
+        queries = new ContactQueries(system, none, this, blocks);
     }
 
     /** @return the surfaces, in the order of their indices in {@link #getModes} */
@@ -88,20 +93,22 @@ public final class RestingContacts implements Reaction {
      * @param holdsOn true if a rule locates the exact time of release
      */
     public void setHoldsOn(boolean holdsOn) {
-        response.setHoldsOn(holdsOn);
+        this.holdsOn = holdsOn;
     }
 
-    /** The contact forces on a single particle, without rods. */
-    ContactResponse response() {
-        return response;
+    boolean holdsOn() {
+        return holdsOn;
     }
 
     SlidingDirection sliding() {
         return sliding;
     }
 
-    void coupleTo(RigidConstraints constraints) {
-        coupled = Optional.of(constraints);
+    void joinTo(RigidConstraints constraints, BlockForces blocks, ContactQueries queries) {
+        this.queries = queries;
+        touchingAt = -1;
+        joints = Optional.of(constraints);
+        this.blocks = blocks;
     }
 
     /**
@@ -109,7 +116,25 @@ public final class RestingContacts implements Reaction {
      * @return whether it is on a rod or wire, so that an impulse on it is transmitted to others
      */
     public boolean isCoupled(int particle) {
-        return coupled.isPresent() && coupled.get().holds(particle);
+        return joints.isPresent() && joints.get().block(particle).isPresent();
+    }
+
+    private Block block(int particle) {
+        return isCoupled(particle) ? joints.get().block(particle).get() : blocks.single(particle);
+    }
+
+    /** The blocks of the particles that touch a surface and are not on a rod or wire. */
+    private List<Block> touching() {
+        if (touchingAt != modes.changes()) {
+            touchingAt = modes.changes();
+            touching.clear();
+            for (int i = 0; i < modes.end(); i++) {
+                if (modes.isTouching(i) && !particles.isFixed(i) && !isCoupled(i)) {
+                    touching.add(blocks.single(i));
+                }
+            }
+        }
+        return touching;
     }
 
     /**
@@ -122,7 +147,7 @@ public final class RestingContacts implements Reaction {
      * @param state    the state, in which velocities are changed
      */
     public void strike(int surface, int particle, double leaving, double[] state) {
-        coupled.orElseThrow().strike(surface, particle, leaving, state);
+        blocks.strike(block(particle), surface, particle, leaving, state);
     }
 
     /**
@@ -136,7 +161,7 @@ public final class RestingContacts implements Reaction {
      * @return true for every particle without rods and wires
      */
     public boolean canPush(int surface, int particle, double[] state) {
-        return !isCoupled(particle) || coupled.get().canPush(surface, particle, state);
+        return !isCoupled(particle) || blocks.canPush(block(particle), surface, particle, state);
     }
 
     /**
@@ -148,7 +173,7 @@ public final class RestingContacts implements Reaction {
      */
     public void settle(int particle, double[] state) {
         if (isCoupled(particle)) {
-            coupled.get().settle(particle, state);
+            blocks.settle(block(particle), state, false);
         }
     }
 
@@ -159,7 +184,7 @@ public final class RestingContacts implements Reaction {
      * @param time  t (s), for messages
      */
     public void putBack(double[] state, double time) {
-        coupled.orElseThrow().project(state, time);
+        joints.orElseThrow().project(state, time);
     }
 
     /**
@@ -293,27 +318,27 @@ public final class RestingContacts implements Reaction {
 
     @Override
     public void addForceDerivatives(double[] state, double time, double[] force, ForceDerivatives derivatives) {
-        for (int i = 0; i < modes.end(); i++) {
-            if (!isCoupled(i)) {
-                response.addDerivatives(i, state, force, derivatives);
-            }
+        ContactDerivative derivative = new ContactDerivative(blocks, time);
+        for (Block block : touching()) {
+            derivative.add(block, state, force, derivatives);
         }
     }
 
     @Override
     public void addForces(double[] state, double time, double[] force) {
-        for (int i = 0; i < modes.end(); i++) {
-            if (!isCoupled(i)) {
-                response.addForce(i, state, force);
-            }
+        List<Block> touching = touching();
+        for (int b = 0; b < touching.size(); b++) {
+            blocks.solve(touching.get(b), state, time, force);
+            blocks.addForces(touching.get(b), force);
         }
     }
 
     @Override
     public double getPower(double[] state, double time, double[] force) {
-        double power = coupled.isPresent() ? coupled.get().contactPower(state, time, force) : 0;
-        for (int i = 0; i < modes.end(); i++) {
-            power = isCoupled(i) ? power : response.addPower(power, i, state, force);
+        double power = joints.isPresent() ? joints.get().contactPower(state, time, force) : 0;
+        for (Block block : touching()) {
+            blocks.solve(block, state, time, force);
+            power += blocks.frictionPower(block, state);
         }
         return power;
     }
@@ -355,8 +380,7 @@ public final class RestingContacts implements Reaction {
      *         nothing presses it on
      */
     public double holdMargin(int particle, double[] state, double[] force) {
-        return isCoupled(particle) ? coupled.get().holdMargin(particle, state, force)
-                : response.holdMargin(particle, state, force);
+        return queries.holdMargin(block(particle), particle, state, force);
     }
 
     /**
@@ -369,8 +393,7 @@ public final class RestingContacts implements Reaction {
      * @return the normal force (N); if it is 0, minus the force that pulls the particle off
      */
     public double pressure(int surface, int particle, double[] state, double[] force) {
-        return isCoupled(particle) ? coupled.get().pressure(surface, particle, state, force)
-                : response.pressure(surface, particle, state, force);
+        return queries.pressure(block(particle), surface, particle, state, force);
     }
 
     /**
@@ -381,6 +404,6 @@ public final class RestingContacts implements Reaction {
      * @param state    the state, in which its velocity is changed
      */
     public void stopEntering(int particle, double[] state) {
-        response.stopEntering(particle, state);
+        blocks.settle(blocks.single(particle), state, true);
     }
 }

@@ -1,7 +1,10 @@
 package particles.reactions;
 
 import deSolvers.text.Digits;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
+import java.util.function.ToDoubleBiFunction;
 import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.law.Particles;
@@ -40,23 +43,13 @@ public final class RigidConstraints implements Reaction, SpringView {
     /** The default feedback rate alpha (1/s). */
     public static final double USUAL_FEEDBACK = 5;
 
-    private static final int STRIDE = Particles.STRIDE;
-    /**
-     * Rods contradict each other if the residual is above this fraction of the largest acceleration; the drift of
-     * redundant rods stays below.
-     */
-    static final double CONTRADICTION = 1e-4;
-
     private final ParticleSystem system;
     private final Particles particles;
     private final double feedback;
     private final ConstraintRows rows = new ConstraintRows();
-    private final Linkages linkages = new Linkages();
-    private double[] accelerations = {};
-    private double[] right = {};
-    private double[] lambda = {};
-    private ConstraintCorrection projection = new ConstraintCorrection(rows, linkages, Optional.empty());
-    private Optional<CoupledContacts> coupled = Optional.empty();
+    private final List<Block> joined = new ArrayList<>();
+    private BlockForces blocks;
+    private Block[] blockOf = {};                       // by particle; null for none
     private boolean arranged;
 
     /**
@@ -71,6 +64,7 @@ public final class RigidConstraints implements Reaction, SpringView {
         this.system = system;
         this.particles = system.getParticles();
         this.feedback = feedback;
+        blocks = new BlockForces(system, rows, new RestingContacts(system, List.of()), feedback);
     }
 
     /**
@@ -109,17 +103,19 @@ public final class RigidConstraints implements Reaction, SpringView {
         arranged = false;
     }
 
-    /** Finds the linkages, once and after particles were removed. */
+    /** Finds the blocks, once and after particles were removed. */
     private void arrange() {
         if (!arranged) {
-            linkages.arrange(rows, particles);
-            projection = new ConstraintCorrection(rows, linkages, coupled);
-            right = new double[rows.count()];
-            lambda = new double[rows.count()];
+            joined.clear();
+            blockOf = new Block[particles.count()];
+            for (int[] part : new RowGraph(rows, particles).parts()) {
+                Block block = blocks.block(part);
+                joined.add(block);
+                for (int i : block.particles()) {
+                    blockOf[i] = block;
+                }
+            }
             arranged = true;
-        }
-        if (accelerations.length != system.getStateSize()) {
-            accelerations = new double[system.getStateSize()];
         }
     }
 
@@ -140,77 +136,34 @@ public final class RigidConstraints implements Reaction, SpringView {
 
     @Override
     public void addForces(double[] state, double time, double[] force) {
-        prepare(state, time, force);
-        for (int l = 0; l < linkages.count(); l++) {
-            Linkage linkage = linkages.get(l);
-            if (isSolvedWithContacts(linkage, state, time, force)) {
-                coupled.orElseThrow().addForces(linkage, force, lambda);
-            } else {
-                solve(linkage, time);
-                for (int row : linkage.members()) {
-                    rows.addForce(row, lambda[row], force);
-                }
-            }
+        arrange();
+        blocks.prepare(state, time);
+        for (int l = 0; l < joined.size(); l++) {
+            blocks.solve(joined.get(l), state, time, force);
+            blocks.addForces(joined.get(l), force);
         }
     }
 
     /** {@inheritDoc} Only moving anchors do work; energy changed by errors of the lengths counts as error. */
     @Override
     public double getPower(double[] state, double time, double[] force) {
-        prepare(state, time, force);
-        double power = 0;
-        for (int l = 0; l < linkages.count(); l++) {
-            Linkage linkage = linkages.get(l);
-            if (!isSolvedWithContacts(linkage, state, time, force)) {
-                solve(linkage, time);
-            }
-            for (int row : linkage.members()) {
-                power -= lambda[row] * rows.rateOfAnchors(row, state, particles.getInverseMasses());
-            }
-        }
-        return power;
+        return sum(state, time, force, blocks::anchorPower);
     }
 
     /** The power of the contact forces on particles that are on rods or wires (W). */
     double contactPower(double[] state, double time, double[] force) {
-        prepare(state, time, force);
-        double power = 0;
-        for (int l = 0; l < linkages.count(); l++) {
-            power += isSolvedWithContacts(linkages.get(l), state, time, force) ? coupled.orElseThrow().power(state) : 0;
-        }
-        return power;
+        return sum(state, time, force, blocks::frictionPower);
     }
 
-    private boolean isSolvedWithContacts(Linkage linkage, double[] state, double time, double[] force) {
-        return coupled.isPresent() && coupled.get().solve(linkage, state, time, force, lambda);
-    }
-
-    /** Computes the right-hand sides of linkages without contacts. */
-    private void prepare(double[] state, double time, double[] force) {
+    private double sum(double[] state, double time, double[] force, ToDoubleBiFunction<Block, double[]> power) {
         arrange();
-        rows.evaluate(state);
-        double[] inverseMasses = particles.getInverseMasses();
-        for (int i = 0; i < particles.count(); i++) {
-            for (int f = STRIDE * i + 3; f < STRIDE * (i + 1); f++) {
-                accelerations[f] = inverseMasses[i] * force[f];
-            }
+        blocks.prepare(state, time);
+        double sum = 0;
+        for (Block block : joined) {
+            blocks.solve(block, state, time, force);
+            sum += power.applyAsDouble(block, state);
         }
-        system.putAnchorAccelerations(time, accelerations);
-        for (int r = 0; r < right.length; r++) {
-            right[r] = -(rows.times(r, accelerations, 3) + rows.bend[r]) - feedback * feedback * rows.value[r]
-                    - 2 * feedback * rows.rate[r];
-        }
-    }
-
-    private void solve(Linkage linkage, double time) {
-        linkage.factorise(particles.getInverseMasses());
-        double left = linkage.solve(right, lambda);
-        if (left > CONTRADICTION * linkage.scale(right, accelerations)) {
-            int particle = rows.first(linkage.members()[0]);
-            throw new SimulationException(time, particle, "the rods and wires connected to particle '"
-                    + particles.id(particle) + "' contradict each other at t = " + time + " s: no forces can"
-                    + " satisfy them all", null);
-        }
+        return sum;
     }
 
     /**
@@ -219,38 +172,15 @@ public final class RigidConstraints implements Reaction, SpringView {
      * @param contacts a reaction of the same system
      */
     public void solveWith(RestingContacts contacts) {
-        coupled = Optional.of(new CoupledContacts(system, rows, contacts, feedback));
-        contacts.coupleTo(this);
+        blocks = new BlockForces(system, rows, contacts, feedback);
         arranged = false;
+        contacts.joinTo(this, blocks, new ContactQueries(system, rows, contacts, blocks));
     }
 
-    /** Whether a particle is on a rod or wire. */
-    boolean holds(int particle) {
+    /** The block of a particle on a rod or wire; none for others. */
+    Optional<Block> block(int particle) {
         arrange();
-        return linkages.holds(particle);
-    }
-
-    double pressure(int surface, int particle, double[] state, double[] force) {
-        return coupled.orElseThrow().pressure(linkages.of(particle), surface, particle, state, force, lambda);
-    }
-
-    double holdMargin(int particle, double[] state, double[] force) {
-        return coupled.orElseThrow().holdMargin(linkages.of(particle), particle, state, force, lambda);
-    }
-
-    void strike(int surface, int particle, double leaving, double[] state) {
-        coupled.orElseThrow().strike(linkages.of(particle), surface, particle, leaving, state);
-    }
-
-    boolean canPush(int surface, int particle, double[] state) {
-        return coupled.orElseThrow().canPush(linkages.of(particle), surface, particle, state);
-    }
-
-    void settle(int particle, double[] state) {
-        rows.evaluate(state);
-        if (!coupled.orElseThrow().correct(linkages.of(particle), state, 3)) {      // nothing is touched
-            projection.velocities(state, particles.getInverseMasses());
-        }
+        return particle < blockOf.length ? Optional.ofNullable(blockOf[particle]) : Optional.empty();
     }
 
     /**
@@ -263,8 +193,9 @@ public final class RigidConstraints implements Reaction, SpringView {
      */
     public boolean project(double[] state, double time) {
         arrange();
-        boolean moved = projection.positions(state, time, particles.getInverseMasses());
-        return projection.velocities(state, particles.getInverseMasses()) | moved;
+        ConstraintCorrection correction = new ConstraintCorrection(rows, joined, blocks);
+        boolean moved = correction.positions(state, time);
+        return correction.velocities(state) | moved;
     }
 
     @Override

@@ -1,7 +1,6 @@
 package particles.reactions;
 
-import java.util.Set;
-import java.util.TreeSet;
+import java.util.BitSet;
 import particles.law.Particles;
 
 /**
@@ -20,35 +19,32 @@ final class StaticFrictionFeasibility {
     private static final double MOST = 100;
 
     private final ConstraintRows rows;
-    private final RestingContacts contacts;
-    private final Set<Integer> ends = new TreeSet<>();
+    private final ContactQueries queries;
+    private BitSet ends = new BitSet();
 
-    StaticFrictionFeasibility(ConstraintRows rows, RestingContacts contacts) {
+    StaticFrictionFeasibility(ConstraintRows rows, ContactQueries queries) {
         this.rows = rows;
-        this.contacts = contacts;
+        this.queries = queries;
     }
 
     /**
-     * Adds loads of the rods and wires of a linkage that cannot move.
+     * Adds loads of the rods and wires of a block that cannot move.
      *
      * @param total the forces without these loads (N); the loads are added
      */
-    void run(Linkage linkage, JointSystem joint, double[] state, double[] total) {
-        ends.clear();
+    void run(Block joint, double[] state, double[] total) {
+        ends = joint.held();
         double size = 0;
-        for (int i : linkage.particles()) {
-            if (joint.mobility[i] == 0) {
-                ends.add(i);
-                int f = Particles.STRIDE * i + 3;
-                size += Math.abs(total[f]) + Math.abs(total[f + 1]) + Math.abs(total[f + 2]);
-            }
+        for (int i = ends.nextSetBit(0); i >= 0; i = ends.nextSetBit(i + 1)) {
+            int f = Particles.STRIDE * i + 3;
+            size += Math.abs(total[f]) + Math.abs(total[f + 1]) + Math.abs(total[f + 2]);
         }
         double least = leastMargin(-1, state, total);
         for (int sweep = 0; sweep < SWEEPS && least <= 0; sweep++) {
             double before = least;
             int idle = 0;
-            for (int r = 0; r < joint.constraintRows() && least <= 0; r++) {
-                if (joint.isIdle(r)) {
+            for (int r = 0; r < joint.size() && least <= 0; r++) {
+                if (joint.isMember(r) && joint.isIdle(r)) {
                     load(joint.member(r), MOST * size, state, total);
                     least = leastMargin(-1, state, total);
                     idle++;
@@ -100,15 +96,15 @@ final class StaticFrictionFeasibility {
     }
 
     private double margin(int i, double[] state, double[] total) {
-        return ends.contains(i) ? contacts.response().holdSlack(i, state, total) : Double.POSITIVE_INFINITY;
+        return i >= 0 && ends.get(i) ? queries.holdSlack(i, state, total) : Double.POSITIVE_INFINITY;
     }
 
     /** The smallest margin of all ends but those of a row. */
     private double leastMargin(int row, double[] state, double[] total) {
         double least = Double.POSITIVE_INFINITY;
-        for (int i : ends) {
+        for (int i = ends.nextSetBit(0); i >= 0; i = ends.nextSetBit(i + 1)) {
             least = row >= 0 && (i == rows.first(row) || i == rows.second(row)) ? least
-                    : Math.min(least, contacts.response().holdSlack(i, state, total));
+                    : Math.min(least, queries.holdSlack(i, state, total));
         }
         return least;
     }

@@ -12,14 +12,18 @@
  * <p><b>Complementarity.</b> A rod pulls and pushes; a contact only pushes, and only while it touches: lambda &ge; 0,
  * d'' &ge; 0 and lambda d'' = 0. For one particle on one plane that is the slides' rule: 0 for N . F &ge; 0, otherwise
  * lambda = -(N . F); on a sphere of radius R the term m v<sub>t</sub>&sup2;/R is added. Rods and contacts that share
- * particles form a block and are solved together, by an active-set method: all contacts are taken to push, and one that
- * would pull, or that would let its particle in, changes sides until none is wrong.
+ * particles form a block, a particle that only touches surfaces is a block of its own, and each block is solved by one
+ * active-set method: all contacts are taken to push, and one that would pull, or that would let its particle in,
+ * changes sides until none is wrong. A block keeps its rows until a contact begins or ends, sticks or slides; a
+ * particle on one plane has one row, lambda = -(N . F).
  *
  * <p><b>Friction.</b> The friction of a contact lies in a cone, |F<sub>t</sub>| &le; mu lambda. While a particle
  * slides, it is mu lambda against the velocity v<sub>t</sub> (slide: k<sub>f</sub> lambda v<sub>t</sub>); at the start
- * from rest, against the force that moves the particle. Several surfaces share it in the ratio of their limits. A
- * particle at rest sticks if the cones of its surfaces hold the whole of the other forces on it. A rod to a moving
- * anchor is stronger than any friction: its end cannot stick while the anchor moves along the rod.
+ * from rest, against the force that moves the particle. A particle that several surfaces push slides along all of them:
+ * in a groove along its bottom line, and in the corner of three planes not at all. So friction is at right angles to
+ * all normals of its particle, and loads only what rods join to it. Several surfaces share it in the ratio of their
+ * limits. A particle at rest sticks if the cones of its surfaces hold the whole of the other forces on it. A rod to a
+ * moving anchor is stronger than any friction: its end cannot stick while the anchor moves along the rod.
  *
  * <p><b>What is unique.</b> The accelerations are, while the same particles stick and friction is not so large that it
  * jams (P. Painlev&eacute; 1895: then no forces may exist, and the run says so). The forces need not be: a square of

@@ -103,7 +103,7 @@ public final class SceneBuilder {
         Simulation simulation = new Simulation(system, scene.settings().solver()::create, scene.deltaT(),
                 scene.duration());
         if (!assembly.getSurfaces().isEmpty()) {               // the ground and others to collide with
-            RestingContacts contacts = new RestingContacts(system.getParticles(), assembly.getSurfaces());
+            RestingContacts contacts = new RestingContacts(system, assembly.getSurfaces());
             system.addReaction(contacts);
             simulation.addRule(scene.settings().exactImpacts() ? new ExactImpacts(contacts)
                     : new ClampedImpacts(contacts));

@@ -73,7 +73,7 @@ class ConstraintWorkTest {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("p", 1, new Vector3(0, -1, 0), new Vector3(Math.sqrt(4.5 * 9.81), 0, 0), false);
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-        RestingContacts contacts = new RestingContacts(system.getParticles(), List.of(new ContactSurface("ball",
+        RestingContacts contacts = new RestingContacts(system, List.of(new ContactSurface("ball",
                 new Sphere(Vector3.ZERO, 1, true), 0.5, Friction.NONE, 1e-3)));
         contacts.getModes().set(0, 0, ContactModes.Mode.SLIDING);
         system.addReaction(contacts);

@@ -33,7 +33,7 @@ final class JointCase {
             system.addParticle("p" + i, 1, places[i], velocities[i], firstIsFixed && i == 0);
         }
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-        contacts = new RestingContacts(system.getParticles(), planes);
+        contacts = new RestingContacts(system, planes);
         for (int[] pair : pairs) {
             rods.addRod(pair[0], pair[1], Pendulums.distance(system, pair[0], pair[1]));
         }

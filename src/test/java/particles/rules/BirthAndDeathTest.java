@@ -124,7 +124,7 @@ class BirthAndDeathTest {
     void birthsDeathsAndImpactsAreBookedOnce() {
         ParticleSystem system = new ParticleSystem();
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-        RestingContacts contacts = new RestingContacts(system.getParticles(),
+        RestingContacts contacts = new RestingContacts(system,
                 List.of(new ContactSurface("ground", Plane.ground(0), 0.4, Friction.NONE, 1e-3)));
         system.addReaction(contacts);
         Simulation simulation = new Simulation(system, RK4Solver::new, 0.01, 4);

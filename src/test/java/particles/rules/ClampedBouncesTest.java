@@ -42,7 +42,7 @@ class ClampedBouncesTest {
 
         Bounces(Vector3 from, Vector3 velocity, double deltaT, double duration, ContactSurface... surfaces) {
             system = oneParticle(from, velocity);
-            RestingContacts contacts = new RestingContacts(system.getParticles(), List.of(surfaces));
+            RestingContacts contacts = new RestingContacts(system, List.of(surfaces));
             system.addEffect(new Gravity(system.getParticles(), GRAVITY));
             system.addReaction(contacts);
             Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, duration);

@@ -31,7 +31,7 @@ class ClampedImpactsTest {
     private static final double G = 9.81;
 
     private static ClampedImpacts planes(ParticleSystem system, ContactSurface... planes) {
-        RestingContacts contacts = new RestingContacts(system.getParticles(), List.of(planes));
+        RestingContacts contacts = new RestingContacts(system, List.of(planes));
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         system.addReaction(contacts);
         return new ClampedImpacts(contacts);
@@ -166,7 +166,7 @@ class ClampedImpactsTest {
     @Test
     void contactDoesNotPull() {
         ParticleSystem system = oneParticle(Vector3.ZERO, Vector3.ZERO);
-        RestingContacts contacts = new RestingContacts(system.getParticles(), List.of(ground(0.5, Friction.NONE)));
+        RestingContacts contacts = new RestingContacts(system, List.of(ground(0.5, Friction.NONE)));
         system.addEffect(new Gravity(system.getParticles(), new Vector3(0, 2, 0)));
         system.addReaction(contacts);
         ClampedImpacts rule = new ClampedImpacts(contacts);
@@ -180,7 +180,7 @@ class ClampedImpactsTest {
     @Test
     void frictionNeverAddsEnergy() {
         ParticleSystem system = oneParticle(Vector3.ZERO, new Vector3(2, 0, 1));
-        RestingContacts contacts = new RestingContacts(system.getParticles(),
+        RestingContacts contacts = new RestingContacts(system,
                 List.of(ground(0, new Friction(Friction.Law.COULOMB, 0.3, 0.4, 0))));
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         system.addReaction(contacts);

@@ -73,7 +73,7 @@ class ClampedRodsTest {
                     shape.velocity(), false);
         }
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-        RestingContacts contacts = new RestingContacts(system.getParticles(), List.of(new ContactSurface("ground",
+        RestingContacts contacts = new RestingContacts(system, List.of(new ContactSurface("ground",
                 Plane.ground(0), name.equals("toppling") ? 0 : 0.3,
                 new Friction(Friction.Law.COULOMB, mu, mu, 1e-2), 1e-2)));
         RigidConstraints rods = new RigidConstraints(system, 5);

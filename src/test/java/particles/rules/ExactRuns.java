@@ -29,7 +29,7 @@ final class ExactRuns {
     }
 
     static RestingContacts contacts(ParticleSystem system, ContactSurface... planes) {
-        RestingContacts contacts = new RestingContacts(system.getParticles(), List.of(planes));
+        RestingContacts contacts = new RestingContacts(system, List.of(planes));
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         system.addReaction(contacts);
         return contacts;

@@ -74,7 +74,7 @@ class LettingGoTest {
     void aCorrectionDoesNotStopAParticleThatLeaves(double g, double speed) {
         ParticleSystem system = oneParticle(new Vector3(0, 1e-4, 0), new Vector3(0, 1e-4, 0));
         system.addEffect(new Gravity(system.getParticles(), new Vector3(0, -g, 0)));
-        RestingContacts contacts = new RestingContacts(system.getParticles(),
+        RestingContacts contacts = new RestingContacts(system,
                 List.of(new ContactSurface("ground", Plane.ground(0), 0, Friction.NONE, 1e-3)));
         system.addReaction(contacts);
         Simulation simulation = simulation(system, contacts, RK4Solver::new, 0.1, 1);

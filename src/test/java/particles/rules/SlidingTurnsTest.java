@@ -33,7 +33,7 @@ class SlidingTurnsTest {
     private ParticleSystem slide(double up, double along, double threshold, double deltaT, double duration) {
         ParticleSystem system = oneParticle(Vector3.ZERO, new Vector3(up * SLOPE, up * SLOPE, along));
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-        RestingContacts contacts = new RestingContacts(system.getParticles(), List.of(new ContactSurface("slope",
+        RestingContacts contacts = new RestingContacts(system, List.of(new ContactSurface("slope",
                 new Plane(Vector3.ZERO, new Vector3(-SLOPE, SLOPE, 0)), 0.5,
                 new Friction(Friction.Law.COULOMB, MU, MU, threshold), 1e-6)));
         system.addReaction(contacts);

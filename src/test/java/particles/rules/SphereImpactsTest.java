@@ -39,7 +39,7 @@ class SphereImpactsTest {
     }
 
     private static RestingContacts contacts(ParticleSystem system, ContactSurface... solids) {
-        RestingContacts contacts = new RestingContacts(system.getParticles(), List.of(solids));
+        RestingContacts contacts = new RestingContacts(system, List.of(solids));
         system.addReaction(contacts);
         return contacts;
     }

@@ -144,7 +144,7 @@ class TearsTest {
         springs.addSpring(nail, bob, STIFFNESS, LENGTH, damping);
         system.addEffect(springs);
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-        RestingContacts contacts = new RestingContacts(system.getParticles(),
+        RestingContacts contacts = new RestingContacts(system,
                 List.of(new ContactSurface("ground", Plane.ground(0), 0.1, Friction.NONE, 1e-6)));
         system.addReaction(contacts);
         Simulation simulation = simulation(0.02, 0.02);

@@ -1,108 +1,151 @@
 package particles.reactions.algebra;
 
-import java.util.Arrays;
-
 /**
  * Active-set solver of a mixed linear complementarity problem: A lambda - b = w with w = 0 in the rows of rods and
  * wires, and lambda &ge; 0, w &ge; 0, lambda w = 0 in those of contacts: a contact either pushes or separates. The
- * active contacts are found by principal pivoting with the least index first, starting with all (K. Murty 1974); each
- * set takes one linear system. If A is positive definite the search always ends.
+ * search starts with all contacts active; each set takes one linear system in the envelope of A. All contacts that are
+ * wrong change sides together as long as their number falls (J. J&uacute;dice, F. Pires 1994), after that the one with
+ * the least index (K. Murty 1974). If A is positive definite the search always ends.
+ *
+ * <p>If rows are linearly dependent, as in a square with both diagonals, many solutions give the same motion; the one
+ * with the least sum of squares is taken, the load of equal, slightly elastic rods.
  */
 public final class ActiveSetMethod {
     private static final double ROUNDING = 1e-10;
+    /**
+     * Pivots below this fraction of a diagonal entry are round-off: rows within an angle of 3e-6 of being dependent.
+     */
+    private static final double SINGULAR = 1e-11;
+    /** The residual of good factors, relative to the largest entry of b. */
+    private static final double ACCURATE = 1e-12;
 
-    private final MinimumNormSolution system = new MinimumNormSolution();
+    private final MinimumNormSolution dense = new MinimumNormSolution();
+    private boolean[] wrong = {};
     private boolean[] active = {};
     private double[] work = {};
+    private double largest;                             // entry of b
     private double left;
+    private boolean regular;
 
-    /** The largest residual entry, above round-off if rows contradict each other. */
+    /** The largest residual entry of active rows, which is large if they contradict each other; 0 for round-off. */
     public double left() {
         return left;
     }
 
     /**
-     * Solves the problem.
+     * Solves the problem. Rows with a diagonal entry of 0 are left out.
      *
-     * @param n       the number of rows
-     * @param free    the number of rows of rods and wires, which come first
-     * @param a       A by rows
-     * @param b       b
+     * @param contact which rows are those of contacts
      * @param signed  whether contacts can only push; if false, all of them hold unless they determine each other
      * @param lambda  receives the solution
+     * @param w       receives A lambda - b
      * @return false if the search does not end: no forces satisfy all conditions
      */
-    public boolean solve(int n, int free, double[] a, double[] b, boolean signed, double[] lambda) {
+    public boolean solve(EnvelopeMatrix a, double[] b, boolean[] contact, boolean signed, double[] lambda,
+            double[] w) {
+        int n = a.size();
         if (active.length < n) {
             active = new boolean[n];
+            wrong = new boolean[n];
             work = new double[n];
         }
-        Arrays.fill(active, 0, n, true);
-        for (int pivots = 0; pivots <= 50 + 20 * (n - free); pivots++) {
-            solveActive(n, a, b, lambda);
-            if (!signed && pivots == 0 && !system.isSingular()) {
+        if (n == 1 && contact[0] && a.get(0, 0) != 0) { // a single row needs no search
+            double force = b[0] / a.get(0, 0);
+            lambda[0] = signed ? Math.max(0, force) : force;
+            w[0] = lambda[0] == force ? 0 : -b[0];
+            left = 0;
+            return true;
+        }
+        largest = 0;
+        int contacts = 0;
+        for (int r = 0; r < n; r++) {
+            active[r] = a.get(r, r) != 0;
+            contacts += contact[r] ? 1 : 0;
+            largest = Math.max(largest, Math.abs(b[r]));
+        }
+        int fewest = contacts + 1;
+        for (int pivots = 0; pivots <= 50 + 20 * contacts; pivots++) {
+            solveActive(a, b, lambda, w);
+            if (contacts == 0 || !signed && pivots == 0 && regular) {
                 return true;
             }
-            int wrong = firstWrong(n, free, a, b, lambda);
-            if (wrong < 0) {
+            int count = findWrong(n, contact, lambda, w);
+            if (count == 0) {
                 return true;
             }
-            active[wrong] = !active[wrong];
+            boolean all = count < fewest;
+            fewest = Math.min(fewest, count);
+            for (int r = 0; r < n && count > 0; r++) {
+                active[r] ^= wrong[r];
+                count = wrong[r] && !all ? 0 : count;
+            }
         }
         return false;
     }
 
-    private void solveActive(int n, double[] a, double[] b, double[] lambda) {
-        int m = 0;
+    /** Finds the contacts that pull or let their particle in; returns their number. */
+    private int findWrong(int n, boolean[] contact, double[] lambda, double[] w) {
+        double force = 0;
         for (int r = 0; r < n; r++) {
+            force = Math.max(force, Math.abs(lambda[r]));
+        }
+        int count = 0;
+        for (int r = 0; r < n; r++) {
+            wrong[r] = contact[r] && (active[r] ? lambda[r] < -ROUNDING * force : w[r] < -ROUNDING * largest);
+            count += wrong[r] ? 1 : 0;
+        }
+        return count;
+    }
+
+    private void solveActive(EnvelopeMatrix a, double[] b, double[] lambda, double[] w) {
+        int n = a.size();
+        for (int r = 0; r < n; r++) {
+            lambda[r] = active[r] ? b[r] : 0;
+        }
+        regular = a.factorise(active, SINGULAR);
+        if (regular) {
+            a.solve(lambda);
+            findResidual(a, b, lambda, w);
+        }
+        if (regular && left <= ACCURATE * largest) {
+            left = 0;
+        } else {
+            solveDense(a, b, lambda);
+            findResidual(a, b, lambda, w);
+        }
+    }
+
+    private void findResidual(EnvelopeMatrix a, double[] b, double[] lambda, double[] w) {
+        a.residual(lambda, b, w);
+        left = 0;
+        for (int r = 0; r < a.size(); r++) {
+            left = active[r] ? Math.max(left, Math.abs(w[r])) : left;
+        }
+    }
+
+    private void solveDense(EnvelopeMatrix a, double[] b, double[] lambda) {
+        int m = 0;
+        for (int r = 0; r < a.size(); r++) {
             m += active[r] ? 1 : 0;
         }
-        system.begin(m);
+        dense.begin(m);
         int row = 0;
-        for (int r = 0; r < n; r++) {
+        for (int r = 0; r < a.size(); r++) {
             if (active[r]) {
                 int column = 0;
-                for (int c = 0; c < n; c++) {
+                for (int c = 0; c < a.size(); c++) {
                     if (active[c]) {
-                        system.set(row, column++, a[r * n + c]);
+                        dense.set(row, column++, a.get(r, c));
                     }
                 }
                 work[row++] = b[r];
             }
         }
-        left = 0;
-        if (m > 0) {
-            system.factorise();
-            left = system.solve(work);
-        }
+        dense.factorise();
+        dense.solve(work);
         row = 0;
-        for (int r = 0; r < n; r++) {
+        for (int r = 0; r < a.size(); r++) {
             lambda[r] = active[r] ? work[row++] : 0;
         }
-    }
-
-    private int firstWrong(int n, int free, double[] a, double[] b, double[] lambda) {
-        double force = 0;
-        double motion = 0;
-        for (int r = 0; r < n; r++) {
-            force = Math.max(force, Math.abs(lambda[r]));
-            motion = Math.max(motion, Math.abs(b[r]));
-        }
-        for (int r = free; r < n; r++) {
-            if (active[r]) {
-                if (lambda[r] < -ROUNDING * force) {
-                    return r;
-                }
-            } else {
-                double w = -b[r];
-                for (int c = 0; c < n; c++) {
-                    w += a[r * n + c] * lambda[c];
-                }
-                if (w < -ROUNDING * motion) {
-                    return r;
-                }
-            }
-        }
-        return -1;
     }
 }

@@ -27,11 +27,6 @@ public final class MinimumNormSolution {
         solver = new SolvePseudoInverseQrp_DDRM(decomposition, true);
     }
 
-    /** Whether the last factorised matrix is rank-deficient. */
-    boolean isSingular() {
-        return decomposition.getRank() < matrix.numRows;
-    }
-
     /** Starts a matrix of zeros. */
     public void begin(int n) {
         if (n != matrix.numRows) {                      // the library's decomposition does not shrink with its matrix
@@ -48,10 +43,6 @@ public final class MinimumNormSolution {
         matrix.set(row, column, value);
     }
 
-    double get(int row, int column) {
-        return matrix.get(row, column);
-    }
-
     /** Factorises the matrix, which may be overwritten. */
     public void factorise() {
         if (MatrixFeatures_DDRM.isZeros(matrix, 0)) {   // the library keeps the rank of the matrix before
@@ -61,23 +52,10 @@ public final class MinimumNormSolution {
         solver.setA(decomposed);
     }
 
-    /**
-     * @param x holds b, receives x; the first n entries
-     * @return the largest entry of |A x - b|
-     */
-    public double solve(double[] x) {
-        int n = matrix.numRows;
-        System.arraycopy(x, 0, right.data, 0, n);
+    /** @param x holds b, receives x; the first n entries */
+    public void solve(double[] x) {
+        System.arraycopy(x, 0, right.data, 0, matrix.numRows);
         solver.solve(right, result);
-        double left = 0;
-        for (int r = 0; r < n; r++) {
-            double sum = -right.data[r];
-            for (int c = 0; c < n; c++) {
-                sum += matrix.get(r, c) * result.data[c];
-            }
-            left = Math.max(left, Math.abs(sum));
-        }
-        System.arraycopy(result.data, 0, x, 0, n);
-        return left;
+        System.arraycopy(result.data, 0, x, 0, matrix.numRows);
     }
 }

@@ -1,5 +1,5 @@
 /**
- * Small dense linear algebra for constraint forces: Cholesky factors of an envelope matrix, solutions of least norm,
+ * Small dense linear algebra for constraint forces: factors of a matrix in an envelope, solutions of least norm,
  * and linear complementarity by an active-set method.
  */
 package particles.reactions.algebra;

@@ -9,6 +9,8 @@ import particles.law.Vector3;
  * The direction in which a particle slides along a surface, also if it is about to start or has reversed within a step.
  */
 public final class SlidingDirection {
+    /** A normal within this angle of the plane of others (rad) is taken to lie in it. */
+    private static final double PARALLEL = 1e-6;
     /** Speeds below this, relative to the speed at the step's beginning, have no reliable direction. */
     private static final double ALMOST_STOPPED = 1e-6;
 
@@ -16,14 +18,11 @@ public final class SlidingDirection {
      * The direction that friction opposes: a tangential velocity (m/s), or the force that will move the particle (N).
      */
     public final double[] direction = new double[3];
-    /** Unit normal of the mirror used after a reversal; 0 if there was none. */
-    final double[] mirrored = new double[3];
     private final double[] beginning = new double[3];
+    private final double[] axes = new double[9];        // orthonormal, of the normals given to keepAlong
+    private int surfaces;
     private double[] stepBegin = {};                    // the state at the beginning of the step
     private double[] stopping = {};                     // m/deltaT of a particle that may stop in the step, or 0 (kg/s)
-    private boolean independent;
-    private boolean towardsStop;
-    private boolean stops;
 
     /** Records the state at the beginning of a step. */
     public void beginStep(ParticleSystem system) {
@@ -75,19 +74,31 @@ public final class SlidingDirection {
         return v < stepBegin.length && stepBegin[v] == 0 && stepBegin[v + 1] == 0 && stepBegin[v + 2] == 0;
     }
 
-    /** Whether the last direction does not depend on the present velocity. */
-    boolean isIndependentOfVelocity() {
-        return independent;
+    /** Lets a particle slide in any direction, until {@link #keepAlong}. */
+    public void release() {
+        surfaces = 0;
     }
 
-    /** Whether the last friction was that of an impulse over the step. */
-    boolean isTowardsStop() {
-        return towardsStop;
-    }
-
-    /** Whether that is strong enough for a stop. */
-    boolean stops() {
-        return stops;
+    /** Lets the particle slide only along one more surface, with this normal. */
+    public void keepAlong(Vector3 normal) {
+        if (surfaces == 3) {
+            return;
+        }
+        double[] axis = direction;
+        axis[0] = normal.x();
+        axis[1] = normal.y();
+        axis[2] = normal.z();
+        double length = 1;
+        if (surfaces > 0) {
+            along(axis, 0, axis);
+            length = length(axis);
+        }
+        if (length > PARALLEL) {
+            int a = 3 * surfaces++;
+            axes[a] = axis[0] / length;
+            axes[a + 1] = axis[1] / length;
+            axes[a + 2] = axis[2] / length;
+        }
     }
 
     /**
@@ -98,50 +109,41 @@ public final class SlidingDirection {
      *
      * @param push     the normal force (N)
      * @param share    the part of the particle's Coulomb friction that this surface can give: 1 if it is the only one
-     * @param pressing the force that would move the particle along the surface, without friction (N)
+     * @param force    the force that would move the particle along the surface, without friction (N), from entry v on
      * @param v        the index of the particle's velocity in the state
      * @return the factor: friction is minus factor times direction; 0 for no friction
      */
-    public double find(Friction law, Vector3 normal, double push, double share, double[] pressing, double[] state,
+    public double find(Friction law, double push, double share, double[] force, double[] state,
             int v) {
-        independent = false;
-        towardsStop = false;
-        mirrored[0] = 0;
-        mirrored[1] = 0;
-        mirrored[2] = 0;
         if (law.law() == Friction.Law.NONE || !(push > 0)) {
             return 0;
         }
         double factor = push * law.coefficient();
         if (law.law() == Friction.Law.COULOMB && mayStop(v / Particles.STRIDE)) {
-            return findStop(factor, share, normal, pressing, v);
+            return findStop(factor, share, force, v);
         }
-        along(normal, state, v, direction);
+        along(state, v, direction);
         if (law.law() == Friction.Law.COULOMB) {
-            followBeginning(normal, v);
+            followBeginning(v);
             double speed = length(direction);
             if (speed > 0) {
                 factor /= speed;
             } else {                                    // about to move: against the force that will move it
-                along(normal, pressing, 0, direction);
+                along(force, v, direction);
                 factor = share * length(direction) <= factor ? share : factor / length(direction);
-                independent = true;
             }
         }
         return factor;
     }
 
-    private double findStop(double most, double share, Vector3 normal, double[] pressing, int v) {
-        along(normal, pressing, 0, direction);
-        along(normal, stepBegin, v, beginning);
+    private double findStop(double most, double share, double[] force, int v) {
+        along(force, v, direction);
+        along(stepBegin, v, beginning);
         for (int c = 0; c < 3; c++) {
             direction[c] += stopping[v / Particles.STRIDE] * beginning[c];
         }
         double needed = length(direction);
-        independent = true;
-        towardsStop = true;
-        stops = share * needed <= most;
-        return stops ? share : most / needed;
+        return share * needed <= most ? share : most / needed;
     }
 
     /**
@@ -149,7 +151,7 @@ public final class SlidingDirection {
      * straight back this gives the initial direction, as if the sliding had not reversed; obliquely it keeps friction
      * continuous, so that implicit solvers converge. A velocity that is only round-off is replaced by the initial one.
      */
-    private void followBeginning(Vector3 normal, int v) {
+    private void followBeginning(int v) {
         if (stepBegin.length <= v) {
             return;
         }
@@ -157,29 +159,35 @@ public final class SlidingDirection {
             Arrays.fill(direction, 0);                  // a velocity that is mostly round-off at first
             return;
         }
-        along(normal, stepBegin, v, beginning);
+        along(stepBegin, v, beginning);
         if (length(direction) < ALMOST_STOPPED * length(beginning)) {
             System.arraycopy(beginning, 0, direction, 0, 3);
-            independent = true;
             return;
         }
         double forward = direction[0] * beginning[0] + direction[1] * beginning[1] + direction[2] * beginning[2];
         double length = length(beginning);
         for (int c = 0; c < 3 && forward < 0; c++) {
-            mirrored[c] = beginning[c] / length;
-            direction[c] -= 2 * forward / length * mirrored[c];
+            direction[c] -= 2 * forward / length * (beginning[c] / length);
         }
     }
 
-    /** The tangential part of a vector. */
-    private static void along(Vector3 normal, double[] vectors, int place, double[] result) {
-        double across = normal.x() * vectors[place] + normal.y() * vectors[place + 1] + normal.z() * vectors[place + 2];
-        result[0] = vectors[place] - across * normal.x();
-        result[1] = vectors[place + 1] - across * normal.y();
-        result[2] = vectors[place + 2] - across * normal.z();
+    /** The part of a vector along all surfaces. */
+    private void along(double[] vectors, int place, double[] result) {
+        double x = vectors[place];
+        double y = vectors[place + 1];
+        double z = vectors[place + 2];
+        for (int a = 0; a < 3 * surfaces; a += 3) {
+            double across = axes[a] * x + axes[a + 1] * y + axes[a + 2] * z;
+            x -= across * axes[a];
+            y -= across * axes[a + 1];
+            z -= across * axes[a + 2];
+        }
+        result[0] = surfaces == 3 ? 0 : x;
+        result[1] = surfaces == 3 ? 0 : y;
+        result[2] = surfaces == 3 ? 0 : z;
     }
 
-    static double length(double[] vector) {
+    private static double length(double[] vector) {
         return Math.sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
     }
 }

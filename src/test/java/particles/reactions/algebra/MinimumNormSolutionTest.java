@@ -13,19 +13,23 @@ class MinimumNormSolutionTest {
     /** Solves A x = A (1, 2, 3), where A is the sum of u u^T over the first vectors u = (1, k, k^2). */
     private static double[] solve(MinimumNormSolution system, int rank) {
         system.begin(N);
+        double[][] a = new double[N][N];
         double[] x = new double[N];
         for (int row = 0; row < N; row++) {
             for (int column = 0; column < N; column++) {
-                double entry = 0;
                 for (int k = 0; k < rank; k++) {
-                    entry += Math.pow(k, row + column);
+                    a[row][column] += Math.pow(k, row + column);
                 }
-                system.set(row, column, entry);
-                x[row] += entry * (column + 1);
+                system.set(row, column, a[row][column]);
+                x[row] += a[row][column] * (column + 1);
             }
         }
         system.factorise();
-        assertEquals(0, system.solve(x), 1e-13, "A x - b; measured: 1.1e-14");
+        double[] b = x.clone();
+        system.solve(x);
+        for (int row = 0; row < N; row++) {
+            assertEquals(b[row], a[row][0] * x[0] + a[row][1] * x[1] + a[row][2] * x[2], 1e-13, "measured: 1.1e-14");
+        }
         return x;
     }
 

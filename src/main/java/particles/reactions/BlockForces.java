@@ -1,0 +1,315 @@
+package particles.reactions;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
+import particles.ParticleSystem;
+import particles.SimulationException;
+import particles.law.Particles;
+import particles.reactions.algebra.ActiveSetMethod;
+import particles.reactions.contact.ContactModes;
+import particles.reactions.contact.ContactModes.Mode;
+
+/**
+ * The reaction forces of one block at a time, see the {@linkplain particles.reactions theory}: normal forces, friction
+ * and the forces of rods and wires, which depend on each other. A sticking particle does not move; its contact force
+ * balances all others.
+ */
+final class BlockForces {
+    private static final int STRIDE = Particles.STRIDE;
+    /**
+     * Rods contradict each other if the residual is above this fraction of the largest acceleration; the drift of
+     * redundant rods stays below.
+     */
+    private static final double CONTRADICTION = 1e-4;
+    private static final String CONTRADICTORY = "contradict each other: no forces can satisfy them all";
+
+    private final ParticleSystem system;
+    private final Particles particles;
+    private final ConstraintRows rows;
+    private final RestingContacts contacts;
+    private final ContactModes modes;
+    private final double feedback;
+    private final ActiveSetMethod activeSet = new ActiveSetMethod();
+    private final List<Block> singles = new ArrayList<>();
+    private double[] accelerations = {};
+    private double[] total = {};                        // forces including those of rods, wires and contacts
+    private int solutions;
+    private double left;                                // the residual of the last solution, relative to accelerations
+
+    BlockForces(ParticleSystem system, ConstraintRows rows, RestingContacts contacts, double feedback) {
+        this.system = system;
+        this.particles = system.getParticles();
+        this.rows = rows;
+        this.contacts = contacts;
+        this.modes = contacts.getModes();
+        this.feedback = feedback;
+    }
+
+    /** Makes a block of connected rows. */
+    Block block(int[] members) {
+        return new Block(members, Arrays.stream(members).flatMap(r -> IntStream.of(rows.first(r), rows.second(r)))
+                .filter(i -> i >= 0 && !particles.isFixed(i)).distinct().sorted().toArray(), rows, particles, contacts,
+                activeSet);
+    }
+
+    /** The block of a particle without rods and wires. */
+    Block single(int particle) {
+        while (singles.size() <= particle) {
+            singles.add(new Block(new int[0], new int[] {singles.size()}, rows, particles, contacts, activeSet));
+        }
+        return singles.get(particle);
+    }
+
+    /** Prepares for a state, once for all blocks. */
+    void prepare(double[] state, double time) {
+        rows.evaluate(state);
+        fit(state);
+        system.putAnchorAccelerations(time, accelerations);
+    }
+
+    private void fit(double[] state) {
+        accelerations = accelerations.length < state.length ? new double[state.length] : accelerations;
+    }
+
+    /**
+     * Finds the forces of a block, after {@link #prepare} if there are rods or wires.
+     *
+     * @param force the forces of all effects (N)
+     * @throws SimulationException if no forces satisfy all constraints, though no particle sticks; those that stick a
+     *         rule releases at the end of the motion
+     */
+    void solve(Block block, double[] state, double time, double[] force) {
+        block.take(state, true);
+        Optional<String> failure = solve(block, state, force);
+        if (failure.isPresent() && !(failure.get().equals(CONTRADICTORY) && !block.held().isEmpty())) {
+            throw failure(block, time, failure.get());
+        }
+    }
+
+    /**
+     * Finds the forces of a block, after {@link #prepare}, with given particles held.
+     *
+     * @return the reason if there are none
+     */
+    Optional<String> solve(Block block, double[] state, double[] force, IntPredicate isHeld) {
+        block.take(state, isHeld, Block.NONE, Block.NONE);
+        return solve(block, state, force);
+    }
+
+    /** Counts solutions: the last one is still at hand if the number has not changed. */
+    int solutions() {
+        return solutions;
+    }
+
+    /** The residual of the last solution, relative to accelerations. */
+    double left() {
+        return left;
+    }
+
+    /** Finds all forces for the rows taken; returns the reason if there are none. */
+    private Optional<String> solve(Block block, double[] state, double[] force) {
+        solutions++;
+        left = 0;
+        if (block.size() == 0) {
+            return Optional.empty();
+        }
+        ContactRows touching = block.touching;
+        boolean isIndirect = touching.isFrictionIndirect(state);
+        if (isIndirect || !block.isJoined()) {
+            Optional<String> failure = solveOnce(block, force);
+            if (failure.isPresent()) {
+                return failure;
+            }
+        }
+        if (isIndirect) {
+            for (int r = 0; r < block.size(); r++) {
+                if (!block.isMember(r)) {
+                    touching.push[block.contact(r)] = block.force(r);
+                }
+            }
+            addUp(block, force);
+        }
+        for (int k = 0; k < touching.count; k++) {
+            touching.findSlip(k, isIndirect, isIndirect ? total : force, state);
+        }
+        // friction acts along all surfaces of a particle: it does not change how hard they push a single one
+        return block.isJoined() ? solveOnce(block, force) : Optional.empty();
+    }
+
+    private Optional<String> solveOnce(Block block, double[] force) {
+        putRight(block, force);
+        if (!block.solve(Block.NONE, !contacts.holdsOn())) {
+            return Optional.of("let no contact forces keep all particles out: friction jams");
+        }
+        left = block.left() == 0 ? 0 : block.left() / scale(block, force);
+        return left > CONTRADICTION ? Optional.of(CONTRADICTORY) : Optional.empty();
+    }
+
+    SimulationException failure(Block block, double time, String reason) {
+        int particle = block.particles()[0];
+        String what = !block.isJoined() ? "contacts of"
+                : (block.touching.count > 0 ? "rods, wires and contacts" : "rods and wires") + " connected to";
+        return new SimulationException(time, particle, "the " + what + " particle '" + particles.id(particle) + "' "
+                + reason + ", at t = " + time + " s", null);
+    }
+
+    /** b = -(J W F + J' v) - k_s C - k_d C', with C the distance for contacts. */
+    private void putRight(Block block, double[] force) {
+        double decay = 0;
+        if (block.isJoined()) {
+            decay = feedback;
+            findAccelerations(block, force);
+        }
+        for (int r = 0; r < block.size(); r++) {
+            int row = block.member(r);
+            int k = block.contact(r);
+            block.right[r] = block.isIdle(r) ? 0 : block.isMember(r)
+                    ? -(rows.times(row, accelerations, 3) + rows.bend[row]) - decay * decay * rows.value[row]
+                            - 2 * decay * rows.rate[row]
+                    : -(block.weight(block.touching.particle[k]) * block.touching.times(k, force, 3) + block.bend(k))
+                            - decay * decay * block.touching.value[k] - 2 * decay * block.touching.rate[k];
+        }
+    }
+
+    /** W F of the particles that are not held. */
+    private void findAccelerations(Block block, double[] force) {
+        fit(force);
+        for (int i : block.particles()) {
+            double w = block.isHeld(i) ? 0 : block.weight(i);
+            for (int f = STRIDE * i + 3; f < STRIDE * (i + 1); f++) {
+                accelerations[f] = w * force[f];
+            }
+        }
+    }
+
+    /** The largest acceleration in the equations of a block. */
+    private double scale(Block block, double[] force) {
+        findAccelerations(block, force);
+        double scale = 0;
+        for (int i : block.particles()) {
+            for (int f = STRIDE * i + 3; f < STRIDE * (i + 1); f++) {
+                scale = Math.max(scale, Math.abs(accelerations[f]));
+            }
+        }
+        for (int r = 0; r < block.size(); r++) {
+            scale = Math.max(scale, Math.abs(block.right[r]));
+        }
+        return scale;
+    }
+
+    /** Adds the forces found by {@link #solve}. */
+    void addForces(Block block, double[] force) {
+        block.addForces(force);
+        for (int i = block.held().nextSetBit(0); i >= 0; i = block.held().nextSetBit(i + 1)) {
+            Arrays.fill(force, STRIDE * i + 3, STRIDE * (i + 1), 0.0);
+        }
+    }
+
+    /** The power of the friction found by {@link #solve} (W); surfaces at rest do no other work. */
+    double frictionPower(Block block, double[] state) {
+        double power = 0;
+        for (int r = 0; r < block.size(); r++) {
+            power -= block.isMember(r) ? 0 : block.force(r) * block.touching.slipTimes(block.contact(r), state);
+        }
+        return power;
+    }
+
+    /** The power with which moving anchors drive the rods found by {@link #solve} (W). */
+    double anchorPower(Block block, double[] state) {
+        double power = 0;
+        for (int r = 0; r < block.size(); r++) {
+            power -= block.isMember(r) ? block.force(r) * rows.rateOfAnchors(block.member(r), state,
+                    particles.getInverseMasses()) : 0;
+        }
+        return power;
+    }
+
+    /** Sums the forces of effects, rods, wires and contacts, for the particles of a block. */
+    double[] addUp(Block block, double[] force) {
+        if (total.length != force.length) {
+            total = new double[force.length];
+        }
+        for (int i : block.particles()) {
+            System.arraycopy(force, STRIDE * i + 3, total, STRIDE * i + 3, 3);
+        }
+        block.addForces(total);
+        return total;
+    }
+
+    /** The accelerations of moving anchors at the prepared state, in the entries of their velocities (m/s&sup2;). */
+    double[] accelerations() {
+        return accelerations;
+    }
+
+    /** As {@link RestingContacts#canPush}: some impulses of the block move the particle away from the surface. */
+    boolean canPush(Block block, int surface, int particle, double[] state) {
+        int struck = takeForImpact(block, surface, particle, state);
+        Arrays.fill(block.right, 0);
+        block.right[struck] = 1;
+        return block.solve(struck, true) && Math.abs(block.separation(struck)) < CONTRADICTION;
+    }
+
+    /** Returns the row of the impact. */
+    private int takeForImpact(Block block, int surface, int particle, double[] state) {
+        solutions++;
+        rows.evaluate(state);
+        block.take(state, i -> false, surface, particle);
+        return block.find(surface, particle);
+    }
+
+    /** As {@link RestingContacts#strike}. */
+    void strike(Block block, int surface, int particle, double leaving, double[] state) {
+        int struck = takeForImpact(block, surface, particle, state);
+        putRates(block, state, 3);
+        block.right[struck] += leaving;
+        int v = STRIDE * particle + 3;
+        double fast = leaving + Math.abs(state[v]) + Math.abs(state[v + 1]) + Math.abs(state[v + 2]);
+        if (!block.solve(struck, true) || Math.abs(block.separation(struck)) > CONTRADICTION * fast) {
+            throw failure(block, system.getTime(), "let no impulses keep all particles out");
+        }
+        block.move(state, 3);
+        for (int i : block.particles()) {
+            modes.setWhereTouching(i, Mode.SLIDING);
+        }
+        for (int r = 0; r < block.size(); r++) {
+            int k = block.contact(r);
+            if (r != struck && !block.isMember(r)
+                    && block.separation(r) > contacts.getSurfaces().get(block.touching.surface[k]).restSpeed()) {
+                modes.set(block.touching.surface[k], block.touching.particle[k], Mode.FREE);
+            }
+        }
+    }
+
+    /** b = -C, or -C' for velocities. */
+    private void putRates(Block block, double[] state, int place) {
+        for (int r = 0; r < block.size(); r++) {
+            block.right[r] = block.isIdle(r) ? 0 : block.isMember(r)
+                    ? -(place == 0 ? rows.value : rows.rate)[block.member(r)]
+                    : -(place == 0 ? block.touching.value : block.touching.rate)[block.contact(r)];
+        }
+    }
+
+    /** Stops the velocities of a block that violate its rows; with mayOpen, particles may leave surfaces. */
+    void settle(Block block, double[] state, boolean mayOpen) {
+        rows.evaluate(state);
+        correct(block, state, 3, mayOpen);
+    }
+
+    /**
+     * Projects positions or velocities onto rods, wires and touched surfaces. The rows must have been evaluated.
+     *
+     * @param place   0 for positions, 3 for velocities
+     * @param mayOpen whether particles may leave surfaces
+     */
+    void correct(Block block, double[] state, int place, boolean mayOpen) {
+        solutions++;
+        block.take(state, true);
+        putRates(block, state, place);
+        block.solve(mayOpen ? Block.NONE : Block.ALL, mayOpen);
+        block.move(state, place);
+    }
+}
