@@ -104,7 +104,7 @@ abstract class CheckCommand extends ProgramCommand {
     /** The output for the check's own lines, each prefixed with the run's number; the last one is the verdict. */
     private record Screen(PrintWriter lines, String number) {
         void print(List<String> report) {
-            report.forEach(line -> lines.println(number + line));
+            report.stream().flatMap(String::lines).forEach(line -> lines.println(number + line));
         }
 
         void end(ExitCode code) {

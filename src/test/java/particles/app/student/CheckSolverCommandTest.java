@@ -5,12 +5,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;
+import java.io.File;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -183,5 +187,28 @@ class CheckSolverCommandTest {
     void hugeArraysAreFoundOut(@TempDir Path folder) throws IOException, InterruptedException {
         assertTrue(failure(Hoards.class, folder)
                 .startsWith("failure: it asks for more memory than the 256 MB that there are, in Hoards.stepState"));
+    }
+
+    @Test
+    void everyErrorOfTheCompilerHasALine(@TempDir Path folder) throws IOException, InterruptedException {
+        Path classes = Files.createDirectories(folder.resolve("src/main/java/exercises"));
+        Files.writeString(classes.resolve("BrokenSolver.java"), """
+                package exercises;
+                public class BrokenSolver extends deSolvers.FixedStepSolver {
+                    protected void step(deSolvers.DEStateSource source, double[] s, double deltaT) {
+                        s[0] = unknown;
+                        s[1] = nowhere(s);
+                    }
+                }
+                """);
+        String path = Stream.of(System.getProperty("java.class.path").split(File.pathSeparator))
+                .map(part -> Path.of(part).toAbsolutePath().toString()).collect(Collectors.joining(File.pathSeparator));
+        Process process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:TieredStopAtLevel=1", "-cp", path, Main.class.getName(), "checkSolver",
+                "--solver=BrokenSolver").directory(folder.toFile()).redirectErrorStream(true).start();
+        String screen = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertEquals(ExitCode.BAD_INPUT.code(), process.waitFor(), screen);
+        assertTrue(screen.contains("BrokenSolver.java:4: cannot find symbol: variable unknown"), screen);
+        assertTrue(screen.contains("BrokenSolver.java:5: cannot find symbol: method nowhere"), screen);
     }
 }
