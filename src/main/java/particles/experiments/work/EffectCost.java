@@ -33,6 +33,8 @@ public final class EffectCost {
     private static final double DEAR = 10;
     /** Times of the same step differ by less than this factor. */
     private static final double SPREAD = 1.2;
+    /** So many bars with their names fit well on a slide; there may be more that are dear. */
+    private static final int MOST_BARS = 6;
 
     /** Structural and shear springs; the top row is fixed. It moves, so that nothing is at rest. */
     private static final String CLOTH = """
@@ -149,14 +151,18 @@ public final class EffectCost {
 
     /**
      * @param costs the measured costs
-     * @return a bar for each that costs more than the spread of the measurements, in a row with its name and value, the
-     *         cheapest above; one bar for all others; 1 is springs alone
+     * @return a bar for each of the dearest, if it costs more than the spread of the measurements, in a row with its
+     *         name and value, the cheapest above; one bar for all others; 1 is springs alone
      */
     public static ChartData chart(List<Cost> costs) {
-        List<Cost> bars = new ArrayList<>(costs.stream().filter(cost -> cost.overBase() > SPREAD)
-                .sorted(Comparator.comparingDouble(Cost::overBase)).toList());
-        costs.stream().filter(cost -> cost.overBase() <= SPREAD).mapToDouble(Cost::overBase).max().ifPresent(most ->
-                bars.add(0, new Cost("the other " + (costs.size() - bars.size()) + ", at most", 0, most)));
+        List<Cost> sorted = costs.stream().sorted(Comparator.comparingDouble(Cost::overBase)).toList();
+        long dearer = costs.stream().filter(cost -> cost.overBase() > SPREAD).count();
+        long dear = costs.stream().filter(cost -> cost.overBase() >= DEAR).count();      // the title names them
+        int others = sorted.size() - (int) Math.max(dear, Math.min(MOST_BARS, dearer));
+        List<Cost> bars = new ArrayList<>(sorted.subList(others, sorted.size()));
+        if (others > 0) {
+            bars.add(0, new Cost("the other " + others + ", at most", 0, sorted.get(others - 1).overBase()));
+        }
         double[] x = new double[3 * bars.size()];
         double[] y = new double[3 * bars.size()];
         for (int k = 0; k < bars.size(); k++) {

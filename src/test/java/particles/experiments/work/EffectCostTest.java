@@ -35,7 +35,7 @@ class EffectCostTest {
             assertEquals(costs.get(k).name(), told.get(k));
         }
         ChartData chart = EffectCost.chart(costs);
-        assertEquals(16, chart.rows().size(), "the first two do not differ from springs alone");
+        assertEquals(7, chart.rows().size(), "six, and all others together");
         assertEquals(17, EffectCost.table(costs).rows().size());
         assertEquals(1.0, (double) EffectCost.table(costs).rows().get(1).get(2));
         assertEquals("2.00", EffectCost.overBound(costs));
