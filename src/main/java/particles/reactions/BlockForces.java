@@ -154,7 +154,7 @@ final class BlockForces {
         String what = !block.isJoined() ? "contacts of"
                 : (block.touching.count > 0 ? "rods, wires and contacts" : "rods and wires") + " connected to";
         return new SimulationException(time, particle, "the " + what + " particle '" + particles.id(particle) + "' "
-                + reason + ", at t = " + time + " s", null);
+                + reason, null);
     }
 
     /** b = -(J W F + J' v) - k_s C - k_d C', with C the distance for contacts. */

@@ -1,7 +1,7 @@
 package particles.reactions;
 
-import java.util.Arrays;
 import deSolvers.ForceDerivatives;
+import java.util.Arrays;
 import particles.law.Particles;
 
 /**
