@@ -1,13 +1,13 @@
 package deSolvers;
 
 /**
- * A source that is told where it was between the sub-steps of an adaptive solver, for those who watch the motion within
- * a long step. The results have the same bits as through the plain {@link DEStateSource}.
+ * A state source that an adaptive solver calls after each sub-step, so that the motion within a long step can be
+ * recorded. The results are the same, bit for bit, as with a plain {@link DEStateSource}.
  */
 public interface SubStepSource extends DEStateSource {
 
     /**
-     * Called after each sub-step that is taken, so once at least in a step.
+     * Called after each accepted sub-step, so at least once per step.
      *
      * @param state the state there; n long, to be read only, valid during the call
      * @param time  the time there (s)

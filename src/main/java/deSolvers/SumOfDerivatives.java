@@ -1,12 +1,15 @@
 package deSolvers;
 
 /**
- * Marks a method whose new state is the old one plus a multiple of each derivative that it evaluates: a NaN or infinity
- * in any of them shows in the new state, so that only this has to be checked.
+ * Marker for methods whose new state is the old one plus a multiple of each derivative that they evaluate. A NaN or
+ * infinity in any of them shows in the new state, so only the new state has to be checked.
  */
 interface SumOfDerivatives {
 
-    /** The same, except that the first derivative only leads to the state at which the second one is evaluated. */
+    /**
+     * The same, but the first derivative is not in the sum: it only leads to the state at which the second one is
+     * evaluated. A NaN in it need not show in the new state, so the first derivative is checked as well.
+     */
     interface AfterTheFirst extends SumOfDerivatives {
     }
 }

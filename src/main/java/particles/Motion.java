@@ -24,7 +24,7 @@ public final class Motion {
     private double[][] stops = {};                      // states between sub-steps, in the order of their times
     private double[] stopTimes = {};
     private int stopCount;
-    private int every;                                  // of so many sub-steps, one is kept
+    private int every;                                  // one in this many sub-steps is kept
     private int passed;                                 // sub-steps since the last one kept
     private boolean adaptive;
 
@@ -44,7 +44,7 @@ public final class Motion {
         system.record(Optional.of(this));
     }
 
-    /** Notes the state after a sub-step. Where there are too many, every second one is kept. */
+    /** Stores the state after a sub-step. When the memory is full, every second state is dropped. */
     void addStop(double[] state, double time) {
         adaptive = true;
         if (++passed < every) {
@@ -75,7 +75,7 @@ public final class Motion {
         }
     }
 
-    /** Ends the motion where the system is, which may be earlier than before. */
+    /** Ends the motion at the system's present state. It is called again if an earlier event is found. */
     void end() {
         system.record(Optional.empty());
         System.arraycopy(system.getOwnState(), 0, endState, 0, endState.length);
@@ -85,7 +85,7 @@ public final class Motion {
         }
     }
 
-    /** @return the number of pieces: 1, or the sub-steps of an adaptive solver, or of very many a part */
+    /** @return the number of pieces: 1; for an adaptive solver one per sub-step, or per few if there are very many */
     public int getPieces() {
         return stopCount + 1;
     }
@@ -97,7 +97,7 @@ public final class Motion {
 
     /**
      * @param k from 0 to {@link #getPieces()} - 1, in the order of time
-     * @return the motion in one sub-step, or in some that follow each other; valid until the next step begins
+     * @return the motion in one sub-step, or in a few consecutive ones; valid until the next step begins
      */
     public Motion getPiece(int k) {
         if (stopCount == 0) {

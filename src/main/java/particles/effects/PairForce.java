@@ -76,8 +76,9 @@ abstract class PairForce implements DifferentiableEffect {
     }
 
     /**
-     * Adds the forces on the particles from ... to - 1: of all their neighbours, or of each pair once on both. If all
-     * candidates are in the order of indices, either way has the same bits.
+     * Adds the forces on particles from ... to - 1. With {@code all}, each gets the forces of all its neighbours;
+     * otherwise each pair is evaluated once, and its force added to both. If candidates are sorted by index, the sums
+     * are the same, bit for bit.
      */
     final void add(double[] state, double[] force, int from, int to, boolean all) {
         for (int p = from; p < to; p++) {

@@ -17,13 +17,14 @@ import particles.spec.Values;
  * </pre>
  * p = 1 for the linear law, 3/2 for Hertz's law of elastic balls. A pair stores k d^(p + 1)/(p + 1). The force is never
  * attractive: in the last part of an impact, where damping would pull, it is 0. With damping it jumps by c d' as the
- * balls touch, so solvers of fixed step have order 1 there. Balls do not spin: there is no friction between them. Two
- * whose centres are at the same place have no direction, and do not push.
+ * balls touch, so fixed-step solvers drop to order 1. Balls do not spin, and there is no friction between them. Two
+ * balls with the same centre do not push each other: the direction is undefined.
  *
  * <p>Without damping, a linear impact of two balls with reduced mass m takes pi sqrt(m/k); Hertz's takes 3.218 (m&sup2;
  * / (k&sup2; v))^(1/5), with v the speed of approach.
  *
- * <p>Neighbours come from {@link NeighbourLists}. Balls far larger than most make it slow.
+ * <p>Neighbours come from {@link NeighbourLists}. The largest ball sets the search range of all, so one ball far larger
+ * than the others makes it slow.
  *
  * <p>Source: P. Cundall, O. Strack, "A discrete numerical model for granular assemblies" (1979).
  */
@@ -121,7 +122,7 @@ public final class Repulsion extends PairForce implements DivisibleEffect {
         return (int) ((long) particles.count() * block / countBlocks());
     }
 
-    /** {@inheritDoc} A block has the forces of all neighbours on its particles, so a joint has none. */
+    /** {@inheritDoc} A block adds all forces on its particles, so the joints (inner nodes of the tree) add none. */
     @Override
     public void addPart(int part, double[] state, double time, double[] force) {
         if (part < countBlocks()) {

@@ -250,8 +250,9 @@ public final class EnergyLedger implements Observer {
     }
 
     /**
-     * How far the ledger's own integrals may be off in the sub-steps of adaptive solvers, some of which are longer than
-     * Simpson's rule can follow: the sum of d min(1, d/w), where the rule and the trapezoidal rule, w, differ by d.
+     * Estimates the error of the ledger's own integrals, for adaptive solvers: some of their sub-steps are too long for
+     * Simpson's rule. A sub-step contributes d min(1, d/|w|), where w is the work by the trapezoidal rule and d the
+     * difference of the two rules: almost nothing where they agree, and all of d where they do not.
      *
      * @return the uncertainty of the numerical error (J); 0 for other solvers
      */

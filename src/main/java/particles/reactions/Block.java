@@ -9,12 +9,12 @@ import particles.reactions.algebra.EnvelopeMatrix;
 import particles.reactions.contact.ContactModes.Mode;
 
 /**
- * Particles whose reaction forces depend on each other, those that rods and wires join or a single one, with their
- * linear system: a row for each rod, two for each bead, one for each contact. Column c is the effect of a force of 1 N
- * of row c on all rows. A sliding contact's force includes its friction, so the matrix is not symmetric: A = J W (J -
- * S)<sup>T</sup>. It has entries only where two rows share a movable particle. A particle's contacts come right after
- * its first rod, so the envelope of a chain is narrow; a single particle on one surface has the 1 x 1 matrix 1. Which
- * rows there are changes only with the contact modes.
+ * A block: the particles connected by rods and wires, or one particle without any, and the linear system of their
+ * reaction forces. It has a row for each rod and each contact, and two for each particle on a wire. Column c of the
+ * matrix is the acceleration of all rows if row c has a force of 1 N. The force of a sliding contact includes friction,
+ * -S<sup>T</sup> lambda, so the matrix A = J W (J - S)<sup>T</sup> is not symmetric. It has entries only where two rows
+ * share a movable particle. A particle's contacts come right after its first rod, so the envelope of a chain is narrow.
+ * A single particle on one surface has the 1 x 1 matrix 1. The set of rows changes only with the contact modes.
  */
 final class Block {
     private static final int STRIDE = Particles.STRIDE;
@@ -71,7 +71,7 @@ final class Block {
     }
 
     /**
-     * Takes a state. The rows are those of the last call if the contact modes are.
+     * Evaluates the rows at a state. The set of rows is found again only if a contact mode has changed since.
      *
      * @param held whether sticking particles are held: they do not move, and have no contacts; the same in each call
      */

@@ -79,8 +79,8 @@ final class BlockForces {
      * Finds the forces of a block, after {@link #prepare} if there are rods or wires.
      *
      * @param force the forces of all effects (N)
-     * @throws SimulationException if no forces satisfy all constraints, though no particle sticks; those that stick a
-     *         rule releases at the end of the motion
+     * @throws SimulationException if friction jams, or if rods contradict each other while no particle sticks. If one
+     *         sticks, rods that contradict each other are no error: a rule releases it at the end of the motion
      */
     void solve(Block block, double[] state, double time, double[] force) {
         block.take(state, true);

@@ -8,7 +8,7 @@ import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.reactions.contact.ContactModes;
 
-/** What rules ask between steps: how hard a contact presses, and whether static friction can hold a particle. */
+/** Answers questions of rules between steps: how large a normal force is, and whether static friction can hold. */
 final class ContactQueries {
     private static final int STRIDE = Particles.STRIDE;
 
@@ -60,7 +60,7 @@ final class ContactQueries {
         askedForce = force.clone();
     }
 
-    /** The forces on the particles that are held, with loads of rods that friction can hold, if there are any. */
+    /** The forces on held particles. Rod forces that are not unique are chosen so that friction holds, if it can. */
     private double[] forcesAtRest(Block block, double[] state, double[] force) {
         if (loads.isEmpty()) {
             loads = Optional.of(blocks.addUp(block, force));

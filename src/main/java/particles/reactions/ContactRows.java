@@ -9,8 +9,8 @@ import particles.reactions.contact.Friction;
 import particles.reactions.contact.SlidingDirection;
 
 /**
- * Contacts of particles on rods or wires, as additional constraint rows: the distance d of a particle from a surface,
- * with gradient N. A sticking particle has no row, since it does not move at all.
+ * The contacts of one block's particles as constraint rows: the constraint function is the distance d of a particle
+ * from a surface, its gradient is the normal N. A held particle has no row, since it does not move at all.
  */
 final class ContactRows {
     private static final int STRIDE = Particles.STRIDE;
@@ -107,8 +107,8 @@ final class ContactRows {
     }
 
     /**
-     * Whether friction depends on the normal forces in another way than in proportion: where a particle is at rest and
-     * about to slide, or may stop, and on several surfaces.
+     * Whether the friction of some contact is not a known vector times its own normal force, so that the forces have to
+     * be solved without friction first: for a particle on several surfaces, or one that starts from rest or may stop.
      */
     boolean isFrictionIndirect(double[] state) {
         for (int k = 0; k < count; k++) {

@@ -10,19 +10,22 @@
  * acceleration. Errors of steps decay by two more terms in b, see {@link particles.reactions.RigidConstraints}.
  *
  * <p><b>Complementarity.</b> A rod pulls and pushes; a contact only pushes, and only while it touches: lambda &ge; 0,
- * d'' &ge; 0 and lambda d'' = 0. For one particle on one plane that is the slides' rule: 0 for N . F &ge; 0, otherwise
- * lambda = -(N . F); on a sphere of radius R the term m v<sub>t</sub>&sup2;/R is added. Rods and contacts that share
+ * d'' &ge; 0 and lambda d'' = 0. For one particle on one plane that is the slides' rule: lambda = 0 for N . F &ge; 0,
+ * otherwise lambda = -(N . F). On a sphere of radius R, N . F is replaced by N . F + m v<sub>t</sub>&sup2;/R, inside a
+ * hollow sphere by N . F - m v<sub>t</sub>&sup2;/R: a fast particle takes off from a hill. Rods and contacts that share
  * particles form a block, a particle that only touches surfaces is a block of its own, and each block is solved by one
  * active-set method: all contacts are taken to push, and one that would pull, or that would let its particle in,
  * changes sides until none is wrong. A block keeps its rows until a contact begins or ends, sticks or slides; a
  * particle on one plane has one row, lambda = -(N . F).
  *
  * <p><b>Friction.</b> The friction of a contact lies in a cone, |F<sub>t</sub>| &le; mu lambda. While a particle
- * slides, it is mu lambda against the velocity v<sub>t</sub> (slide: k<sub>f</sub> lambda v<sub>t</sub>); at the start
- * from rest, against the force that moves the particle. A particle that several surfaces push slides along all of them:
- * in a groove along its bottom line, and in the corner of three planes not at all. So friction is at right angles to
- * all normals of its particle, and loads only what rods join to it. Several surfaces share it in the ratio of their
- * limits. A particle at rest sticks if the cones of its surfaces hold the whole of the other forces on it. A rod to a
+ * slides, it is mu lambda against the velocity v<sub>t</sub>; at the start from rest, against the force that moves the
+ * particle. The slides have another law, proportional to speed: k<sub>f</sub> lambda v<sub>t</sub>. A particle that
+ * several surfaces push slides along all of them:
+ * in a groove along its bottom line, and in the corner of three planes not at all. So friction is perpendicular to all
+ * normals of its particle: it changes normal forces only through rods. Several surfaces share it in the ratio of their
+ * limits mu lambda. A particle at rest sticks if contact forces in the cones of its surfaces can balance all other
+ * forces on it. A rod to a
  * moving anchor is stronger than any friction: its end cannot stick while the anchor moves along the rod.
  *
  * <p><b>What is unique.</b> The accelerations are, while the same particles stick and friction is not so large that it
@@ -33,10 +36,11 @@
  *
  * <p><b>From impacts to contacts.</b> At an impact the normal velocity v<sub>n</sub> becomes -r v<sub>n</sub>; impulses
  * obey the same equations with velocities in place of accelerations. A bounce slower than the surface's rest speed
- * becomes a contact. Which contacts push, slide and stick is fixed within a step, and rules change it between steps or
- * at located events, by the forces and velocities at the end of the solver's own step. A contact ends where lambda
- * becomes negative. On a curved surface the next step of a method of order 1 may end below it by O(deltaT&sup2;)
- * although v<sub>n</sub> points outwards: that is an error of the step and no impact.
+ * becomes a contact. Within a step the contacts and their modes (sliding or sticking) are fixed. Rules change them
+ * between steps or at located events, by the forces and velocities at the end of the solver's own step. If the release
+ * is a located event, a contact holds until then: lambda may become negative within a step, and the contact ends where
+ * it does. Otherwise lambda &ge; 0 holds at each evaluation. On a curved surface the next step of a method of order 1
+ * may end below it by O(deltaT&sup2;) although v<sub>n</sub> points outwards: that is truncation error, not an impact.
  *
  * <p>At the end of each run the largest violation of a rod, wire or contact is checked. Sources: the slides "Particle/
  * Plane Contact" and "Particle/Plane Collisions"; A. Witkin, "Constrained Dynamics", SIGGRAPH course notes 1997; D.

@@ -3,9 +3,10 @@ package particles.reactions.algebra;
 /**
  * Active-set solver of a mixed linear complementarity problem: A lambda - b = w with w = 0 in the rows of rods and
  * wires, and lambda &ge; 0, w &ge; 0, lambda w = 0 in those of contacts: a contact either pushes or separates. The
- * search starts with all contacts active; each set takes one linear system in the envelope of A. All contacts that are
- * wrong change sides together as long as their number falls (J. J&uacute;dice, F. Pires 1994), after that the one with
- * the least index (K. Murty 1974). If A is positive definite the search always ends.
+ * search starts with all contacts active, that is w = 0; for each active set one linear system is solved, in the
+ * envelope of A. A contact is wrong if it is active with lambda &lt; 0, or inactive with w &lt; 0. If fewer are wrong
+ * than ever before, all of them change sides (J. J&uacute;dice, F. Pires 1994), otherwise only the one with the least
+ * index (K. Murty 1974). If A is positive definite, the search always ends.
  *
  * <p>If rows are linearly dependent, as in a square with both diagonals, many solutions give the same motion; the one
  * with the least sum of squares is taken, the load of equal, slightly elastic rods.
@@ -36,7 +37,8 @@ public final class ActiveSetMethod {
      * Solves the problem. Rows with a diagonal entry of 0 are left out.
      *
      * @param contact which rows are those of contacts
-     * @param signed  whether contacts can only push; if false, all of them hold unless they determine each other
+     * @param signed  true if contacts can only push; if false, all contacts stay active and may pull, unless the active
+     *                rows are linearly dependent: then the search runs as if true
      * @param lambda  receives the solution
      * @param w       receives A lambda - b
      * @return false if the search does not end: no forces satisfy all conditions
