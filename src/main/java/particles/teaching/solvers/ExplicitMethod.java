@@ -120,11 +120,14 @@ final class ExplicitMethod {
             method = end && clock ? nearest.known().name() : "";
             return "This is " + nearest.known().name();
         }
+        List<Scheme> meant = KnownMethods.like(scheme).stream().filter(known -> promise.filter(name -> name.allows(
+                known.name(), known.order())).isPresent()).toList();
+        Comparison named = meant.isEmpty() ? nearest : Comparison.nearest(meant, scheme, set, clock);
         if (!end || !clock) {
-            if (end && scheme.isInTurn() && nearest.isNear()) {
-                findings.add(nearest.first());          // the clock may follow the drifts
+            if (end && scheme.isInTurn() && named.isNear()) {
+                findings.add(named.first());            // the clock may follow the drifts
             }
-            return "This is nearest to " + nearest.known().name();
+            return "This is nearest to " + named.known().name();
         }
         Optional<Finding> unsolved = SolvedEquation.rounds(maker, scheme, promise).or(() -> KnownMethods.mistake(
                 scheme)).or(() -> promise.filter(NamePromise::isImplicit).map(name -> Phrase.EXPLICIT.of("an explicit"
@@ -133,9 +136,7 @@ final class ExplicitMethod {
             findings.add(0, unsolved.get());
             return "This is an explicit method";
         }
-        List<Scheme> meant = KnownMethods.like(scheme).stream().filter(known -> promise.filter(name -> name.allows(
-                known.name(), known.order())).isPresent()).toList();
-        return unknown(scheme, meant.isEmpty() ? nearest : Comparison.nearest(meant, scheme, set, true));
+        return unknown(scheme, named);
     }
 
     private static String count(Scheme scheme) {

@@ -216,6 +216,7 @@ final class SolverSpecimens {
                 -> -1.7024143839193155 1.3512071919596578 1.3512071919596578
                 Ruth3 | sign of a drift | position is x .* 2/3 v1 .*says x .* - 2/3 v1 \
                 | turns 1 2/3 2/3 -> -1/24 3/4 7/24
+                PositionVerlet | the last drift is whole | v1 deltaT is 1 instead of 1/2 | turns 1/2 1 -> 1
                 W130Ruth3 | drifts 2/3, 2/3, -1/3 | position is x \\+ 2/3 v1 \
                 | turns 0 2/3 2/3 -1/3 -> 7/24 3/4 -1/24
                 W57Ruth3 | +1/24 | says v \\+ 7/24 a1 deltaT \\+ 3/4 a2 deltaT - a3 \
