@@ -135,7 +135,7 @@ class NumericalErrorLimitTest {
     @ParameterizedTest
     @ValueSource(strings = {"step-doubling", "dormand-prince", "bulirsch-stoer", "radau"})
     void manySwingsInAStepOfAnAdaptiveSolverAreNoError(String solver) {
-        Scene scene = TestScenes.build(SHAKEN.replace("SOLVER", solver));
+        Scene scene = TestScenes.build(TestScenes.shaken(solver, 0.3));
         run(scene.simulation(), scene.energyEstimate());
     }
 
@@ -230,21 +230,6 @@ class NumericalErrorLimitTest {
         run(of(system, new EulerSolver(), 0.01, 1), 100);
         assertEquals(-10, system.getOwnState()[4], 1e-12);
     }
-
-    private static final String SHAKEN = """
-            title: A hand shakes a block
-            teaches: A step of many swings.
-            solver: SOLVER
-            deltaT: 0.5
-            duration: 2
-            particles:
-              - {id: hand, position: [0, 0, 0], fixed: true}
-              - {id: block, position: [0, -1, 0]}
-            springs:
-              - {from: hand, to: block, stiffness: 1000, restLength: 1, damping: 1}
-            rules:
-              - shake: {particle: hand, amplitude: [0, 0.1, 0], period: 0.3}
-            """;
 
     private static final String DROPS = """
             title: Drops

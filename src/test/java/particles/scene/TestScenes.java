@@ -26,4 +26,22 @@ public final class TestScenes {
     public static Scene build(String yaml) {
         return SceneBuilder.build(read(yaml));
     }
+
+    /** @return the text of a scene whose steps of 0.5 s take several swings of a stiff spring to a shaken hand */
+    public static String shaken(String solver, double period) {
+        return """
+                title: A hand shakes a block
+                teaches: A step of many swings.
+                solver: SOLVER
+                deltaT: 0.5
+                duration: 2
+                particles:
+                  - {id: hand, position: [0, 0, 0], fixed: true}
+                  - {id: block, position: [0, -1, 0]}
+                springs:
+                  - {from: hand, to: block, stiffness: 1000, restLength: 1, damping: 1}
+                rules:
+                  - shake: {particle: hand, amplitude: [0, 0.1, 0], period: PERIOD}
+                """.replace("SOLVER", solver).replace("PERIOD", "" + period);
+    }
 }

@@ -14,6 +14,7 @@ import particles.energy.EnergyRecorder;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
+import particles.scene.TestScenes;
 
 /** The lines printed at the end of a run. */
 class SummaryTest {
@@ -137,22 +138,8 @@ class SummaryTest {
     /** Both are right. Bulirsch-Stoer takes more than a swing at once, in which the ledger looks three times. */
     @Test
     void whatTheLedgerCannotResolveIsNotCalledWrong() {
-        String text = """
-                title: A hand pulls a stiff spring
-                teaches: Steps of many swings.
-                solver: radau
-                deltaT: 0.5
-                duration: 2
-                particles:
-                  - {id: hand, position: [0, 0, 0], fixed: true}
-                  - {id: block, position: [0, -1, 0]}
-                springs:
-                  - {from: hand, to: block, stiffness: 1000, restLength: 1, damping: 1}
-                rules:
-                  - shake: {particle: hand, amplitude: [0, 0.1, 0], period: 0.19}
-                """;
-        assertEquals(4, lines(Path.of("x.yaml"), text).size());
-        List<String> lines = lines(Path.of("x.yaml"), text.replace("radau", "bulirsch-stoer"));
+        assertEquals(4, lines(Path.of("x.yaml"), TestScenes.shaken("radau", 0.19)).size());
+        List<String> lines = lines(Path.of("x.yaml"), TestScenes.shaken("bulirsch-stoer", 0.19));
         assertEquals("note: the energy ledger cannot resolve this motion, as the sub-steps of bulirsch-stoer are too"
                 + " long for it; the error may be the ledger's own. A smaller deltaT tells.", lines.get(4));
     }
