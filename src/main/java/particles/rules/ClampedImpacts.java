@@ -266,8 +266,8 @@ public final class ClampedImpacts implements Rule {
     private void stopFlight(ContactSurface surface, int i, double[] state, double deltaT) {
         bezier(before, state, deltaT, i, points);
         int count = surface.obstacle().separation(points, coefficients);
-        if (Math.abs(distance(surface, before, i)) <= slack(before, i)) {
-            return;
+        if (distance(surface, before, i) <= slack(before, i)) {
+            return;                                     // it began on the surface or below, where rods had put it
         }
         double u = crossing.of(coefficients, count);
         if (!Double.isNaN(u)) {
