@@ -134,14 +134,16 @@ final class Trial implements Observer {
     }
 
     /**
-     * Whether friction acts on rods or wires: the forces may become infinite in a finite time, or have no solution (P.
-     * Painlev&eacute; 1895), so that there is no motion from then on.
+     * Whether there may be no motion from some moment on: friction acts on rods or wires (P. Painlev&eacute; 1895), or
+     * an anchor moves while the rod from it to a bead stands across the bead's wire.
      */
     boolean mayJam() {
         List<Reaction> reactions = system.getReactions();
         return reactions.stream().anyMatch(RigidConstraints.class::isInstance) && reactions.stream()
                 .anyMatch(reaction -> reaction instanceof RestingContacts contacts && contacts.getSurfaces().stream()
-                        .anyMatch(surface -> surface.friction().coefficient() > 0));
+                        .anyMatch(surface -> surface.friction().coefficient() > 0))
+                || system.getMovingAnchors().length > 0
+                && reactions.stream().anyMatch(reaction -> reaction.getName().equals("rods and wires"));
     }
 
     boolean hasSurfaces() {
