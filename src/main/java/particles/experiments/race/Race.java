@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import particles.Motion;
 import particles.Observer;
@@ -13,6 +14,7 @@ import particles.SimulationException;
 import particles.energy.EnergyHistory;
 import particles.experiments.energy.EnergyDrift;
 import particles.experiments.energy.EnergyDrift.Drift;
+import particles.experiments.runs.AllCores;
 import particles.experiments.runs.EqualTime;
 import particles.experiments.runs.EqualWork;
 import particles.experiments.runs.EqualWork.Match;
@@ -124,15 +126,18 @@ public final class Race {
         ProgressListener half = (part, what) -> progress.reached(0.5 * part, what);
         Shares shares = equalTime ? new EqualTime(scene, evaluations, frames, clock).share(solvers, half)
                 : EqualWork.ofFrames(scene, evaluations, frames).share(solvers, half);
-        progress.reached(0.5, "the race: the reference");
         Scene again = SceneRun.build(scene, tight(), scene.duration());
-        SceneRun.run(again, MOST_EVALUATIONS, factory.of(again, Optional.empty(), extent));
-        List<Lane> lanes = new ArrayList<>();
+        List<Observer> ghost = factory.of(again, Optional.empty(), extent);
+        List<Supplier<Optional<Lane>>> runs = new ArrayList<>();
+        runs.add(() -> {
+            SceneRun.run(again, MOST_EVALUATIONS, ghost);
+            return Optional.empty();
+        });
         for (Match match : shares.matches()) {
-            progress.reached(0.5 + 0.5 * (lanes.size() + 1) / (solvers.size() + 1), "the race: "
-                    + match.setting().solver().label());
-            lanes.add(lane(match, rate, scale, reference.getStates(), extent, factory));
+            runs.add(lane(match, rate, scale, reference.getStates(), extent, factory));
         }
+        List<Lane> lanes = AllCores.map(runs, Supplier::get, (part, what) -> progress.reached(0.5 + 0.5 * part, what),
+                run -> "the race").stream().flatMap(Optional::stream).toList();
         double[] times = new double[reference.getStates().size()];
         for (int k = 0; k < times.length; k++) {
             times[k] = k / rate;
@@ -163,21 +168,24 @@ public final class Race {
         return energy.getScaleOr(built.energyEstimate());
     }
 
-    private Lane lane(Match match, double rate, double scale, List<double[]> reference, Extent extent,
-            ObserverFactory factory) {
+    /** Prepares the run of a solver, to be done at any time. */
+    private Supplier<Optional<Lane>> lane(Match match, double rate, double scale, List<double[]> reference,
+            Extent extent, ObserverFactory factory) {
         Scene built = SceneRun.build(scene, match.setting(), scene.duration());
         FrameStates states = new FrameStates(rate);
         List<Observer> observers = new ArrayList<>(List.of(new Fence(extent), states));
         observers.addAll(factory.of(built, Optional.of(match.setting().solver()), extent));
-        Drift drift = EnergyDrift.measure(built, match.setting(), scale, observers);
-        double[] distance = new double[states.getStates().size()];
-        Arrays.fill(distance, Double.NaN);
-        for (int k = 0; k < distance.length; k += framesAStep(match.setting())) {
-            distance[k] = distance(states.getStates().get(k), reference.get(k));
-        }
-        OptionalDouble left = drift.outcome().failure().isPresent() ? OptionalDouble.of(drift.outcome().endTime())
-                : OptionalDouble.empty();
-        return new Lane(match, drift, states.getStates(), distance, left);
+        return () -> {
+            Drift drift = EnergyDrift.measure(built, match.setting(), scale, observers);
+            double[] distance = new double[states.getStates().size()];
+            Arrays.fill(distance, Double.NaN);
+            for (int k = 0; k < distance.length; k += framesAStep(match.setting())) {
+                distance[k] = distance(states.getStates().get(k), reference.get(k));
+            }
+            OptionalDouble left = drift.outcome().failure().isPresent() ? OptionalDouble.of(drift.outcome().endTime())
+                    : OptionalDouble.empty();
+            return Optional.of(new Lane(match, drift, states.getStates(), distance, left));
+        };
     }
 
     /**

@@ -1,6 +1,5 @@
 package particles.experiments.runs;
 
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -169,13 +168,10 @@ public final class EqualWork {
         long work = target;
         Optional<SolverChoice> slowest = Optional.empty();
         for (int round = 1; ; round++) {
-            List<Match> matches = new ArrayList<>();
-            for (SolverChoice solver : solvers) {
-                progress.reached((double) matches.size() / solvers.size(), "equal work for " + solver.label());
-                matches.add(find(solver, LOOSEST, work));
-            }
-            double most = MOST_RAISE * target;
             long least = work;
+            List<Match> matches = AllCores.map(solvers, solver -> find(solver, LOOSEST, least), progress,
+                    solver -> "equal work for " + solver.label());
+            double most = MOST_RAISE * target;
             Optional<Match> over = matches.stream().filter(match -> match.whole() && match.evaluations() <= most
                     && match.evaluations() - least >= match.aStep()).max(Comparator.comparingLong(Match::evaluations));
             if (over.isEmpty() || round == TRIALS) {

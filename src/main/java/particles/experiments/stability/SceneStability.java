@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.atomic.AtomicInteger;
 import particles.ParticleSystem;
+import particles.experiments.runs.AllCores;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SceneRun;
 import particles.experiments.runs.SceneRun.Outcome;
@@ -95,17 +95,10 @@ public final class SceneStability {
     public static List<Limit> measure(SceneDescription scene, Spectrum spectrum, List<SolverChoice> solvers,
             ProgressListener progress) {
         SceneStability stability = new SceneStability(scene, spectrum);
-        AtomicInteger done = new AtomicInteger();
         // each run is a system of its own, so that solvers share nothing but the fine runs, which do not depend on who
         // asks first
-        return solvers.parallelStream().map(solver -> {
-            Limit limit = stability.limit(solver);
-            synchronized (done) {
-                progress.reached((double) done.incrementAndGet() / solvers.size(),
-                        "found the largest safe step of " + solver.label());
-            }
-            return limit;
-        }).toList();
+        return AllCores.map(solvers, stability::limit, progress,
+                solver -> "found the largest safe step of " + solver.label());
     }
 
     /** @return the spectrum of the scene's start, without modes too slow to be seen in the scene's duration */
