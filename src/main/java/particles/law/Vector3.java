@@ -11,6 +11,11 @@ public record Vector3(double x, double y, double z) {
     /** The origin. */
     public static final Vector3 ZERO = new Vector3(0, 0, 0);
 
+    /** @return the vector in three entries of an array, from an index on */
+    public static Vector3 at(double[] values, int place) {
+        return new Vector3(values[place], values[place + 1], values[place + 2]);
+    }
+
     /** @return this + b */
     public Vector3 plus(Vector3 b) {
         return new Vector3(x + b.x, y + b.y, z + b.z);

@@ -142,7 +142,7 @@ final class BlockForces {
 
     private Optional<String> solveOnce(Block block, double[] force) {
         putRight(block, force);
-        if (!block.solve(Block.NONE, !contacts.holdsOn())) {
+        if (!block.solve(Block.NONE, !contacts.isHolding())) {
             return Optional.of("let no contact forces keep all particles out: friction jams");
         }
         left = block.left() == 0 ? 0 : block.left() / scale(block, force);

@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import particles.ParticleSystem;
-import particles.law.Obstacle;
 import particles.law.Particles;
 import particles.law.Reaction;
 import particles.law.Vector3;
@@ -51,7 +50,7 @@ public final class RestingContacts implements Reaction {
     private Optional<RigidConstraints> joints = Optional.empty();
     private BlockForces blocks;
     private ContactQueries queries;
-    private boolean holdsOn;
+    private boolean holding;
 
     /**
      * @param system   the system of the particles
@@ -90,14 +89,15 @@ public final class RestingContacts implements Reaction {
      * Sets whether contact lasts until a rule ends it. Otherwise the normal force is 0 wherever N . F is positive, as
      * on the slide; then the force has a kink there, and a step across it loses its order.
      *
-     * @param holdsOn true if a rule locates the exact time of release
+     * @param holding true if a rule locates the exact time of release
      */
-    public void setHoldsOn(boolean holdsOn) {
-        this.holdsOn = holdsOn;
+    public void setHolding(boolean holding) {
+        this.holding = holding;
     }
 
-    boolean holdsOn() {
-        return holdsOn;
+    /** @return whether contact lasts until a rule ends it */
+    public boolean isHolding() {
+        return holding;
     }
 
     SlidingDirection sliding() {
@@ -228,9 +228,8 @@ public final class RestingContacts implements Reaction {
 
     private boolean mayStopWithin(double time, double mass, int i, double[] state, double[] force) {
         double rubbing = rubbing(i);
-        int v = STRIDE * i + 3;
-        double speed = new Vector3(state[v], state[v + 1], state[v + 2]).length();
-        double pull = new Vector3(force[v], force[v + 1], force[v + 2]).length() / mass;
+        double speed = Vector3.at(state, STRIDE * i + 3).length();
+        double pull = Vector3.at(force, STRIDE * i + 3).length() / mass;
         return rubbing > 0 && speed <= STOPS * time * (1 + rubbing) * pull;
     }
 
@@ -280,15 +279,19 @@ public final class RestingContacts implements Reaction {
      *         where friction was to stop it
      */
     public boolean hasStopped(int particle, Vector3 velocity) {
-        int v = STRIDE * particle + 3;
-        double[] begin = sliding.getStepBegin();
-        Vector3 before = new Vector3(begin[v], begin[v + 1], begin[v + 2]);
+        Vector3 before = Vector3.at(sliding.getStepBegin(), STRIDE * particle + 3);
         double slow = sliding.mayStop(particle) ? ALMOST_STOPPED * before.length() : 0;
+        return velocity.dot(before) <= 0 || velocity.length() <= Math.max(slow, threshold(particle));
+    }
+
+    /** @return the largest threshold of the friction that acts on a particle (m/s), below which it may stick */
+    public double threshold(int particle) {
+        double threshold = 0;
         for (int p = 0; p < surfaces.size(); p++) {
-            slow = modes.get(p, particle) == ContactModes.Mode.FREE ? slow
-                    : Math.max(slow, surfaces.get(p).friction().threshold());
+            threshold = modes.get(p, particle) == ContactModes.Mode.FREE ? threshold
+                    : Math.max(threshold, surfaces.get(p).friction().threshold());
         }
-        return velocity.dot(before) <= 0 || velocity.length() <= slow;
+        return threshold;
     }
 
     /** @return the state at the beginning of the step; read only */
@@ -348,16 +351,14 @@ public final class RestingContacts implements Reaction {
         Violation worst = Violation.NONE;
         for (int i = 0; i < particles.count(); i++) {
             for (int p = 0; p < surfaces.size(); p++) {
-                Obstacle obstacle = surfaces.get(p).obstacle();
-                int x = STRIDE * i;
-                double distance = obstacle.distance(state[x], state[x + 1], state[x + 2]);
+                ContactSurface surface = surfaces.get(p);
+                double distance = surface.distance(state, i);
                 double off = particles.isFixed(i) || modes.get(p, i) == ContactModes.Mode.FREE && distance > 0 ? 0
                         : Math.abs(distance);
-                double part = off * (obstacle.isFlat() ? 1
-                        : Math.abs(obstacle.curvature(state[x], state[x + 1], state[x + 2])));
+                double part = off * (surface.obstacle().isFlat() ? 1 : surface.curvature(state, i));
                 if (part > worst.part()) {
                     worst = new Violation(part, "'" + particles.id(i) + "' is " + Digits.few(off) + " m off '"
-                            + surfaces.get(p).name() + "'");
+                            + surface.name() + "'");
                 }
             }
         }

@@ -155,7 +155,7 @@ class ParticleJacobianTest {
                     Random random = new Random(seed);
                     ParticleSystem system = particles(random);
                     springs(system, random, 0.5);
-                    contacts(system, new Friction(law, 0.3, 0.4, 1e-3), mode).setHoldsOn(holdsOn);
+                    contacts(system, new Friction(law, 0.3, 0.4, 1e-3), mode).setHolding(holdsOn);
                     assertEquals(Blocks.EXACT, system.getJacobianBlocks());
                     double deviation = deviation(system, random);
                     assertTrue(deviation < EXACT, "seed " + seed + ", " + mode + ", holds on " + holdsOn + ": "
@@ -177,7 +177,7 @@ class ParticleJacobianTest {
                     springs(system, random, 0.5);
                     Friction friction = new Friction(law, 0.3, 0.4, 1e-3);
                     contacts(system, friction, mode, new Sphere(new Vector3(0.2, -2, 0.1), 2, false),
-                            new Sphere(new Vector3(-0.3, 2.5, 0), 3, true)).setHoldsOn(holdsOn);
+                            new Sphere(new Vector3(-0.3, 2.5, 0), 3, true)).setHolding(holdsOn);
                     assertEquals(Blocks.EXACT, system.getJacobianBlocks());
                     double deviation = deviation(system, random);
                     assertTrue(deviation < EXACT, "seed " + seed + ", " + mode + ", holds on " + holdsOn + ": "

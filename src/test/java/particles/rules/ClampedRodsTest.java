@@ -95,7 +95,7 @@ class ClampedRodsTest {
         for (int i = 0; i < system.getParticles().count(); i++) {
             assertTrue(contacts.getModes().isSticking(i), "particle " + i + " at rest");
             assertEquals(0, system.getOwnState()[6 * i + 1], 1e-12, "on the ground");
-            assertEquals(0, ContactGeometry.velocity(system.getOwnState(), i).length(), 1e-12, "at rest");
+            assertEquals(0, Impacts.velocity(system.getOwnState(), i).length(), 1e-12, "at rest");
         }
         assertEquals(0, watch.worstLength, 1e-7, "measured: 3e-8 at most");
         assertEquals(0, Math.max(0, watch.mostEnergy - ledger.getStartEnergy()), 1e-3,

@@ -1,6 +1,8 @@
 package particles.reactions.contact;
 
 import particles.law.Obstacle;
+import particles.law.Particles;
+import particles.law.Vector3;
 
 /**
  * A plane or sphere that particles bounce off, rest on and slide along.
@@ -22,5 +24,28 @@ public record ContactSurface(String name, Obstacle obstacle, double restitution,
             throw new IllegalArgumentException("the rest speed of '" + name + "' has to be 0 or more and finite, not "
                     + restSpeed);
         }
+    }
+
+    /** @return the distance of a particle from the surface (m), negative inside */
+    public double distance(double[] state, int particle) {
+        int x = Particles.STRIDE * particle;
+        return obstacle.distance(state[x], state[x + 1], state[x + 2]);
+    }
+
+    /** @return the normal at a particle, of length 1 */
+    public Vector3 normal(double[] state, int particle) {
+        int x = Particles.STRIDE * particle;
+        return obstacle.normal(state[x], state[x + 1], state[x + 2]);
+    }
+
+    /** @return the size of the curvature at a particle (1/m), 0 for a plane */
+    public double curvature(double[] state, int particle) {
+        int x = Particles.STRIDE * particle;
+        return Math.abs(obstacle.curvature(state[x], state[x + 1], state[x + 2]));
+    }
+
+    /** @return the component of a particle's velocity along the normal (m/s), negative inwards */
+    public double normalSpeed(double[] state, int particle) {
+        return normal(state, particle).dot(Vector3.at(state, Particles.STRIDE * particle + 3));
     }
 }

@@ -1,0 +1,284 @@
+package particles.rules;
+
+import java.util.List;
+import particles.ParticleSystem;
+import particles.Rule;
+import particles.law.Particles;
+import particles.law.Vector3;
+import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactModes;
+import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
+
+/**
+ * Collisions with planes and spheres, the slides' "Particle/Plane Collisions": at an impact v_n' = -r v_n and v_t' =
+ * v_t, and a particle that would leave too slowly stays in contact, where it slides or sticks. The subclasses differ in
+ * the time at which an impact or the end of a contact is found: {@link ClampedImpacts} at the end of the step, {@link
+ * ExactImpacts} where it happens.
+ */
+abstract class Impacts implements Rule {
+    static final int STRIDE = Particles.STRIDE;
+    /** Round-off of a few operations, relative to a speed. */
+    static final double ROUNDING = 1e-12;
+    /** Largest distance from a surface in contact, relative to 1 m plus the distance from the origin. */
+    private static final double ON_SURFACE = 1e-9;
+    /** The same for {@link #keepOnOthers}, which puts a particle on all its surfaces. */
+    private static final double ON_ALL = 1e-13;
+    private static final int MOST_SWEEPS = 100;
+    /** The largest error of an event's time, in ulps of the clock. */
+    private static final int CLOCK_ROUNDINGS = 4;
+
+    final RestingContacts contacts;
+    final List<ContactSurface> surfaces;
+    final ContactModes modes;
+    final double[] points = new double[12];             // of the last path: the cubic's Bezier points
+    boolean forceKnown;
+    private double[] force = {};
+    private final FirstCrossing crossing = new FirstCrossing();
+    private final double[] coefficients = new double[FirstCrossing.MOST_COEFFICIENTS];
+
+    Impacts(RestingContacts contacts) {
+        this.contacts = contacts;
+        surfaces = contacts.getSurfaces();
+        modes = contacts.getModes();
+    }
+
+    @Override
+    public final String getName() {
+        return "impacts";
+    }
+
+    /** Particles that begin on a surface with no normal velocity rest on it from the start. */
+    @Override
+    public final void start(ParticleSystem system) {
+        double[] state = system.getOwnState();
+        double[] before = state.clone();
+        beforeStep(system, 0);
+        for (int i = 0; i < system.getParticles().count(); i++) {
+            for (int p = 0; p < surfaces.size() && !system.getParticles().isFixed(i); p++) {
+                ContactSurface surface = surfaces.get(p);
+                if (isOn(surface, state, i) && Math.abs(surface.normalSpeed(state, i)) <= surface.restSpeed()) {
+                    rest(system, p, i);
+                }
+            }
+        }
+        for (int i = 0; i < modes.end(); i++) {
+            stickIfSlow(system, i, velocity(before, i).length());
+            contacts.settle(i, state);
+        }
+        stickOthers(system);
+        contacts.beginStep(system);
+    }
+
+    @Override
+    public void beforeStep(ParticleSystem system, double deltaT) {
+        contacts.beginStep(system);
+        forceKnown = false;
+    }
+
+    /** The effects' forces in the present state. Clamped impacts evaluate them at most once in most steps. */
+    final double[] forces(ParticleSystem system) {
+        if (!forceKnown) {
+            if (force.length != system.getStateSize()) {
+                force = new double[system.getStateSize()];
+            }
+            system.addUpEffects(system.getOwnState(), system.getTime(), force);
+            forceKnown = !contacts.isHolding();
+        }
+        return force;
+    }
+
+    final double pressure(ParticleSystem system, int p, int i) {
+        return contacts.pressure(p, i, system.getOwnState(), forces(system));
+    }
+
+    final double holdMargin(ParticleSystem system, int i) {
+        return contacts.holdMargin(i, system.getOwnState(), forces(system));
+    }
+
+    /**
+     * Lets a particle leave a surface or rest on it. If it is on rods or wires, these transmit the impulse, which may
+     * lift others off.
+     *
+     * @param leaving the normal speed with which it leaves (m/s)
+     */
+    final void bounce(ParticleSystem system, int p, int i, double leaving, boolean rests) {
+        double[] state = system.getOwnState();
+        if (contacts.isCoupled(i)) {
+            contacts.strike(p, i, rests ? 0 : leaving, state);
+        } else if (!rests) {
+            Vector3 normal = surfaces.get(p).normal(state, i);
+            moveAlong(normal, state, STRIDE * i + 3, leaving - normal.dot(velocity(state, i)));
+        }
+        if (rests) {
+            rest(system, p, i);
+        }
+    }
+
+    /** Lets a particle rest on a surface; where contact lasts until a release, only if the forces press it on. */
+    private void rest(ParticleSystem system, int p, int i) {
+        if (contacts.canPush(p, i, system.getOwnState())) {
+            stopAlong(surfaces.get(p).normal(system.getOwnState(), i), system.getOwnState(), i);
+            modes.set(p, i, Mode.SLIDING);
+            modes.setWhereTouching(i, Mode.SLIDING);
+            if (contacts.isHolding() && pressure(system, p, i) <= 0) {
+                modes.set(p, i, Mode.FREE);
+            }
+        }
+    }
+
+    /**
+     * Puts a particle that hit surface p onto the others that it touches, as at the bottom of a groove, one after the
+     * other until only round-off is left. An impulse may lift it off another: it leaves that one if it is faster than
+     * the rest speed and than the given limits.
+     *
+     * @param slow speeds below this are round-off (m/s)
+     * @param pull a velocity whose component into a surface brings it back in time (m/s)
+     */
+    final void keepOnOthers(int p, int i, double[] state, double slow, Vector3 pull) {
+        for (int q = 0; q < surfaces.size(); q++) {
+            ContactSurface other = surfaces.get(q);
+            double back = -other.normal(state, i).dot(pull);
+            if (q != p && modes.get(q, i) != Mode.FREE
+                    && other.normalSpeed(state, i) > Math.max(other.restSpeed(), Math.max(slow, back))) {
+                modes.set(q, i, Mode.FREE);
+            }
+        }
+        double near = ON_ALL / ON_SURFACE * slack(state, i);
+        boolean put = false;
+        for (int sweep = 0; sweep < MOST_SWEEPS && !put; sweep++) {
+            put = true;
+            for (int q = 0; q < surfaces.size(); q++) {
+                if (modes.get(q, i) != Mode.FREE) {
+                    ContactSurface surface = surfaces.get(q);
+                    put &= Math.abs(surface.distance(state, i)) <= near
+                            && Math.abs(surface.normalSpeed(state, i)) <= slow;
+                    putOn(surface, state, i);
+                }
+            }
+        }
+    }
+
+    /**
+     * Lets a particle that has come to rest on a rough surface stick if it hardly moves along it.
+     *
+     * @param speed its speed before that (m/s)
+     */
+    final void stickIfSlow(ParticleSystem system, int i, double speed) {
+        if (rubs(i) && holdMargin(system, i) >= 0) {
+            stop(system, i, speed);
+        }
+    }
+
+    /**
+     * Handles a sliding particle that has slowed to the threshold or turned by more than a right angle within the step.
+     * If it is slower than the threshold or round-off, it stops, and sticks if friction can hold it. Otherwise only the
+     * direction of friction changes.
+     *
+     * @param speed its speed at the beginning of the motion (m/s)
+     */
+    final void stop(ParticleSystem system, int i, double speed) {
+        double[] state = system.getOwnState();
+        Vector3 velocity = velocity(state, i);
+        double acceleration = velocity(forces(system), i).length() / system.getParticles().mass(i);
+        double rounding = ROUNDING * speed + CLOCK_ROUNDINGS * Math.ulp(system.getTime()) * acceleration;
+        double slow = Math.max(rounding, contacts.threshold(i) * (1 + ROUNDING));
+        if (velocity.length() <= slow && holdMargin(system, i) >= 0) {
+            stick(i, state);
+            stickOthers(system);
+        } else if (velocity.length() <= rounding && !contacts.isCoupled(i)) {   // rods would set it moving again
+            moveAlong(velocity, state, STRIDE * i + 3, -1);
+        }
+        contacts.beginStep(system);
+    }
+
+    final void stick(int i, double[] state) {
+        moveAlong(velocity(state, i), state, STRIDE * i + 3, -1);
+        modes.setWhereTouching(i, Mode.STICKING);
+        contacts.settle(i, state);
+        forceKnown &= !contacts.isCoupled(i);
+    }
+
+    /** Lets particles that are coupled to one that came to rest stick too; they have no event of their own. */
+    private void stickOthers(ParticleSystem system) {
+        for (int i = 0; i < modes.end(); i++) {
+            if (contacts.isCoupled(i) && !modes.isSticking(i) && contacts.isSlow(i, system.getOwnState())
+                    && holdMargin(system, i) >= 0) {
+                stick(i, system.getOwnState());
+            }
+        }
+    }
+
+    /** Whether friction on a particle flips when it reverses, or may hold it. */
+    final boolean rubs(int i) {
+        for (int p = 0; p < surfaces.size(); p++) {
+            Friction friction = surfaces.get(p).friction();
+            if (modes.get(p, i) != Mode.FREE && (friction.ofCoulomb(1) > 0 || friction.staticCoefficient() > 0)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /**
+     * Finds where a particle first goes below a surface, on the cubic between two states; its B&eacute;zier points are
+     * left in {@link #points}.
+     *
+     * @param h     the time between the states (s)
+     * @param below how far below it has to go (m)
+     * @return the fraction of the time, 0 ... 1; NaN if it does not
+     */
+    final double firstBelow(ContactSurface surface, double[] begin, double[] end, double h, int i, double below) {
+        for (int c = 0, x = STRIDE * i; c < 3; c++, x++) {
+            points[c] = begin[x];
+            points[3 + c] = begin[x] + h * begin[x + 3] / 3;
+            points[6 + c] = end[x] - h * end[x + 3] / 3;
+            points[9 + c] = end[x];
+        }
+        int count = surface.obstacle().separation(points, coefficients);
+        // a sphere's coefficients are those of r^2 - R^2 = (r - R) (r + R)
+        double more = surface.obstacle().isFlat() ? below : 2 / surface.curvature(begin, i) * below;
+        for (int k = 0; k < count; k++) {
+            coefficients[k] += more;
+        }
+        return crossing.of(coefficients, count);
+    }
+
+    /** Whether a particle is on a surface but for round-off. */
+    static boolean isOn(ContactSurface surface, double[] state, int i) {
+        return Math.abs(surface.distance(state, i)) <= slack(state, i);
+    }
+
+    /** The distance that a particle in contact may have from a surface by round-off (m). */
+    static double slack(double[] state, int i) {
+        int x = STRIDE * i;
+        return ON_SURFACE * (1 + Math.abs(state[x]) + Math.abs(state[x + 1]) + Math.abs(state[x + 2]));
+    }
+
+    static Vector3 velocity(double[] state, int i) {
+        return Vector3.at(state, STRIDE * i + 3);
+    }
+
+    /** Moves a particle onto a surface, without changing its velocity. */
+    static void lift(ContactSurface surface, double[] state, int i) {
+        moveAlong(surface.normal(state, i), state, STRIDE * i, -surface.distance(state, i));
+    }
+
+    /** Moves a particle onto a surface that it touches and removes its normal velocity. */
+    static void putOn(ContactSurface surface, double[] state, int i) {
+        lift(surface, state, i);
+        stopAlong(surface.normal(state, i), state, i);
+    }
+
+    static void stopAlong(Vector3 normal, double[] state, int i) {
+        moveAlong(normal, state, STRIDE * i + 3, -normal.dot(velocity(state, i)));
+    }
+
+    /** Adds a multiple of a direction to the three entries that begin at an index. */
+    static void moveAlong(Vector3 direction, double[] state, int place, double amount) {
+        state[place] += amount * direction.x();
+        state[place + 1] += amount * direction.y();
+        state[place + 2] += amount * direction.z();
+    }
+}
