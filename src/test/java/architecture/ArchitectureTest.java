@@ -117,11 +117,11 @@ class ArchitectureTest {
                                            particles.output.text particles.view java.awt
             particles.output.painters:     particles particles.law particles.output.raster particles.view
             particles.output.race:         particles particles.output.animation particles.output.charts
-                                           particles.output.frames particles.output.painters
-                                           particles.output.text particles.view java.awt
+                                           particles.output.frames particles.output.text particles.view
+                                           java.awt
             particles.output.raster:       particles.law particles.output.text particles.view java.awt
             particles.output.report:       particles.output.charts particles.output.files particles.output.text
-                                           particles.view java.awt javax.imageio javax.xml
+                                           particles.view java.awt javax.imageio
             particles.output.text:         deSolvers.text particles.output.files particles.view java.awt org.jfree
             particles.reactions:           deSolvers deSolvers.text particles particles.law
                                            particles.reactions.algebra particles.reactions.contact

@@ -59,7 +59,8 @@ public class FrameBenchmark {
     @Benchmark
     public int[] draw() throws IOException {
         int[] pixels = renderer.render(state);
-        encoder.write(pixels, OutputStream.nullOutputStream());
+        encoder.encode(pixels);
+        encoder.writeTo(OutputStream.nullOutputStream());
         return pixels;
     }
 }

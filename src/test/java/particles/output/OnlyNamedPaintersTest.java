@@ -79,7 +79,7 @@ class OnlyNamedPaintersTest {
             state.from = new int[] {0};
             state.to = new int[] {1};
             state.restLength = new double[] {2};
-            state.rigid = new boolean[1];
+            state.stiffness = new double[1];
         }
         renderer.render(state);
         Map<String, Integer> expected = new TreeMap<>(Map.of("ParticlePainter", 1));

@@ -68,7 +68,7 @@ class SceneryStylesTest {
             state.from = new int[] {0};
             state.to = new int[] {1};
             state.restLength = new double[] {6};
-            state.rigid = new boolean[] {k == 0};
+            state.stiffness = new double[] {k == 0 ? Double.POSITIVE_INFINITY : 0};
             int[] rgb = renderer(FRONT, look, Scenery.NONE).render(state);
             for (int y = 0; y < 130; y++) {
                 for (int x = 140; x < 180; x++) {

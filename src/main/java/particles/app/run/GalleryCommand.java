@@ -8,10 +8,12 @@ import java.util.List;
 import particles.app.cli.ProgramCommand;
 import particles.app.student.StudentClasses;
 import particles.law.Particles;
+import particles.output.files.OutputFile;
+import particles.output.files.PngEncoder;
 import particles.output.frames.FrameObserver;
 import particles.output.frames.FrameRenderer;
 import particles.output.frames.FrameSetup;
-import particles.output.frames.LastFrame;
+import particles.output.frames.FrameSink;
 import particles.output.frames.Pipeline;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
@@ -71,12 +73,14 @@ public final class GalleryCommand extends ProgramCommand {
         FrameSetup stage = new FrameSetup(camera, withTrails(scene, moment), scene.scenery(), "", "");
         FrameRenderer renderer = new FrameRenderer(stage, WIDTH, HEIGHT, 2);
         long count = Math.round(Math.max(described.output().frames().rate() * moment, 20));
-        try (FrameObserver frames = new FrameObserver(renderer, count / moment,
-                List.of(new LastFrame(picture, WIDTH, HEIGHT)))) {
+        int[] last = new int[WIDTH * HEIGHT];
+        FrameSink keep = (index, rgb) -> () -> System.arraycopy(rgb, 0, last, 0, last.length);
+        try (FrameObserver frames = new FrameObserver(renderer, count / moment, List.of(keep))) {
             frames.drawOnlyEvery((int) count);          // the first, which decides sizes, and the last
             scene.simulation().addObserver(frames);
             scene.simulation().run();
         }
+        OutputFile.write(picture, PngEncoder.file(WIDTH, HEIGHT, last));
     }
 
     /** Adds trails if there are few particles, so that a still picture shows motion. */

@@ -84,9 +84,8 @@ final class RunObservers implements AutoCloseable {
         this.folder = folder;
         OutputDescription output = scene.description().output();
         double steps = Math.ceil(scene.simulation().getDuration() / scene.simulation().getDeltaT());
-        trajectory = output.trajectoryStride().isPresent()
-                ? new TrajectoryWriter(folder, output.trajectoryStride().get())
-                : new TrajectoryWriter(folder, count -> TrajectoryWriter.strideFor(steps, count, MOST_LINES));
+        trajectory = new TrajectoryWriter(folder, count -> output.trajectoryStride().map(Integer::longValue)
+                .orElseGet(() -> TrajectoryWriter.strideFor(steps, count, MOST_LINES)));
         energy = new EnergyRecorder(scene.simulation(), scene.energyEstimate(),
                 TrajectoryWriter.strideFor(steps, 1, MOST_ENERGIES));
         phase = output.phase().map(plot -> new PhaseHistory(plot.particle(), plot.about()));

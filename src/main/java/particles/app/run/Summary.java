@@ -17,8 +17,16 @@ import particles.scene.Scene;
 import particles.spec.Ordered;
 import particles.spec.documents.JsonText;
 
-/** The summary of a run, for people and for run.json. */
-final class Summary {
+/**
+ * The summary of a run, for people and for run.json.
+ *
+ * @param name     the name of the scene
+ * @param hash     SHA-256 of its file's bytes, in hexadecimal
+ * @param scene    after its run
+ * @param recorder its recorded energies
+ * @param seconds  the wall-clock time of the run (s)
+ */
+record Summary(String name, String hash, Scene scene, EnergyRecorder recorder, double seconds) {
     /** An error above this part of the energy scale gives a warning: a tenth shows in the motion. */
     private static final double LARGE_ERROR = 0.1;
     /** A larger violation of a rod, wire or contact, relative to its scale, gives a warning. */
@@ -29,45 +37,31 @@ final class Summary {
     /** The file's name. */
     static final String FILE = "run.json";
 
-    private final String name;
-    private final String hash;
-    private final Scene scene;
-    private final Simulation simulation;
-    private final EnergyRecorder recorder;
-    private final EnergyHistory energy;
-    private final EnergyLedgerRecorder books;
-    private final double seconds;
+    private Simulation simulation() {
+        return scene.simulation();
+    }
 
-    /**
-     * @param name     the name of the scene
-     * @param hash     SHA-256 of its file's bytes, in hexadecimal
-     * @param scene    after its run
-     * @param recorder its recorded energies
-     * @param seconds  the wall-clock time of the run (s)
-     */
-    Summary(String name, String hash, Scene scene, EnergyRecorder recorder, double seconds) {
-        this.name = name;
-        this.hash = hash;
-        this.scene = scene;
-        this.recorder = recorder;
-        this.seconds = seconds;
-        simulation = scene.simulation();
-        energy = recorder.getHistory();
-        books = recorder.getLedger();
+    private EnergyHistory energy() {
+        return recorder.getHistory();
+    }
+
+    private EnergyLedgerRecorder books() {
+        return recorder.getLedger();
     }
 
     /** @return the text of {@link #FILE}; energies in J, times in s, relative errors in units of the energy scale */
     String json() {
-        Map<String, Object> energies = Ordered.map("start", energy.getStart(), "end", energy.getEnd(),
-                "scale", energy.getScale(), "relativeDrift", relative(energy.getEnd() - energy.getStart()),
-                "largestRelativeDrift", relative(energy.getLargestDrift()),
-                "numericalError", books.getNumericalError(),
-                "relativeNumericalError", relative(books.getNumericalError()),
-                "largestRelativeNumericalError", relative(books.getLargestNumericalError()), "work", books.getWork());
+        Map<String, Object> energies = Ordered.map("start", energy().getStart(), "end", energy().getEnd(),
+                "scale", energy().getScale(), "relativeDrift", relative(energy().getEnd() - energy().getStart()),
+                "largestRelativeDrift", relative(energy().getLargestDrift()),
+                "numericalError", books().getNumericalError(),
+                "relativeNumericalError", relative(books().getNumericalError()),
+                "largestRelativeNumericalError", relative(books().getLargestNumericalError()),
+                "work", books().getWork());
         return JsonText.of(Ordered.map("version", Version.CURRENT, "scene", name, "sceneSha256", hash,
-                "solver", scene.description().solver(), "deltaT", simulation.getDeltaT(),
-                "duration", simulation.getDuration(), "endTime", scene.system().getTime(),
-                "steps", simulation.getSteps(), "evaluations", scene.system().getEvaluations(),
+                "solver", scene.description().solver(), "deltaT", simulation().getDeltaT(),
+                "duration", simulation().getDuration(), "endTime", scene.system().getTime(),
+                "steps", simulation().getSteps(), "evaluations", scene.system().getEvaluations(),
                 "secondsTaken", seconds, "energy", energies, "java", Ordered.map(
                         "version", Runtime.version().toString(), "vendor", System.getProperty("java.vendor", ""),
                         "machine", System.getProperty("java.vm.name", ""))));
@@ -75,7 +69,7 @@ final class Summary {
 
     /** Divides an energy by the energy scale; 0 stays 0, also in a scene without energy. */
     private double relative(double joules) {
-        return joules == 0 ? 0 : joules / energy.getScale();
+        return joules == 0 ? 0 : joules / energy().getScale();
     }
 
     /**
@@ -84,36 +78,37 @@ final class Summary {
      */
     List<String> lines(boolean failed) {
         List<String> lines = new ArrayList<>();
-        String name = scene.description().solver();
-        double deltaT = simulation.getDeltaT();
-        double duration = simulation.getDuration();
+        String solverName = scene.description().solver();
+        double deltaT = simulation().getDeltaT();
+        double duration = simulation().getDuration();
         double time = scene.system().getTime();
-        lines.add(scene.description().title() + ": " + name + ", deltaT = " + Digits.exact(deltaT) + " s");
+        lines.add(scene.description().title() + ": " + solverName + ", deltaT = " + Digits.exact(deltaT) + " s");
         boolean endedEarly = time < duration * (1 - 1e-9);
         lines.add(Digits.few(time) + " s"
                 + (endedEarly ? " of " + Digits.few(duration) + " s" : "") + " simulated in "
-                + counted(simulation.getSteps(), "step") + " with "
+                + counted(simulation().getSteps(), "step") + " with "
                 + counted(scene.system().getEvaluations(), "evaluation") + " of the derivative; run time "
                 + Digits.few(Math.round(100 * seconds) / 100.0) + " s");
-        if (deltaT > duration && simulation.getSteps() == 1) {
+        if (deltaT > duration && simulation().getSteps() == 1) {
             lines.add("the run is shorter than deltaT: its only step was " + Digits.few(time) + " s long");
         }
-        lines.add("energy: " + joules(energy.getStart()) + " at the start, " + joules(energy.getEnd())
-                + " at the end; largest change " + joules(energy.getLargestDrift()));
-        double error = relative(books.getLargestNumericalError());
-        Optional<SolverInfo> solver = SolverCatalog.find(name);
+        lines.add("energy: " + joules(energy().getStart()) + " at the start, " + joules(energy().getEnd())
+                + " at the end; largest change " + joules(energy().getLargestDrift()));
+        double error = relative(books().getLargestNumericalError());
+        Optional<SolverInfo> solver = SolverCatalog.find(solverName);
         boolean damping = solver.filter(SolverInfo::damping).isPresent();
-        boolean damped = damping && books.getNumericalError() < 0;
+        boolean damped = damping && books().getNumericalError() < 0;
         boolean blownUp = failed && !(error <= LARGE_ERROR);    // then the scale is that of the error
         lines.add("numerical error: " + (Double.isNaN(error) ? "not a number"
-                : "at most " + joules(books.getLargestNumericalError())) + (blownUp ? ""
-                : " (" + Digits.few(error) + " of the energy scale, " + joules(energy.getScale()) + ")")
+                : "at most " + joules(books().getLargestNumericalError())) + (blownUp ? ""
+                : " (" + Digits.few(error) + " of the energy scale, " + joules(energy().getScale()) + ")")
                 + (damped ? ", by numerical damping" : ""));
         if (error > LARGE_ERROR && !endedEarly && !failed && !damped) {
-            boolean sure = books.getLargestNumericalError() - books.getUncertainty() > LARGE_ERROR * energy.getScale();
+            boolean sure = books().getLargestNumericalError() - books().getUncertainty()
+                    > LARGE_ERROR * energy().getScale();
             lines.add(sure ? "warning: the numerical error is " + share(error)
                     + " the energy; do not trust this motion. Try a smaller deltaT or another solver."
-                    : "note: the energy ledger cannot resolve this motion, as the sub-steps of " + name
+                    : "note: the energy ledger cannot resolve this motion, as the sub-steps of " + solverName
                     + " are too long for it; the error may be the ledger's own. A smaller deltaT tells.");
         }
         if (error > LARGE_ERROR && damped) {
@@ -124,7 +119,7 @@ final class Summary {
             lines.add("warning: not resolved: the fastest visible vibration has fewer than 6 steps per period; try a"
                     + " smaller deltaT, or a solver that chooses its own sub-steps.");
         }
-        Violation violation = simulation.getViolation();
+        Violation violation = simulation().getViolation();
         if (violation.part() > VIOLATION && !failed) {
             lines.add("warning: " + violation.what() + "; a smaller deltaT or another solver keeps it better.");
         }
@@ -133,13 +128,13 @@ final class Summary {
 
     /** Formats an energy; round-off relative to the energy scale is shown as 0. */
     private String joules(double value) {
-        return (Math.abs(value) < ROUND_OFF * energy.getScale() ? "0" : Digits.few(value)) + " J";
+        return (Math.abs(value) < ROUND_OFF * energy().getScale() ? "0" : Digits.few(value)) + " J";
     }
 
     /** An error beside the energy scale: a part of it, or from 100 % on an energy. */
     private String share(double error) {
         return error < 1 ? Math.round(100 * error) + " % of"
-                : joules(books.getLargestNumericalError()) + ", " + Digits.few(error) + " times";
+                : joules(books().getLargestNumericalError()) + ", " + Digits.few(error) + " times";
     }
 
     private static String counted(long count, String thing) {

@@ -1,6 +1,7 @@
 package particles.output.animation;
 
 import java.awt.image.BufferedImage;
+import java.awt.image.DataBuffer;
 import java.awt.image.IndexColorModel;
 import java.io.IOException;
 import java.util.Arrays;
@@ -117,20 +118,12 @@ public final class GifAnimation implements FrameSink {
         first = index;
         palette = Palette.of(small, importantColours, TRANSPARENT);
         int[] table = Arrays.copyOf(palette.getColours(), TRANSPARENT + 1);
-        byte[][] parts = new byte[3][table.length];
-        for (int k = 0; k < table.length; k++) {
-            parts[0][k] = (byte) (table[k] >> 16);
-            parts[1][k] = (byte) (table[k] >> 8);
-            parts[2][k] = (byte) table[k];
-        }
-        colours = new IndexColorModel(8, table.length, parts[0], parts[1], parts[2], TRANSPARENT);
+        colours = new IndexColorModel(8, table.length, table, 0, false, TRANSPARENT, DataBuffer.TYPE_BYTE);
         file = folder.create(FILE);
         stream = new MemoryCacheImageOutputStream(file);
         writer = ImageIO.getImageWritersByFormatName("gif").next();
         writer.setOutput(stream);
-        IIOMetadata screen = writer.getDefaultStreamMetadata(null);
-        GifMetadata.describeScreen(screen, width, height, table);
-        writer.prepareWriteSequence(screen);
+        writer.prepareWriteSequence(null);          // the size and the palette are those of the first picture
         Arrays.fill(shown, (byte) TRANSPARENT);
     }
 

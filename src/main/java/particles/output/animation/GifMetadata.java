@@ -6,28 +6,11 @@ import javax.imageio.metadata.IIOMetadataNode;
 
 /** The metadata of a GIF, in the format of ImageIO's "GIF Metadata Format Specification". */
 final class GifMetadata {
-    private static final String STREAM = "javax_imageio_gif_stream_1.0";
     private static final String IMAGE = "javax_imageio_gif_image_1.0";
     /** Netscape's extension: block 1, then the number of runs, 0 for ever. */
     private static final byte[] FOR_EVER = {1, 0, 0};
 
     private GifMetadata() {
-    }
-
-    /** The size of the animation and the palette of all its frames, which has 256 colours. */
-    static void describeScreen(IIOMetadata metadata, int width, int height, int[] palette)
-            throws IIOInvalidTreeException {
-        IIOMetadataNode root = new IIOMetadataNode(STREAM);
-        add(root, "Version", "value", "89a");
-        add(root, "LogicalScreenDescriptor", "logicalScreenWidth", width, "logicalScreenHeight", height,
-                "colorResolution", 8, "pixelAspectRatio", 0);
-        IIOMetadataNode table = add(root, "GlobalColorTable", "sizeOfGlobalColorTable", palette.length,
-                "backgroundColorIndex", 0, "sortFlag", "FALSE");
-        for (int k = 0; k < palette.length; k++) {
-            add(table, "ColorTableEntry", "index", k, "red", palette[k] >> 16 & 255, "green", palette[k] >> 8 & 255,
-                    "blue", palette[k] & 255);
-        }
-        metadata.setFromTree(STREAM, root);
     }
 
     /**

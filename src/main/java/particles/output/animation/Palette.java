@@ -3,7 +3,9 @@ package particles.output.animation;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.IntSummaryStatistics;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * Colour quantisation: a few colours in place of many, chosen by the median cut (P. Heckbert, "Color image quantization
@@ -25,8 +27,50 @@ final class Palette {
     private final int[] colours;
     private final int[] nearest = new int[1 << 3 * BITS];
 
-    /** Some of the different colours, in a box of their own. */
-    private record Box(int from, int to, long weight, int axis, int extent) {
+    /** Some of the different colours, in a box of their own that is longest along an axis. */
+    private record Box(int[] cells, long weight, int axis, int extent) {
+        static Box of(int[] cells, long[] counts) {
+            int axis = 0;
+            int extent = -1;
+            for (int a = 0; a < 3; a++) {
+                int along = a;
+                IntSummaryStatistics parts = Arrays.stream(cells).map(cell -> part(cell, along)).summaryStatistics();
+                if (parts.getMax() - parts.getMin() > extent) {
+                    extent = parts.getMax() - parts.getMin();
+                    axis = a;
+                }
+            }
+            return new Box(cells, Arrays.stream(cells).mapToLong(cell -> counts[cell]).sum(), axis, extent);
+        }
+
+        /** How much it matters to cut it: a long box of many pixels. */
+        double importance() {
+            return extent * (double) extent * Math.sqrt(weight);
+        }
+
+        /** Cuts it in two, with about half of the weight on either side. */
+        List<Box> halves(long[] counts) {
+            int[] sorted = Arrays.stream(cells).boxed().sorted(Comparator.comparingInt(cell -> part(cell, axis)))
+                    .mapToInt(Integer::intValue).toArray();
+            long half = 0;
+            int middle = 0;
+            while (middle < sorted.length - 1 && (middle == 0 || half < weight / 2)) {
+                half += counts[sorted[middle++]];
+            }
+            return List.of(of(Arrays.copyOf(sorted, middle), counts),
+                    of(Arrays.copyOfRange(sorted, middle, sorted.length), counts));
+        }
+
+        int mean(long[] counts) {
+            int rgb = 0;
+            for (int a = 0; a < 3; a++) {
+                int along = a;
+                double sum = Arrays.stream(cells).mapToDouble(cell ->
+                        counts[cell] * ((part(cell, along) << SHIFT) + (1 << SHIFT) / 2.0)).sum();
+                rgb |= (int) (sum / weight) << 8 * a;
+            }
+            return rgb;
+        }
     }
 
     private Palette(int[] colours) {
@@ -47,27 +91,15 @@ final class Palette {
         for (int colour : others) {
             counts[cell(colour)] += 1 + rgb.length / 400;
         }
-        int[] cells = new int[counts.length];
-        int n = 0;
-        for (int cell = 0; cell < counts.length; cell++) {
-            if (counts[cell] > 0) {
-                cells[n++] = cell;
-            }
-        }
-        List<Box> boxes = new ArrayList<>();
-        boxes.add(box(cells, counts, 0, n));
-        while (boxes.size() < size) {
-            // the box that matters most: long, and of many pixels
-            Box widest = boxes.stream().filter(box -> box.to - box.from > 1)
-                    .max(Comparator.comparingDouble(box -> box.extent * (double) box.extent * Math.sqrt(box.weight)))
-                    .orElse(null);
-            if (widest == null) {
-                break;
-            }
+        int[] cells = IntStream.range(0, counts.length).filter(cell -> counts[cell] > 0).toArray();
+        List<Box> boxes = new ArrayList<>(List.of(Box.of(cells, counts)));
+        while (boxes.size() < size && boxes.stream().anyMatch(box -> box.cells.length > 1)) {
+            Box widest = boxes.stream().filter(box -> box.cells.length > 1)
+                    .max(Comparator.comparingDouble(Box::importance)).orElseThrow();
             boxes.remove(widest);
-            cut(cells, counts, widest, boxes);
+            boxes.addAll(widest.halves(counts));
         }
-        return new Palette(boxes.stream().mapToInt(box -> mean(cells, counts, box)).toArray());
+        return new Palette(boxes.stream().mapToInt(box -> box.mean(counts)).toArray());
     }
 
     private static int cell(int rgb) {
@@ -76,55 +108,6 @@ final class Palette {
 
     private static int part(int cell, int axis) {
         return cell >> axis * BITS & (1 << BITS) - 1;
-    }
-
-    private static Box box(int[] cells, long[] counts, int from, int to) {
-        long weight = 0;
-        int axis = 0;
-        int extent = -1;
-        for (int a = 0; a < 3; a++) {
-            int low = Integer.MAX_VALUE;
-            int high = -1;
-            for (int k = from; k < to; k++) {
-                low = Math.min(low, part(cells[k], a));
-                high = Math.max(high, part(cells[k], a));
-            }
-            if (high - low > extent) {
-                extent = high - low;
-                axis = a;
-            }
-        }
-        for (int k = from; k < to; k++) {
-            weight += counts[cells[k]];
-        }
-        return new Box(from, to, weight, axis, extent);
-    }
-
-    /** Cuts a box in two, with about half of the weight on either side. */
-    private static void cut(int[] cells, long[] counts, Box box, List<Box> boxes) {
-        int axis = box.axis();
-        int[] sorted = Arrays.stream(cells, box.from(), box.to()).boxed()
-                .sorted(Comparator.comparingInt(cell -> part(cell, axis))).mapToInt(Integer::intValue).toArray();
-        System.arraycopy(sorted, 0, cells, box.from(), sorted.length);
-        long half = 0;
-        int middle = box.from();
-        while (middle < box.to() - 1 && (middle == box.from() || half < box.weight() / 2)) {
-            half += counts[cells[middle++]];
-        }
-        boxes.add(box(cells, counts, box.from(), middle));
-        boxes.add(box(cells, counts, middle, box.to()));
-    }
-
-    private static int mean(int[] cells, long[] counts, Box box) {
-        int rgb = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            double sum = 0;
-            for (int k = box.from(); k < box.to(); k++) {
-                sum += counts[cells[k]] * ((part(cells[k], axis) << SHIFT) + (1 << SHIFT) / 2.0);
-            }
-            rgb |= (int) (sum / box.weight()) << 8 * axis;
-        }
-        return rgb;
     }
 
     /** @return the colours, 0xRRGGBB */

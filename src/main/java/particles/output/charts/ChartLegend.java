@@ -1,7 +1,6 @@
 package particles.output.charts;
 
 import java.awt.Shape;
-import java.awt.Stroke;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -49,7 +48,7 @@ final class ChartLegend {
                 boolean nothing = dataset.getItemCount(k) == 0 && !renderer.getItemShapeVisible(k, 0);
                 boolean same = oneLook || known;
                 if (!alone && !nothing && !inChart.contains(dataset.name(k)) && (!same || named.add(dataset.name(k)))) {
-                    items.add(item(renderer, dataset.name(k), k));
+                    items.add(item(renderer, k));
                 }
             }
         }
@@ -62,15 +61,11 @@ final class ChartLegend {
     }
 
     /** A line so dense that it is drawn thin and pale has a wide sample: its turns together look like that. */
-    private static LegendItem item(XYLineAndShapeRenderer renderer, String name, int k) {
-        Stroke stroke = renderer.lookupSeriesStroke(k);
-        LegendItem item = new LegendItem(name, name, null, null, renderer.getItemShapeVisible(k, 0),
-                renderer.lookupSeriesShape(k), true, renderer.lookupSeriesFillPaint(k), true,
-                renderer.lookupSeriesOutlinePaint(k), renderer.lookupSeriesOutlineStroke(k),
-                renderer.getItemLineVisible(k, 0), ChartStyle.LEGEND_LINE,
-                stroke == ChartStyle.THIN ? ChartStyle.BAND : stroke,
-                renderer.lookupSeriesPaint(k));
-        item.setSeriesIndex(k);
+    private static LegendItem item(XYLineAndShapeRenderer renderer, int k) {
+        LegendItem item = renderer.getLegendItem(0, k);
+        if (item.getLineStroke() == ChartStyle.THIN) {
+            item.setLineStroke(ChartStyle.BAND);
+        }
         return item;
     }
 }

@@ -6,14 +6,13 @@ import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Shape;
 import java.awt.Stroke;
-import java.awt.geom.AffineTransform;
-import java.awt.geom.Area;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
+import org.jfree.chart.util.ShapeUtils;
 import particles.output.text.FontCheck;
 
 /**
@@ -56,11 +55,12 @@ public final class ChartStyle {
             new float[] {9, 3, 2, 3}, new float[] {14, 4}, new float[] {5, 2, 2, 2, 2, 2});
     /** The number of kinds of dashes. */
     static final int STROKES = DASHES.size();
-    private static final List<Shape> SHAPES = List.of(disc(4.4), square(3.3), polygon(3.7, -1, 3), polygon(3.7, -1, 4),
-            polygon(4.3, 1, 3), plus(4.2));
+    private static final List<Shape> SHAPES = List.of(disc(4.4), new Rectangle2D.Double(-3.3, -3.3, 6.6, 6.6),
+            ShapeUtils.createUpTriangle(3.2f), ShapeUtils.createDiamond(3.7f), ShapeUtils.createDownTriangle(3.7f),
+            ShapeUtils.createRegularCross(4.2f, 1.75f));
 
     /** The mark of a failure: a diagonal cross, larger than any mark of a result. */
-    public static final Shape FAILURE = failure(5.5);
+    public static final Shape FAILURE = ShapeUtils.createDiagonalCross(3.9f, 1.3f);
 
     /** The mark of a run that was given up: a ring. */
     static final Shape GIVEN_UP = ring(4.2, 2.2);
@@ -123,50 +123,6 @@ public final class ChartStyle {
 
     static Shape disc(double radius) {
         return new Ellipse2D.Double(-radius, -radius, 2 * radius, 2 * radius);
-    }
-
-    private static Shape square(double half) {
-        return new Rectangle2D.Double(-half, -half, 2 * half, 2 * half);
-    }
-
-    /** A regular polygon whose first corner is above (-1) or below (1) its middle. */
-    private static Shape polygon(double radius, int side, int corners) {
-        Path2D path = new Path2D.Double();
-        for (int c = 0; c < corners; c++) {
-            double angle = 2 * Math.PI * c / corners;
-            double x = radius * Math.sin(angle);
-            double y = side * radius * Math.cos(angle);
-            if (c == 0) {
-                path.moveTo(x, y);
-            } else {
-                path.lineTo(x, y);
-            }
-        }
-        path.closePath();
-        return path;
-    }
-
-    /** As one outline, so that it can be hollow. */
-    private static Shape plus(double half) {
-        double thin = half / 2.4;
-        Area plus = new Area(new Rectangle2D.Double(-half, -thin, 2 * half, 2 * thin));
-        plus.add(new Area(new Rectangle2D.Double(-thin, -half, 2 * thin, 2 * half)));
-        return plus;
-    }
-
-    private static Shape cross(double half) {
-        double thin = half / 3;
-        Path2D path = new Path2D.Double();
-        path.append(new Rectangle2D.Double(-half, -thin, 2 * half, 2 * thin), false);
-        path.append(new Rectangle2D.Double(-thin, -half, 2 * thin, 2 * half), false);
-        return path;
-    }
-
-    private static Shape failure(double half) {
-        Path2D path = new Path2D.Double();
-        path.append(cross(half), false);
-        path.transform(AffineTransform.getRotateInstance(Math.PI / 4));
-        return path;
     }
 
     private static Shape ring(double outer, double inner) {

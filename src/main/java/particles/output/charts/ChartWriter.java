@@ -4,12 +4,10 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
-import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import particles.output.files.OutputException;
-import particles.output.files.OutputFile;
 import particles.output.files.OutputFolder;
 import particles.output.files.PngEncoder;
 import particles.output.text.FontCheck;
@@ -80,15 +78,7 @@ public record ChartWriter(OutputFolder folder, ChartFormat format) {
         if (format.dark()) {
             Arrays.setAll(pixels, k -> ChartFormat.onBlack(pixels[k]));
         }
-        PngEncoder encoder = new PngEncoder(image.getWidth(), image.getHeight());
-        try (OutputFile file = folder.create(name)) {
-            encoder.write(pixels, file);
-            file.commit();
-        } catch (IOException e) {
-            throw new OutputException(folder.getPath().resolve(name), "write", e);
-        } finally {
-            encoder.close();
-        }
+        folder.write(name, PngEncoder.file(image.getWidth(), image.getHeight(), pixels));
         if (format.svg()) {
             SvgDrawing.write(folder, name.replace(PNG, SVG), page, format.dark());
         }

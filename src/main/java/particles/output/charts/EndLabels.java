@@ -12,6 +12,7 @@ import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.DoubleFunction;
 import java.util.function.DoublePredicate;
 import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.plot.XYPlot;
@@ -112,12 +113,9 @@ final class EndLabels {
     private void drawInside(Graphics2D g, int k, Rectangle2D area, double line, List<Rectangle2D> taken) {
         double width = g.getFontMetrics().stringWidth(data.name(k));
         double x = endX(k, area) + 2 * GAP;
-        Rectangle2D box = new Rectangle2D.Double(x - 2, 0, width + 4, line);
-        double place = nearestFree(endY(k, area), line, area.getMinY() + line / 2, area.getMaxY() - line / 2, y -> {
-            box.setRect(box.getX(), y - line / 2, box.getWidth(), line);
-            return taken.stream().noneMatch(box::intersects);
-        });
-        box.setRect(box.getX(), place - line / 2, box.getWidth(), line);
+        DoubleFunction<Rectangle2D> at = y -> new Rectangle2D.Double(x - 2, y - line / 2, width + 4, line);
+        Rectangle2D box = at.apply(nearestFree(endY(k, area), line, area.getMinY() + line / 2,
+                area.getMaxY() - line / 2, y -> taken.stream().noneMatch(at.apply(y)::intersects)));
         taken.add(box);
         g.setPaint(HALO);
         g.fill(box);

@@ -34,6 +34,8 @@ final class SeriesRenderer {
         renderer.setUseOutlinePaint(true);
         renderer.setDataBoundsIncludesVisibleSeriesOnly(false);     // or y is not that of a point at the end of x
         renderer.setUseFillPaint(true);
+        renderer.setLegendItemLabelGenerator((dataset, k) -> ((ChartDataset) dataset).name(k));
+        renderer.setLegendLine(ChartStyle.LEGEND_LINE);
         List<SolverStyle> looks = looks(data, firstLook);
         for (int k = 0; k < data.series().size(); k++) {
             Mark mark = data.series().get(k).mark();

@@ -3,7 +3,6 @@ package particles.output.charts;
 import java.awt.Dimension;
 import java.io.IOException;
 import java.io.StringWriter;
-import java.nio.charset.StandardCharsets;
 import java.util.regex.Pattern;
 import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.parsers.ParserConfigurationException;
@@ -11,7 +10,6 @@ import org.apache.batik.svggen.SVGGraphics2D;
 import org.w3c.dom.DOMImplementation;
 import org.w3c.dom.Element;
 import particles.output.files.OutputException;
-import particles.output.files.OutputFile;
 import particles.output.files.OutputFolder;
 
 /** A drawing as a vector graphic; its text is text, so that it can be searched and edited. */
@@ -23,7 +21,7 @@ final class SvgDrawing {
     }
 
     static void write(OutputFolder folder, String name, ChartPage page, boolean dark) {
-        try (OutputFile file = folder.create(name); StringWriter text = new StringWriter()) {
+        try (StringWriter text = new StringWriter()) {
             DOMImplementation dom = DocumentBuilderFactory.newInstance().newDocumentBuilder().getDOMImplementation();
             SVGGraphics2D g = new SVGGraphics2D(dom.createDocument("http://www.w3.org/2000/svg", "svg", null));
             g.setSVGCanvasSize(new Dimension(page.width(), page.height()));
@@ -33,8 +31,7 @@ final class SvgDrawing {
             g.stream(root, text, true, false);
             // without the document type, which names an address that some programs would wait for
             String svg = text.toString().replaceFirst("<!DOCTYPE[^>]*>", "");
-            file.write((dark ? onBlack(svg) : svg).getBytes(StandardCharsets.UTF_8));
-            file.commit();
+            folder.write(name, dark ? onBlack(svg) : svg);
         } catch (IOException | ParserConfigurationException e) {
             throw new OutputException(folder.getPath().resolve(name), "write", new IOException(e));
         }

@@ -39,7 +39,7 @@ public final class OutputFile extends OutputStream {
     private boolean open = true;
 
     /** Opens the file under its temporary name; {@code whenDone} runs when it is closed or cannot be opened. */
-    public OutputFile(Path file, Opener opener, Runnable whenDone) {
+    OutputFile(Path file, Opener opener, Runnable whenDone) {
         this.file = file;
         this.part = partOf(file);
         this.whenDone = whenDone;
@@ -48,6 +48,18 @@ public final class OutputFile extends OutputStream {
         } catch (IOException e) {
             whenDone.run();
             throw new OutputException(file, "write", e);
+        }
+    }
+
+    /** Writes a whole file on the disk. */
+    public static void write(Path file, byte[] bytes) {
+        write(file, ON_DISK, bytes);
+    }
+
+    static void write(Path file, Opener opener, byte[] bytes) {
+        try (OutputFile whole = new OutputFile(file, opener, () -> { })) {
+            whole.write(bytes, 0, bytes.length);
+            whole.commit();
         }
     }
 

@@ -109,7 +109,11 @@ public final class OutputFolder implements AutoCloseable {
      * @throws OutputException if it cannot be written, or one is there that no run made
      */
     public void write(String name, String text) {
-        byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+        write(name, text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** The same, with the bytes of the file. */
+    public void write(String name, byte[] bytes) {
         try (OutputFile file = create(name)) {
             file.write(bytes, 0, bytes.length);
             file.commit();

@@ -51,9 +51,7 @@ final class OutputManifest {
 
     void write() {
         byte[] text = (HEAD + "\n" + String.join("\n", names) + "\n").getBytes(StandardCharsets.UTF_8);
-        OutputFile list = new OutputFile(folder.resolve(NAME), opener, () -> { });
-        list.write(text, 0, text.length);
-        list.commit();
+        OutputFile.write(folder.resolve(NAME), opener, text);
     }
 
     /** @return the names in the list of a folder; empty if there is no list */

@@ -1,7 +1,9 @@
 package particles.output.files;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.nio.ByteBuffer;
@@ -40,14 +42,23 @@ public final class PngEncoder {
     }
 
     /**
-     * Encodes a picture and writes it.
-     *
-     * @param rgb the pixels, 0xRRGGBB, row by row from the top
-     * @param out receives the whole file
+     * @param width  the width of a picture (pixels)
+     * @param height its height
+     * @param rgb    the pixels, 0xRRGGBB, row by row from the top
+     * @return the whole file
      */
-    public void write(int[] rgb, OutputStream out) throws IOException {
-        encode(rgb);
-        writeTo(out);
+    public static byte[] file(int width, int height, int[] rgb) {
+        PngEncoder encoder = new PngEncoder(width, height);
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        try {
+            encoder.encode(rgb);
+            encoder.writeTo(file);
+        } catch (IOException e) {
+            throw new UncheckedIOException("memory takes all that is written", e);
+        } finally {
+            encoder.close();
+        }
+        return file.toByteArray();
     }
 
     /** @param rgb the pixels of the picture that the next {@link #writeTo} writes, 0xRRGGBB, row by row from the top */

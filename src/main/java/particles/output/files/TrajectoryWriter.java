@@ -35,22 +35,6 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
     private ParticleSystem unwritten;       // whose present state is not in the file yet
 
     /**
-     * @param folder the output folder
-     * @param stride write every stride-th step, 1 or more
-     * @throws OutputException if the file cannot be written
-     */
-    public TrajectoryWriter(OutputFolder folder, long stride) {
-        this(folder, always(stride));
-    }
-
-    private static IntToLongFunction always(long stride) {
-        if (stride < 1) {
-            throw new IllegalArgumentException("the stride has to be 1 or more, not " + stride);
-        }
-        return particles -> stride;
-    }
-
-    /**
      * For runs with births and deaths: the stride adapts to the number of particles.
      *
      * @param folder the output folder
@@ -128,8 +112,8 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
         });
     }
 
-    /** RFC 4180: a field with a comma, quote or line break is quoted, and its quotes are doubled. */
-    static String quoted(String field) {
+    /** @return a field as RFC 4180 says: quoted, with doubled quotes, if it has a comma, quote or line break */
+    public static String quoted(String field) {
         for (int i = 0; i < field.length(); i++) {
             char c = field.charAt(i);
             if (c == ',' || c == '"' || c == '\n' || c == '\r') {

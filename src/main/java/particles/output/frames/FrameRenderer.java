@@ -3,9 +3,9 @@ package particles.output.frames;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import particles.output.painters.BlobPainter;
 import particles.output.painters.DrawnSizes;
@@ -23,9 +23,11 @@ import particles.output.raster.Backdrop;
 import particles.output.raster.CameraProjection;
 import particles.output.raster.Colours;
 import particles.output.raster.Foreground;
+import particles.output.raster.LightLayer;
 import particles.output.raster.Lighting;
 import particles.output.raster.Raster;
 import particles.output.raster.RoundShapes;
+import particles.output.raster.ShadowMap;
 import particles.output.raster.Sky;
 import particles.view.ParticleMark;
 import particles.view.ParticleStyle;
@@ -46,7 +48,6 @@ public final class FrameRenderer {
     private final CameraProjection view;
     private final Lighting lighting;
     private final Raster raster;
-    private final ProjectedParticles projected;
     private final VisibilityFilter shown;
     private final RoundShapes shapes;
     // only the painters that the settings need
@@ -61,6 +62,7 @@ public final class FrameRenderer {
     private Optional<WirePainter> wires;
     private ParticlePainter particles;
     private Optional<ShadowPainter> shadows;
+    private List<ShadowMap> maps;
     private Backdrop backdrop;
     /** Created at the first frame with springs to draw. */
     private Optional<SpringPainter> springs = Optional.empty();
@@ -90,15 +92,14 @@ public final class FrameRenderer {
         view = new CameraProjection(stage.camera(), width, height);
         lighting = new Lighting(view, stage.camera().up());
         raster = new Raster(width, height);
-        projected = new ProjectedParticles(view);
         shown = new VisibilityFilter(stage.look(), stage.scenery().surfaces());
         surfaces = stage.scenery().surfaces().isEmpty() ? Optional.empty()
                 : Optional.of(new SurfacePainter(raster, view, lighting, stage.look()));
         shapes = new RoundShapes(raster, view, lighting);
         blobs = style().kind() == ParticleStyle.Kind.BLOBS ? Optional.of(new BlobPainter(raster, view, lighting))
                 : Optional.empty();
-        glow = style().kind() == ParticleStyle.Kind.GLOW ? Optional.of(new GlowPainter(style().ageColours(), width,
-                height))
+        glow = style().kind() == ParticleStyle.Kind.GLOW ? Optional.of(new GlowPainter(style().ageColours(),
+                new LightLayer(width, height)))
                 : Optional.empty();
         trails = style().trail() > 0 ? Optional.of(new TrailPainter(view, style().trail())) : Optional.empty();
         marks = style().arrows() > 0 || !style().marks().isEmpty() ? Optional.of(new FrameMarks(view, style()))
@@ -118,7 +119,7 @@ public final class FrameRenderer {
         }
         FrameRenderer other = new FrameRenderer(stage, getWidth(), getHeight(), text);
         other.setSizes(sizes);
-        other.setBackdrop(backdrop.another());
+        other.setBackdrop(backdrop);
         return other;
     }
 
@@ -141,29 +142,24 @@ public final class FrameRenderer {
      * @return colours that later frames may have: those of the render options and of strain, in light and shade
      */
     public int[] importantColours() {
-        List<Integer> important = new ArrayList<>();
         RenderOptions.Colours own = stage.look().colours();
         Sky sky = Sky.of(style().night());
-        for (int base : new int[] {own.particle(), own.fixed(), own.front(), own.back(),
-            Colours.COMPRESSED, Colours.AT_REST, Colours.STRETCHED, sky.ground}) {
-            for (int shade = 0; shade < 8; shade++) {
-                important.add(Colours.lit(base, 0.46f + 0.09f * shade, 0));
-            }
-        }
+        IntStream.Builder important = IntStream.builder();
+        IntStream.concat(IntStream.of(own.particle(), own.fixed(), own.front(), own.back(), Colours.COMPRESSED,
+                Colours.AT_REST, Colours.STRETCHED, sky.ground),
+                style().marks().stream().map(ParticleMark::colour).distinct().flatMapToInt(OptionalInt::stream))
+                .forEach(base -> IntStream.range(0, 8).forEach(shade ->
+                        important.add(Colours.lit(base, 0.46f + 0.09f * shade, 0))));
         important.add(sky.text.warning().getRGB() & 0xffffff);
-        style().marks().stream().map(ParticleMark::colour).distinct().forEach(marked -> marked.ifPresent(rgb ->
-                IntStream.range(0, 8).forEach(shade ->
-                important.add(Colours.lit(rgb, 0.46f + 0.09f * shade, 0)))));
         for (int k = 0; k < 12; k++) {
-            double age = k / 12.0;
             for (int layers = 1; glow.isPresent() && layers <= 8; layers *= 2) {
-                important.add(GlowPainter.over(sky.horizon, style().ageColours(), age, layers));
+                important.add(GlowPainter.over(sky.horizon, style().ageColours(), k / 12.0, layers));
             }
             if (trails.isPresent()) {
                 important.add(Colours.mix(sky.horizon, own.particle(), (k + 1) / 12.0));
             }
         }
-        return important.stream().mapToInt(Integer::intValue).toArray();
+        return important.build().toArray();
     }
 
     /** @return the drawing style of particles */
@@ -182,7 +178,7 @@ public final class FrameRenderer {
 
     /** Draws a frame without its text, and returns whether a spring is visible whose colour shows its strain. */
     boolean draw(FrameState state) {
-        projected.take(state);
+        ProjectedParticles projected = new ProjectedParticles(view, state.positions, state.particles);
         raster.clear();
         surfaces.ifPresent(painter -> stage.scenery().surfaces().forEach(each -> painter.paint(each, state,
                 projected)));
@@ -192,7 +188,7 @@ public final class FrameRenderer {
         boolean strained = springs.isPresent() && springs.get().paint(state, projected, shown);
         wires.ifPresent(WirePainter::paint);
         particles.paint(state, projected);
-        shadows.ifPresent(painter -> backdrop.shadows.forEach(map -> painter.paint(map, state)));
+        shadows.ifPresent(painter -> maps.forEach(map -> painter.paint(map, state)));
         compose();
         Foreground drawn = new Foreground(raster, backdrop);
         trails.ifPresent(layer -> layer.paint(state, shown, stage.look().colours().particle(), drawn, pixels));
@@ -211,10 +207,10 @@ public final class FrameRenderer {
         return pixels;
     }
 
-    /** @return the background without shadows; for a renderer that has drawn no frame yet */
-    public int[] renderBackdrop(FrameState state) {
-        prepare(state);
-        backdrop.paint(pixels);
+    /** @return the background without shadows, after the last frame */
+    public int[] renderBackdrop() {
+        maps.forEach(ShadowMap::clear);
+        backdrop.paint(pixels, maps);
         return pixels;
     }
 
@@ -233,15 +229,16 @@ public final class FrameRenderer {
 
     private void setBackdrop(Backdrop backdrop) {
         this.backdrop = backdrop;
-        shadows = backdrop.shadows.isEmpty() ? Optional.empty() : Optional.of(new ShadowPainter(shown, sizes,
-                stage.scenery(), particles, blobs.map(BlobPainter::getSurface), wires));
+        maps = backdrop.newShadows();
+        shadows = maps.isEmpty() ? Optional.empty() : Optional.of(new ShadowPainter(shown, sizes, stage.scenery(),
+                particles, blobs.map(BlobPainter::getSurface), wires));
     }
 
     /**
      * Computes each pixel as the mean of its samples; empty samples, and those behind a plane, show the background.
      */
     private void compose() {
-        backdrop.paint(pixels);
+        backdrop.paint(pixels, maps);
         for (int y = raster.firstRow(); y < raster.endRow(); y++) {
             for (int x = raster.firstColumn(); x < raster.endColumn(); x++) {
                 int p = y * getWidth() + x;
@@ -260,9 +257,7 @@ public final class FrameRenderer {
                     }
                 }
                 if (empty < 4) {
-                    redBlue += empty * (pixels[p] & 0xff00ff);
-                    green += empty * (pixels[p] & 0x00ff00);
-                    pixels[p] = redBlue + 0x020002 >> 2 & 0xff00ff | green + 0x000200 >> 2 & 0x00ff00;
+                    pixels[p] = Colours.mean(redBlue, green, empty, pixels[p]);
                 }
             }
         }

@@ -6,6 +6,7 @@ import particles.output.files.OutputException;
  * A receiver of drawn frames, such as a film. Several threads draw, so it takes a frame in two parts: what needs no
  * other frame, such as compressing, by the thread that drew it, and the rest in the order of the frames.
  */
+@FunctionalInterface
 public interface FrameSink extends AutoCloseable {
 
     /**
@@ -24,5 +25,7 @@ public interface FrameSink extends AutoCloseable {
      * @throws OutputException if it cannot be
      */
     @Override
-    void close();
+    default void close() {
+        // a receiver that needs no end
+    }
 }

@@ -4,8 +4,6 @@ import deSolvers.text.Digits;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
-import java.awt.RenderingHints;
-import java.awt.font.FontRenderContext;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.math.BigDecimal;
@@ -27,20 +25,11 @@ final class FrameText {
     private static final int MOST_DECIMALS = 6;
     /** The opacity of the ground behind text, of 255: the picture shows through as a shade. */
     private static final int BACKING = 220;
-    private static final FontRenderContext SMOOTH = new FontRenderContext(null, true, true);
 
     private final FrameSetup stage;
     private final Sky sky;
     private final float unit;
     private final int decimals;
-
-    /** A line of text: its left end, and its baseline from the top (pixels). */
-    private record Line(String text, Font font, Color colour, float x, float y) {
-        Rectangle2D box() {
-            Rectangle2D box = font.getStringBounds(text, SMOOTH);
-            return new Rectangle2D.Double(x, y + box.getY(), box.getWidth(), box.getHeight());
-        }
-    }
 
     /** @param decimals the number of decimals of the time (s), enough to distinguish two frames */
     FrameText(FrameSetup stage, int height, int decimals) {
@@ -54,19 +43,14 @@ final class FrameText {
         if (!FontCheck.isAvailable()) {
             return;
         }
-        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        TextLine.smooth(g);
         if (!state.notes.isEmpty()) {
             drawBacking(g, width, height, boxes(width, height, state, withStrain));
         }
         if (withStrain) {
             drawScale(g, scale(width, height));
         }
-        for (Line line : lines(width, height, state, withStrain)) {
-            g.setColor(line.colour);
-            g.setFont(line.font);
-            g.drawString(line.text, line.x, line.y);
-        }
+        lines(width, height, state, withStrain).forEach(line -> line.draw(g));
     }
 
     /** Draws a ground behind the text in each corner, since a blow-up spreads over the whole picture. */
@@ -93,9 +77,9 @@ final class FrameText {
         return boxes;
     }
 
-    private List<Line> lines(int width, int height, FrameState state, boolean withStrain) {
+    private List<TextLine> lines(int width, int height, FrameState state, boolean withStrain) {
         float margin = 26 * unit;
-        List<Line> lines = new ArrayList<>();
+        List<TextLine> lines = new ArrayList<>();
         Font large = FontCheck.font(Font.BOLD, 24 * unit);
         Font small = FontCheck.font(Font.PLAIN, 18 * unit);
         add(lines, stage.title(), large, sky.text.ink(), margin, margin + 17 * unit);
@@ -116,9 +100,10 @@ final class FrameText {
         return lines;
     }
 
-    private static void add(List<Line> lines, String text, Font font, Color colour, float x, float y) {
+    private static void add(List<TextLine> lines, String text, Font font, Color colour, double x,
+            double y) {
         if (!text.isEmpty()) {
-            lines.add(new Line(text, font, colour, x, y));
+            lines.add(new TextLine(text, font, colour, x, y));
         }
     }
 
@@ -150,13 +135,13 @@ final class FrameText {
     }
 
     /** Adds the labels of the bar: its ends in per cent, and its quantity. */
-    private void addScale(List<Line> lines, Rectangle2D bar, float y) {
+    private void addScale(List<TextLine> lines, Rectangle2D bar, double y) {
         String percent = Digits.few(100 * stage.look().strainRange());
         List<String> texts = List.of("\u2212" + percent + " %", "strain", "+" + percent + " %");
         Font font = FontCheck.font(Font.PLAIN, 16 * unit);
         for (int k = 0; k < texts.size(); k++) {
-            double room = bar.getWidth() - font.getStringBounds(texts.get(k), SMOOTH).getWidth();
-            add(lines, texts.get(k), font, sky.text.soft(), (float) (bar.getX() + room * k / 2), y);
+            double room = bar.getWidth() - TextLine.width(texts.get(k), font);
+            add(lines, texts.get(k), font, sky.text.soft(), bar.getX() + room * k / 2, y);
         }
     }
 }

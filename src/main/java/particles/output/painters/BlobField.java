@@ -22,13 +22,10 @@ public final class BlobField {
 
     final LongIndex nodes = new LongIndex();
     /** The field, and its gradient along x, y and z, by the nodes' numbers. */
-    float[] value = {};
-    float[] slopeX = {};
-    float[] slopeY = {};
-    float[] slopeZ = {};
+    float[] sums = {};
     private double reach;
     private double cell;
-    /** The number of nodes with values in this picture. */
+    /** The number of sums in this picture. */
     private int begun;
 
     /**
@@ -62,6 +59,12 @@ public final class BlobField {
         return ((key >> 42 - 21 * axis & 0x1fffff) - FARTHEST) * cell;
     }
 
+    /** @return the field at a node */
+    float value(long key) {
+        int node = nodes.find(key);
+        return node < 0 ? 0 : sums[4 * node];
+    }
+
     /** Adds a ball. */
     public void add(double x, double y, double z) {
         double far = (FARTHEST - 4) * cell - reach;
@@ -90,25 +93,18 @@ public final class BlobField {
     }
 
     private void add(long key, double rest, double dx, double dy, double dz) {
-        int node = nodes.put(key);
-        if (node >= value.length) {
-            int length = Math.max(1 << 12, 2 * value.length);
-            value = Arrays.copyOf(value, length);
-            slopeX = Arrays.copyOf(slopeX, length);
-            slopeY = Arrays.copyOf(slopeY, length);
-            slopeZ = Arrays.copyOf(slopeZ, length);
+        int at = 4 * nodes.put(key);
+        if (at >= sums.length) {
+            sums = Arrays.copyOf(sums, Math.max(1 << 14, 2 * sums.length));
+        }
+        if (at == begun) {
+            Arrays.fill(sums, at, at + 4, 0);
+            begun += 4;
         }
         double slope = -6 * rest * rest / (reach * reach);
-        if (node == begun) {
-            value[node] = 0;
-            slopeX[node] = 0;
-            slopeY[node] = 0;
-            slopeZ[node] = 0;
-            begun++;
-        }
-        value[node] += (float) (rest * rest * rest);
-        slopeX[node] += (float) (slope * dx);
-        slopeY[node] += (float) (slope * dy);
-        slopeZ[node] += (float) (slope * dz);
+        sums[at] += (float) (rest * rest * rest);
+        sums[at + 1] += (float) (slope * dx);
+        sums[at + 2] += (float) (slope * dy);
+        sums[at + 3] += (float) (slope * dz);
     }
 }

@@ -1,7 +1,9 @@
 package particles.output.painters;
 
+import particles.law.Vector3;
 import particles.output.raster.CameraProjection;
 import particles.output.raster.Colours;
+import particles.output.raster.Direction;
 import particles.output.raster.Lighting;
 import particles.output.raster.Raster;
 
@@ -16,15 +18,12 @@ public final class BlobPainter {
     private final Lighting lighting;
     private final BlobField field = new BlobField();
     private final BlobSurface surface = new BlobSurface();
-    private final ProjectedParticles projected;
-    private int[] colours = {};
 
     /** Creates a painter that draws onto this raster. */
     public BlobPainter(Raster raster, CameraProjection view, Lighting lighting) {
         this.raster = raster;
         this.view = view;
         this.lighting = lighting;
-        projected = new ProjectedParticles(view);
     }
 
     /** @return the surface that was drawn last */
@@ -43,12 +42,9 @@ public final class BlobPainter {
             field.add(places[i], places[i + 1], places[i + 2]);
         }
         surface.build(field);
-        projected.reserve(surface.vertices);
-        if (colours.length < surface.vertices) {
-            colours = new int[projected.x.length];
-        }
+        ProjectedParticles projected = new ProjectedParticles(view, surface.places, surface.vertices);
+        int[] colours = new int[surface.vertices];
         for (int i = 0, x = 0; i < surface.vertices; i++, x += 3) {
-            projected.put(i, surface.places[x], surface.places[x + 1], surface.places[x + 2]);
             colours[i] = colour(surface.normals[x], surface.normals[x + 1], surface.normals[x + 2], rgb);
         }
         int[] t = surface.corners;
@@ -60,11 +56,10 @@ public final class BlobPainter {
     }
 
     private int colour(float x, float y, float z, int rgb) {
-        float nx = (float) (x * view.right.x() + y * view.right.y() + z * view.right.z());
-        float ny = (float) (x * view.up.x() + y * view.up.y() + z * view.up.z());
-        float nz = (float) (x * view.back.x() + y * view.back.y() + z * view.back.z());
-        float grazing = 1 - Math.max(0, nz);
-        int wet = Colours.mix(rgb, SKY_IN_IT, 0.45 * grazing * grazing * grazing * Math.max(0, 0.6f + 0.4f * ny));
-        return Colours.lit(wet, lighting.light(nx, ny, nz), 1.6f * lighting.highlight(nx, ny, nz));
+        Direction normal = view.turned(new Vector3(x, y, z));
+        float grazing = 1 - Math.max(0, normal.back());
+        int wet = Colours.mix(rgb, SKY_IN_IT,
+                0.45 * grazing * grazing * grazing * Math.max(0, 0.6f + 0.4f * normal.up()));
+        return lighting.shade(wet, normal, 1.6f);
     }
 }

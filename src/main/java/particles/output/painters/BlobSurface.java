@@ -32,9 +32,9 @@ public final class BlobSurface {
         vertices = 0;
         cornerCount = 0;
         for (int node = 0; node < field.nodes.size(); node++) {
-            if (field.value[node] >= BlobField.LEVEL) {
+            long key = field.nodes.key(node);
+            if (isInside(key)) {
                 for (int axis = 0; axis < 3; axis++) {
-                    long key = field.nodes.key(node);
                     long step = BlobField.step(axis);
                     if (!isInside(key + step)) {
                         join(key, axis, true);
@@ -47,13 +47,8 @@ public final class BlobSurface {
         }
     }
 
-    private float value(long key) {
-        int node = field.nodes.find(key);
-        return node < 0 ? 0 : field.value[node];
-    }
-
     private boolean isInside(long key) {
-        return value(key) >= BlobField.LEVEL;
+        return field.value(key) >= BlobField.LEVEL;
     }
 
     /**
@@ -122,13 +117,14 @@ public final class BlobSurface {
                 offset[axis] = (far ? part - 1 : part) * field.getCellSize();
                 weight *= far ? part : 1 - part;
             }
-            int node = field.nodes.find(key);
-            if (node >= 0) {
-                f += weight * (field.value[node] + (field.slopeX[node] * offset[0] + field.slopeY[node] * offset[1]
-                        + field.slopeZ[node] * offset[2]) / 2);
-                gx += weight * field.slopeX[node];
-                gy += weight * field.slopeY[node];
-                gz += weight * field.slopeZ[node];
+            int at = 4 * field.nodes.find(key);
+            if (at >= 0) {
+                float[] sums = field.sums;
+                f += weight * (sums[at] + (sums[at + 1] * offset[0] + sums[at + 2] * offset[1]
+                        + sums[at + 3] * offset[2]) / 2);
+                gx += weight * sums[at + 1];
+                gy += weight * sums[at + 2];
+                gz += weight * sums[at + 3];
             }
         }
         double length = Math.sqrt(gx * gx + gy * gy + gz * gz);
@@ -146,11 +142,8 @@ public final class BlobSurface {
 
     /** Adds the point where the surface crosses an edge, if it does, and counts it. */
     private void cross(long key, int axis) {
-        long next = key + BlobField.step(axis);
-        int one = field.nodes.find(key);
-        int two = field.nodes.find(next);
-        double low = one < 0 ? 0 : field.value[one];
-        double high = two < 0 ? 0 : field.value[two];
+        double low = field.value(key);
+        double high = field.value(key + BlobField.step(axis));
         if (low >= BlobField.LEVEL == high >= BlobField.LEVEL) {
             return;
         }

@@ -38,7 +38,7 @@ public record DrawnSizes(double ball, double coilBelow) {
         }
         double soft = 0;
         for (int s = 0; s < state.springs; s++) {
-            soft = Math.max(soft, state.rigid[s] ? 0 : SOFT * state.stiffness[s]);
+            soft = Math.max(soft, state.isRigid(s) ? 0 : SOFT * state.stiffness[s]);
         }
         int count = 0;
         for (int s = 0; s < state.springs; s++) {

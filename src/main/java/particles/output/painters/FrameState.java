@@ -1,6 +1,5 @@
 package particles.output.painters;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -8,6 +7,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.law.Particles;
+import particles.law.Vector3;
 import particles.view.ParticleMark;
 import particles.view.SpringView;
 
@@ -31,10 +31,8 @@ public final class FrameState {
     public int[] to = {};
     /** The rest length of each spring (m). */
     public double[] restLength = {};
-    /** The stiffness of each spring (N/m). */
+    /** The stiffness of each spring (N/m); infinite for a rod. */
     public double[] stiffness = {};
-    /** Whether each of them is a rod. */
-    public boolean[] rigid = {};
     /** The times of birth of particles (s), if requested. */
     public double[] birth = {};
     /** The times of death of particles (s), if requested. */
@@ -99,39 +97,51 @@ public final class FrameState {
         for (int i = 0; i < marks.length; i++) {
             marks[i] = byId.get(system.getParticles().id(i));
         }
-        fixed = Arrays.copyOf(fixed, count);
+        fixed = new boolean[count];
+        birth = new double[withLives ? count : 0];
+        death = new double[birth.length];
         for (int i = 0; i < count; i++) {
             fixed[i] = system.getParticles().isFixed(i);
-        }
-        if (withLives) {
-            birth = new double[count];
-            death = new double[count];
-            for (int i = 0; i < count; i++) {
+            if (withLives) {
                 birth[i] = system.getParticles().birthTime(i);
                 death[i] = system.getParticles().deathTime(i);
             }
         }
         List<SpringView> views = Stream.concat(system.getEffects().stream(), system.getReactions().stream())
                 .filter(SpringView.class::isInstance).map(SpringView.class::cast).toList();
-        int needed = views.stream().mapToInt(SpringView::springCount).sum();
-        if (from.length < needed) {
-            from = new int[needed];
-            to = new int[needed];
-            restLength = new double[needed];
-            stiffness = new double[needed];
-            rigid = new boolean[needed];
-        }
-        springs = 0;
+        springs = views.stream().mapToInt(SpringView::springCount).sum();
+        from = new int[springs];
+        to = new int[springs];
+        restLength = new double[springs];
+        stiffness = new double[springs];
+        int at = 0;
         for (SpringView view : views) {
-            for (int s = 0; s < view.springCount(); s++) {
-                from[springs] = view.from(s);
-                to[springs] = view.to(s);
-                restLength[springs] = view.restLength(s);
-                stiffness[springs] = view.stiffness(s);
-                rigid[springs] = view.stiffness(s) == Double.POSITIVE_INFINITY;
-                springs++;
+            for (int s = 0; s < view.springCount(); s++, at++) {
+                from[at] = view.from(s);
+                to[at] = view.to(s);
+                restLength[at] = view.restLength(s);
+                stiffness[at] = view.stiffness(s);
             }
         }
+    }
+
+    /** @return whether spring s is a rod */
+    boolean isRigid(int s) {
+        return stiffness[s] == Double.POSITIVE_INFINITY;
+    }
+
+    /** @return the position of particle i (m) */
+    public Vector3 place(int i) {
+        return vector(positions, i);
+    }
+
+    /** @return the velocity of particle i (m/s); only where arrows are drawn */
+    public Vector3 velocity(int i) {
+        return vector(velocities, i);
+    }
+
+    private static Vector3 vector(double[] numbers, int i) {
+        return new Vector3(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
     }
 
     /** Shares the springs, fixed particles, lives and marks of another state, which nobody changes any more. */
@@ -145,7 +155,6 @@ public final class FrameState {
         to = other.to;
         restLength = other.restLength;
         stiffness = other.stiffness;
-        rigid = other.rigid;
         marks = other.marks;
     }
 

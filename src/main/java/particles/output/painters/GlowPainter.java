@@ -6,18 +6,14 @@ import particles.output.raster.Foreground;
 import particles.output.raster.LightLayer;
 import particles.output.raster.Raster;
 
-/** Draws particles as spots of light, whose colour and brightness depend on their age relative to their lifetime. */
-public final class GlowPainter {
+/**
+ * Draws particles as spots of light, whose colour and brightness depend on their age relative to their lifetime.
+ *
+ * @param colours the colours from birth to death, evenly spread
+ * @param layer   the light of a frame
+ */
+public record GlowPainter(List<Integer> colours, LightLayer layer) {
     private static final double BRIGHTNESS = 0.45;
-
-    private final List<Integer> colours;
-    private final LightLayer layer;
-
-    /** @param colours the colours from birth to death, evenly spread */
-    public GlowPainter(List<Integer> colours, int width, int height) {
-        this.colours = colours;
-        layer = new LightLayer(width, height);
-    }
 
     /** @return the age relative to the lifetime; 0 for particles without one */
     static double age(double time, double birth, double death) {

@@ -8,8 +8,7 @@ public final class IntactTriangles {
     private final Surface surface;
     private final LongIndex springs = new LongIndex();
     private final boolean[] whole;
-    private boolean known;
-    private int structure;
+    private int structure = -1;
 
     /** Creates a search for the triangles of this surface. */
     public IntactTriangles(Surface surface) {
@@ -19,10 +18,9 @@ public final class IntactTriangles {
 
     /** @return for each triangle whether it is drawn; valid until springs change */
     public boolean[] in(FrameState state) {
-        if (!known || structure != state.structure) {
+        if (structure != state.structure) {
             find(state);
             structure = state.structure;
-            known = true;
         }
         return whole;
     }

@@ -11,29 +11,13 @@ import particles.view.RenderOptions;
  * Draws particles as balls, points or blobs, fixed ones always as balls; glow and trails are drawn later, over
  * everything else.
  */
-public final class ParticlePainter {
+public record ParticlePainter(RoundShapes shapes, Optional<BlobPainter> blobs, CameraProjection view,
+        RenderOptions look, VisibilityFilter shown, DrawnSizes sizes) {
     /** The radius of a point, relative to the picture's height. */
     private static final double POINT = 0.0026;
 
-    private final RoundShapes shapes;
-    private final CameraProjection view;
-    private final RenderOptions look;
-    private final VisibilityFilter shown;
-    private final DrawnSizes sizes;
-    private final ParticleStyle.Kind kind;
-    private final Optional<BlobPainter> blobs;
-    private double[] inBlobs = {};
-
-    /** Creates a painter; blobs are drawn only by the painter given for them. */
-    public ParticlePainter(RoundShapes shapes, Optional<BlobPainter> blobs, CameraProjection view, RenderOptions look,
-            VisibilityFilter shown, DrawnSizes sizes) {
-        this.shapes = shapes;
-        this.view = view;
-        this.look = look;
-        this.shown = shown;
-        this.sizes = sizes;
-        this.kind = look.style().kind();
-        this.blobs = blobs;
+    private ParticleStyle.Kind kind() {
+        return look.style().kind();
     }
 
     /** @return the distance by which a particle at rest on a plane extends below its centre (m) */
@@ -42,23 +26,23 @@ public final class ParticlePainter {
         for (int i = 0; i < state.particles && !large; i++) {
             large = shown.particle(i);
         }
-        boolean thick = kind == ParticleStyle.Kind.BALLS || kind == ParticleStyle.Kind.BLOBS;
+        boolean thick = kind() == ParticleStyle.Kind.BALLS || kind() == ParticleStyle.Kind.BLOBS;
         return large && thick ? sizes.ball() : 0.003 * view.viewHeight;
     }
 
     /** @return whether particle i is a ball */
     boolean isBall(FrameState state, int i) {
-        return shown.particle(i) && (state.fixed[i] || kind == ParticleStyle.Kind.BALLS);
+        return shown.particle(i) && (state.fixed[i] || kind() == ParticleStyle.Kind.BALLS);
     }
 
     /** @return the radius of particle i's ball (m) */
     double ball(FrameState state, int i) {
-        return state.radius(i, kind == ParticleStyle.Kind.GLOW ? sizes.core() : sizes.ball());
+        return state.radius(i, kind() == ParticleStyle.Kind.GLOW ? sizes.core() : sizes.ball());
     }
 
     /** @return whether particle i is a point */
     boolean isPoint(FrameState state, int i) {
-        return shown.particle(i) && !state.fixed[i] && kind == ParticleStyle.Kind.POINTS;
+        return shown.particle(i) && !state.fixed[i] && kind() == ParticleStyle.Kind.POINTS;
     }
 
     /** @return the radius of a point (m), in the plane through the middle of the picture */
@@ -69,9 +53,7 @@ public final class ParticlePainter {
     /** Draws all particles of a frame except glowing ones. */
     public void paint(FrameState state, ProjectedParticles projected) {
         int count = 0;
-        if (blobs.isPresent() && inBlobs.length < 3 * state.particles) {
-            inBlobs = new double[3 * state.particles];
-        }
+        double[] inBlobs = new double[blobs.isPresent() ? 3 * state.particles : 0];
         for (int i = 0; i < state.particles; i++) {
             if (isBall(state, i) && projected.visible[i]) {
                 double radius = ball(state, i);

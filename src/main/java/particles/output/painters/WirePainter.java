@@ -1,5 +1,6 @@
 package particles.output.painters;
 
+import java.util.Arrays;
 import java.util.List;
 import particles.law.Vector3;
 import particles.output.raster.CameraProjection;
@@ -22,7 +23,7 @@ public final class WirePainter {
     private final RoundShapes shapes;
     private final double radius;
     /** Each wire's points, projected by the camera. */
-    private final ProjectedParticles[] wires;
+    private final List<ProjectedParticles> wires;
     private final double[][] places;
 
     /**
@@ -34,14 +35,7 @@ public final class WirePainter {
         this.shapes = shapes;
         this.radius = radius;
         places = curves.stream().map(curve -> points(curve, view, target)).toArray(double[][]::new);
-        wires = new ProjectedParticles[places.length];
-        for (int w = 0; w < wires.length; w++) {
-            wires[w] = new ProjectedParticles(view);
-            wires[w].reserve(places[w].length / 3);
-            for (int k = 0; k < places[w].length / 3; k++) {
-                wires[w].put(k, places[w][3 * k], places[w][3 * k + 1], places[w][3 * k + 2]);
-            }
-        }
+        wires = Arrays.stream(places).map(wire -> new ProjectedParticles(view, wire, wire.length / 3)).toList();
     }
 
     private static double[] points(CurveView curve, CameraProjection view, Vector3 target) {

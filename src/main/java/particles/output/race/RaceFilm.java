@@ -1,5 +1,6 @@
 package particles.output.race;
 
+import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.util.ArrayList;
@@ -7,9 +8,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.DoubleConsumer;
-import java.util.stream.IntStream;
 import particles.Observer;
 import particles.output.animation.GifAnimation;
+import particles.output.charts.ChartPage;
 import particles.output.charts.ChartWriter;
 import particles.output.charts.SolverStyle;
 import particles.output.charts.StripChart;
@@ -30,9 +31,9 @@ public final class RaceFilm implements AutoCloseable {
     private final RacePage page;
     private final double rate;
     private final double playback;
+    /** The first one is of the reference. */
     private final List<PanelFilm> films = new ArrayList<>();
-    private PanelFilm ghost;
-
+    
     /** What one thread draws on; a chart cannot be drawn by two threads at a time. */
     private record Canvas(BufferedImage image, StripChart chart) {
         Canvas(RacePage page, ChartData strip) {
@@ -69,7 +70,7 @@ public final class RaceFilm implements AutoCloseable {
      * @param playback the number of frames shown per second (1/s)
      */
     public RaceFilm(int panels, double aspect, double rate, double playback) {
-        page = new RacePage(panels, aspect);
+        page = RacePage.ofFilm(panels, aspect);
         this.rate = rate;
         this.playback = playback;
     }
@@ -79,8 +80,7 @@ public final class RaceFilm implements AutoCloseable {
      * @return the observer that records the run
      */
     public Observer watchReference(FrameSetup stage) {
-        ghost = film(stage, GREY);
-        return ghost;
+        return film(stage, GREY);
     }
 
     /**
@@ -89,14 +89,13 @@ public final class RaceFilm implements AutoCloseable {
      * @return the observer that records the run
      */
     public Observer watch(String name, FrameSetup stage) {
-        PanelFilm film = film(stage, SolverStyle.orGrey(name).rgb());
-        films.add(film);
-        return film;
+        return film(stage, SolverStyle.orGrey(name).rgb());
     }
 
-    private PanelFilm film(FrameSetup stage, int colour) {
+    private Observer film(FrameSetup stage, int colour) {
         FrameSetup coloured = new FrameSetup(stage.camera(), stage.look().inOneColour(colour), stage.scenery(), "", "");
-        return new PanelFilm(coloured, page.getPanelWidth(), page.getPanelHeight(), rate);
+        films.add(new PanelFilm(coloured, page.panelWidth(), page.panelHeight(), rate));
+        return films.get(films.size() - 1).getObserver();
     }
 
     /**
@@ -110,15 +109,20 @@ public final class RaceFilm implements AutoCloseable {
      */
     public void write(ChartWriter writer, String sheet, Head head, ChartData strip, DoubleConsumer progress) {
         close();
-        int last = ghost.count() - 1;
-        try (GifAnimation gif = new GifAnimation(writer.folder(), page.width(), page.height(), importantColours(),
-                page.width(), playback);
+        PanelFilm ghost = films.get(0);
+        int[] backdrop = ghost.getRenderer().renderBackdrop();
+        int[] colours = films.stream().flatMapToInt(film -> Arrays.stream(film.getRenderer().importantColours()))
+                .distinct().toArray();
+        try (GifAnimation gif = new GifAnimation(writer.folder(), page.width(), page.height(), colours, page.width(),
+                playback);
                 Pipeline<Canvas> pipeline = new Pipeline<>(Pipeline.threads(BYTES_PER_PIXEL * page.width()
                         * page.height()), () -> new Canvas(page, strip))) {
-            for (int k = 0; k <= last; k++) {
+            for (int k = 0; k < ghost.count(); k++) {
                 int index = k;
                 pipeline.add(canvas -> {
-                    page.draw(canvas.image, head, index / rate, panels(index), canvas.chart);
+                    Graphics2D g = canvas.image.createGraphics();
+                    page.draw(g, head, index / rate, panels(index, backdrop), canvas.chart);
+                    g.dispose();
                     Runnable rest = gif.prepare(index, pixels(canvas.image));
                     return () -> {
                         rest.run();
@@ -127,20 +131,22 @@ public final class RaceFilm implements AutoCloseable {
                 });
             }
         }
-        RaceSheet.write(writer, sheet, head, panels(last), new StripChart(strip), last / rate);
+        int last = ghost.count() - 1;
+        RacePage still = page.sheet(films.size() - 1);
+        writer.onWhite().write(sheet, new ChartPage(still.width(), still.height(),
+                g -> still.draw(g, head, last / rate, panels(last, backdrop), new StripChart(strip))));
     }
 
     /** @return each run's picture, over the ghost */
-    private List<BufferedImage> panels(int index) {
-        int[] shape = new int[page.getPanelWidth() * page.getPanelHeight()];
-        ghost.get(index, shape);
+    private List<BufferedImage> panels(int index, int[] backdrop) {
+        int[] shape = new int[backdrop.length];
+        films.get(0).get(index, shape);
         List<BufferedImage> panels = new ArrayList<>();
-        for (PanelFilm film : films) {
-            BufferedImage panel = new BufferedImage(page.getPanelWidth(), page.getPanelHeight(),
+        for (PanelFilm film : films.subList(1, films.size())) {
+            BufferedImage panel = new BufferedImage(page.panelWidth(), page.panelHeight(),
                     BufferedImage.TYPE_INT_RGB);
-            int[] rgb = pixels(panel);
-            film.get(index, rgb);
-            GhostLayer.add(rgb, shape, ghost.getBackdrop());
+            film.get(index, pixels(panel));
+            GhostLayer.add(pixels(panel), shape, backdrop);
             panels.add(panel);
         }
         return panels;
@@ -150,20 +156,9 @@ public final class RaceFilm implements AutoCloseable {
         return ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
     }
 
-    private int[] importantColours() {
-        IntStream all = Arrays.stream(ghost.importantColours());
-        for (PanelFilm film : films) {
-            all = IntStream.concat(all, Arrays.stream(film.importantColours()));
-        }
-        return all.distinct().toArray();
-    }
-
     /** Ends the drawing threads. */
     @Override
     public void close() {
-        if (ghost != null) {                            // before the reference's run there is nothing to end
-            ghost.close();
-        }
-        films.forEach(PanelFilm::close);
+        films.forEach(film -> film.getObserver().close());
     }
 }

@@ -17,14 +17,27 @@ import particles.output.charts.SolverStyle;
 import particles.output.charts.StripChart;
 import particles.output.text.FontCheck;
 
-/** A picture of a race: a title and the time, panels in a grid, and a chart in the free cells or below. */
-final class RacePage {
+/**
+ * A picture of a race: a title and the time, panels in a grid, and a chart in the free cells or below.
+ *
+ * @param width       the width of the picture (pixels)
+ * @param height      its height
+ * @param columns     the number of panels in a row
+ * @param panelWidth  the width of a panel
+ * @param panelHeight its height
+ * @param strip       the rectangle of the chart
+ */
+record RacePage(int width, int height, int columns, int panelWidth, int panelHeight, Rectangle2D strip) {
     private static final int WIDTH = 1000;
+    private static final int SHEET_WIDTH = 960;
+    private static final int SHEET_HEIGHT = 540;
+    private static final int MOST_COLUMNS = 6;
+    private static final int LEAST_STRIP = 170;
     private static final int GAP = 8;
     private static final int HEAD = 72;
     private static final int CLOCK_WIDTH = 130;
     /** The height of the two lines above a panel. */
-    static final int LABEL = 38;
+    private static final int LABEL = 38;
     private static final float LEAST_TYPE = 8;
     private static final int SMALL_PANEL = 220;
     private static final int STRIP = 230;
@@ -35,96 +48,76 @@ final class RacePage {
     private static final Font SMALL = FontCheck.font(Font.PLAIN, 12);
     private static final Font NAME = FontCheck.font(Font.BOLD, 13);
 
-    private final int panels;
-    private final int columns;
-    private final int rows;
-    private final int panelWidth;
-    private final int panelHeight;
-
-    RacePage(int panels, double aspect) {
-        this.panels = panels;
-        columns = panels <= 3 ? panels : (int) Math.ceil(Math.sqrt(panels));
-        rows = (panels + columns - 1) / columns;
-        panelWidth = Math.min(640, (WIDTH - (columns + 1) * GAP) / columns);
-        panelHeight = (int) Math.max(panelWidth / 2.5, Math.min(panelWidth, panelWidth / aspect));
+    /**
+     * @param panels the number of panels
+     * @param aspect the width of each divided by its height
+     * @return the page of a film; its height is even, as films need it
+     */
+    static RacePage ofFilm(int panels, double aspect) {
+        int columns = panels <= 3 ? panels : (int) Math.ceil(Math.sqrt(panels));
+        int rows = (panels + columns - 1) / columns;
+        int free = rows * columns - panels;
+        int width = Math.min(640, (WIDTH - (columns + 1) * GAP) / columns);
+        int height = (int) Math.max(width / 2.5, Math.min(width, width / aspect));
+        int all = (HEAD + rows * (LABEL + height + GAP) + (free > 0 ? 0 : STRIP) + 1) / 2 * 2;
+        int left = margin(WIDTH, columns, width) + (columns - free) * (width + GAP);
+        return new RacePage(WIDTH, all, columns, width, height, free == 0
+                ? new Rectangle2D.Double(0, all - STRIP, WIDTH, STRIP)
+                : new Rectangle2D.Double(left, all - GAP - height - LABEL, WIDTH - left, height + LABEL));
     }
 
-    int getPanelWidth() {
-        return panelWidth;
+    /** @return a page of 16:9 for the same panels, in two rows if there are many, with the chart below */
+    RacePage sheet(int panels) {
+        int rows = panels > MOST_COLUMNS ? 2 : 1;
+        int across = (panels + rows - 1) / rows;
+        int most = (SHEET_HEIGHT - HEAD - LEAST_STRIP) / rows - LABEL - GAP;
+        int small = Math.min((SHEET_WIDTH - (across + 1) * GAP) / across, most * panelWidth / panelHeight);
+        int high = small * panelHeight / panelWidth;
+        int bottom = HEAD + rows * (LABEL + high + GAP);
+        return new RacePage(SHEET_WIDTH, SHEET_HEIGHT, across, small, high,
+                new Rectangle2D.Double(0, bottom, SHEET_WIDTH, SHEET_HEIGHT - bottom));
     }
 
-    int getPanelHeight() {
-        return panelHeight;
-    }
-
-    int width() {
-        return WIDTH;
-    }
-
-    /** The height of the page; even, as films need it. */
-    int height() {
-        return (HEAD + rows * (LABEL + panelHeight + GAP) + (free() > 0 ? 0 : STRIP) + 1) / 2 * 2;
-    }
-
-    /** The number of grid cells without a panel. */
-    private int free() {
-        return rows * columns - panels;
+    private static int margin(int page, int columns, int panel) {
+        return (page - columns * (panel + GAP) + GAP) / 2;
     }
 
     /**
-     * @param image  the image to draw on
-     * @param head   the text at the top
+     * @param g      the graphics to draw on
+     * @param head   the text at the top and beside each panel
      * @param time   the present time (s)
-     * @param words  the text for each panel
      * @param panels the pictures
-     * @param chart  the chart below them
+     * @param chart  the chart
      */
-    void draw(BufferedImage image, RaceFilm.Head head, double time, List<BufferedImage> panels, StripChart chart) {
-        Graphics2D g = image.createGraphics();
-        smooth(g);
-        g.setColor(Color.WHITE);
-        g.fillRect(0, 0, image.getWidth(), image.getHeight());
-        drawHead(g, head, WIDTH);
-        g.setFont(CLOCK);
-        String clock = String.format(Locale.ROOT, "t = %.2f s", time);
-        g.setColor(ChartStyle.TEXT);
-        g.drawString(clock, WIDTH - GAP - g.getFontMetrics().stringWidth("t = 0000.00 s"), 24);
-        int beside = (WIDTH - columns * panelWidth - (columns - 1) * GAP) / 2;
-        for (int k = 0; k < panels.size(); k++) {
-            int x = beside + k % columns * (panelWidth + GAP);
-            int y = HEAD + k / columns * (LABEL + panelHeight + GAP);
-            drawLabel(g, head.words().get(k), x, y, panelWidth);
-            drawPanel(g, panels.get(k), new Rectangle2D.Double(x, y + LABEL, panelWidth, panelHeight),
-                    head.words().get(k).left(), time);
-        }
-        int left = beside + (columns - free()) * (panelWidth + GAP);
-        chart.draw(g, free() == 0 ? new Rectangle2D.Double(0, height() - STRIP, WIDTH, STRIP)
-                : new Rectangle2D.Double(left, height() - GAP - panelHeight - LABEL, WIDTH - left,
-                panelHeight + LABEL), time);
-        g.dispose();
-    }
-
-    static void smooth(Graphics2D g) {
+    void draw(Graphics2D g, RaceFilm.Head head, double time, List<BufferedImage> panels, StripChart chart) {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BICUBIC);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-    }
-
-    /** Draws the head: the equal budget, with room for the clock, and below it the winner and the ghost. */
-    static void drawHead(Graphics2D g, RaceFilm.Head head, int width) {
+        g.setColor(Color.WHITE);
+        g.fillRect(0, 0, width, height);
+        // the equal budget, with room for the clock, and below it the winner and the ghost
         g.setColor(ChartStyle.TEXT);
-        drawFitting(g, TITLE, head.title(), 24, width - CLOCK_WIDTH);
-        drawFitting(g, FINDING, head.finding(), 45, width);
+        drawFitting(g, TITLE, head.title(), GAP, 24, width - CLOCK_WIDTH - 2 * GAP);
+        drawFitting(g, FINDING, head.finding(), GAP, 45, width - 2 * GAP);
         g.setColor(ChartStyle.AXIS);
-        drawFitting(g, SMALL, head.ghost(), 63, width);
+        drawFitting(g, SMALL, head.ghost(), GAP, 63, width - 2 * GAP);
+        g.setFont(CLOCK);
+        g.setColor(ChartStyle.TEXT);
+        g.drawString(String.format(Locale.ROOT, "t = %.2f s", time),
+                width - GAP - g.getFontMetrics().stringWidth("t = 0000.00 s"), 24);
+        for (int k = 0; k < panels.size(); k++) {
+            int x = margin(width, columns, panelWidth) + k % columns * (panelWidth + GAP);
+            int y = HEAD + k / columns * (LABEL + panelHeight + GAP);
+            drawLabel(g, head.words().get(k), x, y);
+            g.drawImage(panels.get(k), x, y + LABEL, panelWidth, panelHeight, null);
+            drawFrame(g, new Rectangle2D.Double(x, y + LABEL, panelWidth, panelHeight), head.words().get(k).left(),
+                    time);
+        }
+        chart.draw(g, strip, time);
     }
 
     /** Draws text as large as it fits. */
-    private static void drawFitting(Graphics2D g, Font largest, String text, int y, int width) {
-        drawFitting(g, largest, text, GAP, y, width - 2 * GAP);
-    }
-
     private static void drawFitting(Graphics2D g, Font largest, String text, int x, int y, int width) {
         Font font = largest;
         g.setFont(font);
@@ -136,7 +129,7 @@ final class RacePage {
     }
 
     /** Draws the label of a panel: the solver's line, as in the chart, and its name; below, its step and its work. */
-    static void drawLabel(Graphics2D g, RaceFilm.Words words, int x, int y, int width) {
+    private void drawLabel(Graphics2D g, RaceFilm.Words words, int x, int y) {
         SolverStyle look = SolverStyle.orGrey(words.name());
         g.setColor(look.colour());
         g.setStroke(look.stroke());
@@ -145,14 +138,13 @@ final class RacePage {
         g.fill(look.shape());
         g.translate(-x - 18, -y - 12);
         g.setColor(ChartStyle.TEXT);
-        drawFitting(g, NAME, words.name(), x + 40, y + 17, width - 40);
+        drawFitting(g, NAME, words.name(), x + 40, y + 17, panelWidth - 40);
         g.setColor(ChartStyle.AXIS);
-        drawFitting(g, SMALL, words.step() + ", " + words.cost(), x + 2, y + 32, width - 4);
+        drawFitting(g, SMALL, words.step() + ", " + words.cost(), x + 2, y + 32, panelWidth - 4);
     }
 
-    /** Draws a panel. A run that has left the race stays visible, faint, with the time at which it left. */
-    static void drawPanel(Graphics2D g, BufferedImage panel, Rectangle2D area, OptionalDouble left, double time) {
-        g.drawImage(panel, (int) area.getX(), (int) area.getY(), (int) area.getWidth(), (int) area.getHeight(), null);
+    /** A run that has left the race stays visible, faint, with the time at which it left. */
+    private static void drawFrame(Graphics2D g, Rectangle2D area, OptionalDouble left, double time) {
         if (left.isPresent() && time >= left.getAsDouble()) {
             g.setColor(GONE);
             g.fill(area);

@@ -1,6 +1,7 @@
 package particles.output.raster;
 
 import java.util.List;
+import java.util.function.Supplier;
 import particles.law.Plane;
 import particles.law.Vector3;
 import particles.output.text.DecimalTicks;
@@ -20,8 +21,7 @@ public final class Backdrop {
     private static final double HAZE = 5;
     private static final double SHADOWED = 4.5;
 
-    /** The visible planes, each with its shadow map. */
-    public final List<ShadowMap> shadows;
+    private final Supplier<List<ShadowMap>> shadows;
     private final Sky sky;
     final int width;
     private final int[] colour;
@@ -31,8 +31,8 @@ public final class Backdrop {
     private final float[] row;
 
     /** The ground and the lamp as the camera sees them; the spacing is that of the grid (m). */
-    private record Setting(CameraProjection view, Lighting lighting, List<Plane> planes, Vector3 target, Vector3 up,
-            double spacing) {
+    private record Setting(CameraProjection view, Lighting lighting, List<Plane> planes, List<ShadowMap> maps,
+            Vector3 target, Vector3 up, double spacing) {
     }
 
     /** Paints the parts that are the same in every frame; {@code inset} is the radius of a ball (m). */
@@ -49,8 +49,9 @@ public final class Backdrop {
                 .map(plane -> new Plane(plane.point().minus(plane.normal().times(inset)), plane.normal()))
                 .filter(plane -> isSeen(view, plane)).limit(Byte.MAX_VALUE).toList();
         double shadowed = SHADOWED * view.viewHeight;
-        shadows = seen.stream().map(plane -> new ShadowMap(plane, lighting.lamp, camera.target(), shadowed)).toList();
-        Setting setting = new Setting(view, lighting, seen, camera.target(), camera.up().normalized(),
+        shadows = () -> seen.stream()
+                .map(plane -> new ShadowMap(plane, lighting.lamp, camera.target(), shadowed)).toList();
+        Setting setting = new Setting(view, lighting, seen, shadows.get(), camera.target(), camera.up().normalized(),
                 new DecimalTicks().getCeilingTickUnit(view.viewHeight / LINES).getSize());
         for (int y = 0; y < view.height; y++) {
             for (int x = 0; x < width; x++) {
@@ -65,20 +66,9 @@ public final class Backdrop {
         }
     }
 
-    private Backdrop(Backdrop shared) {
-        shadows = shared.shadows.stream().map(ShadowMap::another).toList();
-        sky = shared.sky;
-        width = shared.width;
-        colour = shared.colour;
-        near = shared.near;
-        planeAt = shared.planeAt;
-        column = shared.column;
-        row = shared.row;
-    }
-
-    /** @return the same with shadows of its own, for another thread */
-    public Backdrop another() {
-        return new Backdrop(this);
+    /** @return empty shadow maps of the visible planes; each thread has its own */
+    public List<ShadowMap> newShadows() {
+        return shadows.get();
     }
 
     private static boolean isSeen(CameraProjection view, Plane plane) {
@@ -97,9 +87,8 @@ public final class Backdrop {
         double depth = Double.POSITIVE_INFINITY;
         int nearest = -1;
         for (int k = 0; k < planes.size(); k++) {
-            double fall = -ray.dot(planes.get(k).normal());
-            double t = planes.get(k).distance(start.x(), start.y(), start.z()) / fall;
-            if (fall > 1e-6 && t < depth && view.isInFront(t)) {
+            double t = depth(planes.get(k), start, ray);
+            if (t < depth && view.isInFront(t)) {
                 depth = t;
                 nearest = k;
             }
@@ -111,14 +100,12 @@ public final class Backdrop {
             return;
         }
         Plane plane = planes.get(nearest);
-        ShadowMap map = shadows.get(nearest);
+        ShadowMap map = setting.maps.get(nearest);
         Vector3 hit = start.plus(ray.times(depth));
         double way = hit.minus(setting.target).length() / (HAZE * view.viewHeight);
         double haze = 1 - StrictMath.exp(-way * way);
         Vector3 normal = plane.normal();
-        float light = 1 + 0.35f * (lighting.light((float) normal.dot(view.right), (float) normal.dot(view.up),
-                (float) normal.dot(view.back)) - lighting.light((float) up.dot(view.right), (float) up.dot(view.up),
-                (float) up.dot(view.back)));
+        float light = 1 + 0.35f * (lighting.light(view.turned(normal)) - lighting.light(view.turned(up)));
         Vector3 from = hit.minus(plane.point());
         double u = from.dot(map.axisU) / setting.spacing;
         double v = from.dot(map.axisV) / setting.spacing;
@@ -143,8 +130,14 @@ public final class Backdrop {
     private static Vector3 on(CameraProjection view, Plane plane, double px, double py, Vector3 otherwise) {
         Vector3 start = view.rayStart(px, py);
         Vector3 ray = view.rayDirection(px, py);
+        double depth = depth(plane, start, ray);
+        return depth < Double.POSITIVE_INFINITY ? start.plus(ray.times(depth)) : otherwise;
+    }
+
+    /** The depth at which a ray meets a plane's outer side; infinity if it does not. */
+    private static double depth(Plane plane, Vector3 start, Vector3 ray) {
         double fall = -ray.dot(plane.normal());
-        return fall > 1e-6 ? start.plus(ray.times(plane.distance(start.x(), start.y(), start.z()) / fall)) : otherwise;
+        return fall > 1e-6 ? plane.distance(start.x(), start.y(), start.z()) / fall : Double.POSITIVE_INFINITY;
     }
 
     /** The colour of the sky: with a ground it has a horizon; without one, it is a screen behind the scene. */
@@ -163,8 +156,8 @@ public final class Backdrop {
         return near[p];
     }
 
-    /** Paints the background with the shadows of this frame. */
-    public void paint(int[] pixels) {
+    /** Paints the background with the shadows of this frame, one map for each visible plane. */
+    public void paint(int[] pixels, List<ShadowMap> shadows) {
         System.arraycopy(colour, 0, pixels, 0, colour.length);
         for (int k = 0; k < shadows.size(); k++) {
             ShadowMap map = shadows.get(k);

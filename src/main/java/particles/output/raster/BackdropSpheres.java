@@ -65,9 +65,7 @@ final class BackdropSpheres {
             }
         }
         if (hits > 0) {
-            redBlue += (4 - hits) * (colour[p] & 0xff00ff);
-            green += (4 - hits) * (colour[p] & 0x00ff00);
-            colour[p] = redBlue + 0x020002 >> 2 & 0xff00ff | green + 0x000200 >> 2 & 0x00ff00;
+            colour[p] = Colours.mean(redBlue, green, 4 - hits, colour[p]);
             if (hits > 1) {
                 near[p] = nearest;
                 covered[p] = true;
@@ -99,17 +97,14 @@ final class BackdropSpheres {
     }
 
     private int shade(Sphere sphere, double radius) {
-        float right = (float) (nx * view.right.x() + ny * view.right.y() + nz * view.right.z());
-        float up = (float) (nx * view.up.x() + ny * view.up.y() + nz * view.up.z());
-        float back = (float) (nx * view.back.x() + ny * view.back.y() + nz * view.back.z());
-        float light = lighting.light(right, up, back);
+        Direction normal = view.turned(new Vector3(nx, ny, nz));
         if (!sphere.hollow()) {
-            return Colours.lit(BALL, light, lighting.highlight(right, up, back));
+            return lighting.shade(BALL, normal, 1);
         }
         double ring = Math.sqrt(nx * nx + nz * nz);
-        double foot = 1 / (view.scale(depth) * radius * SPACING * Math.max(0.15, Math.abs(back)));
+        double foot = 1 / (view.scale(depth) * radius * SPACING * Math.max(0.15, Math.abs(normal.back())));
         double line = Math.max(GridLines.coverage(Math.asin(Math.max(-1, Math.min(1, ny))) / SPACING, foot),
                 ring > 0.05 ? GridLines.coverage(Math.atan2(nx, nz) / SPACING, foot / ring) : 0);
-        return Colours.lit(Colours.mix(WALL, LINE, line), 0.65f + 0.35f * light, 0);
+        return Colours.lit(Colours.mix(WALL, LINE, line), 0.65f + 0.35f * lighting.light(normal), 0);
     }
 }

@@ -60,12 +60,7 @@ public final class CameraFraming {
             double x = middle.x() + size.x() * ((corner & 1) - 0.5);
             double y = middle.y() + size.y() * ((corner >> 1 & 1) - 0.5);
             double z = middle.z() + size.z() * ((corner >> 2 & 1) - 0.5);
-            double depth = view.depth(x, y, z);
-            double scale = view.scale(depth);
-            boolean inside = view.isInFront(depth)
-                    && Math.abs(2 * view.x(x, y, z, scale) / view.width - 1) <= FILLED
-                    && Math.abs(2 * view.y(x, y, z, scale) / view.height - 1) <= FILLED;
-            if (!inside) {
+            if (!view.isInPicture(x, y, z, FILLED)) {
                 return false;
             }
         }

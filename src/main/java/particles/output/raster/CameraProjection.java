@@ -90,12 +90,17 @@ public final class CameraProjection {
         return height / 2.0 - scale * ((x - eye.x()) * up.x() + (y - eye.y()) * up.y() + (z - eye.z()) * up.z());
     }
 
-    /** @return whether the point is inside the picture */
-    public boolean isInPicture(double x, double y, double z) {
+    /** @return a direction in space as the camera sees it */
+    public Direction turned(Vector3 direction) {
+        return new Direction((float) direction.dot(right), (float) direction.dot(up), (float) direction.dot(back));
+    }
+
+    /** @return whether the point is inside the middle part of the picture, 1 for all of it */
+    public boolean isInPicture(double x, double y, double z, double part) {
         double depth = depth(x, y, z);
         double scale = scale(depth);
-        return isInFront(depth) && Math.abs(x(x, y, z, scale) - width / 2.0) <= width / 2.0
-                && Math.abs(y(x, y, z, scale) - height / 2.0) <= height / 2.0;
+        return isInFront(depth) && Math.abs(x(x, y, z, scale) - width / 2.0) <= part * width / 2
+                && Math.abs(y(x, y, z, scale) - height / 2.0) <= part * height / 2;
     }
 
     /** @return the origin of the ray through a point of the picture */

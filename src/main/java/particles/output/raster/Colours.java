@@ -33,6 +33,17 @@ public final class Colours {
         return mix(AT_REST, part < 0 ? COMPRESSED : STRETCHED, Math.min(1, Math.abs(part)));
     }
 
+    /**
+     * @param redBlue the sum of up to four samples' red and blue
+     * @param green   the sum of their green
+     * @param empty   the number of samples that are missing, which show what is behind
+     * @return the mean of four samples
+     */
+    public static int mean(int redBlue, int green, int empty, int behind) {
+        return redBlue + empty * (behind & 0xff00ff) + 0x020002 >> 2 & 0xff00ff
+                | green + empty * (behind & 0x00ff00) + 0x000200 >> 2 & 0x00ff00;
+    }
+
     /** @return the colour in this light, with a white highlight on top */
     public static int lit(int colour, float light, float highlight) {
         float white = 255 * highlight;

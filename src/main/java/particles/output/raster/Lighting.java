@@ -13,42 +13,43 @@ public final class Lighting {
 
     /** Towards the lamp, in space. */
     final Vector3 lamp;
-    // lamp, half vector and up in the camera's coordinates (right, up, back)
-    private final float lampX;
-    private final float lampY;
-    private final float lampZ;
-    private final float halfX;
-    private final float halfY;
-    private final float halfZ;
-    private final float upX;
-    private final float upY;
-    private final float upZ;
+    private final Direction seenLamp;
+    /** Halfway between the lamp and the viewer. */
+    private final Direction half;
+    private final Direction up;
 
     /** @param worldUp the direction that is up for the lamp */
     public Lighting(CameraProjection view, Vector3 worldUp) {
-        Vector3 up = worldUp.normalized();
-        lamp = up.times(1.0).plus(view.right.times(-0.35)).plus(view.back.times(0.75)).normalized();
-        Vector3 half = lamp.plus(view.back).normalized();
-        lampX = (float) lamp.dot(view.right);
-        lampY = (float) lamp.dot(view.up);
-        lampZ = (float) lamp.dot(view.back);
-        halfX = (float) half.dot(view.right);
-        halfY = (float) half.dot(view.up);
-        halfZ = (float) half.dot(view.back);
-        upX = (float) up.dot(view.right);
-        upY = (float) up.dot(view.up);
-        upZ = (float) up.dot(view.back);
+        Vector3 above = worldUp.normalized();
+        lamp = above.times(1.0).plus(view.right.times(-0.35)).plus(view.back.times(0.75)).normalized();
+        seenLamp = view.turned(lamp);
+        half = view.turned(lamp.plus(view.back).normalized());
+        up = view.turned(above);
     }
 
-    /** @return the light on a surface with this normal, along the camera's right, up and back */
-    public float light(float nx, float ny, float nz) {
-        float lambert = Math.max(0, nx * lampX + ny * lampY + nz * lampZ);
-        return AMBIENT + FROM_ABOVE * (nx * upX + ny * upY + nz * upZ) + LAMP * lambert;
+    /** @return the light on a surface with this normal */
+    float light(Direction normal) {
+        return light(normal.right(), normal.up(), normal.back());
+    }
+
+    /** @return a colour in this light, on a surface with this normal, with a highlight of this strength */
+    public int shade(int rgb, Direction normal, float gloss) {
+        return shade(rgb, normal.right(), normal.up(), normal.back(), gloss);
+    }
+
+    /** The same, with the components of the normal. */
+    int shade(int rgb, float nx, float ny, float nz, float gloss) {
+        return Colours.lit(rgb, light(nx, ny, nz), gloss * highlight(nx, ny, nz));
+    }
+
+    private float light(float nx, float ny, float nz) {
+        float lambert = Math.max(0, seenLamp.dot(nx, ny, nz));
+        return AMBIENT + FROM_ABOVE * up.dot(nx, ny, nz) + LAMP * lambert;
     }
 
     /** @return the highlight there, from 0 to 1 */
-    public float highlight(float nx, float ny, float nz) {
-        float h = nx * halfX + ny * halfY + nz * halfZ;
+    private float highlight(float nx, float ny, float nz) {
+        float h = half.dot(nx, ny, nz);
         if (h <= 0) {
             return 0;
         }

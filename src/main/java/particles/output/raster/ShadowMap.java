@@ -17,8 +17,6 @@ public final class ShadowMap {
     final Vector3 axisU;
     final Vector3 axisV;
     private final Plane plane;
-    private final Vector3 middle;
-    private final double extent;
     private final Vector3 lamp;
     private final double lampRise;
     private final double middleU;
@@ -40,8 +38,6 @@ public final class ShadowMap {
     ShadowMap(Plane plane, Vector3 lamp, Vector3 middle, double extent) {
         this.plane = plane;
         this.lamp = lamp;
-        this.middle = middle;
-        this.extent = extent;
         Vector3 normal = plane.normal();
         Vector3 other = Math.abs(normal.x()) < 0.7 ? new Vector3(1, 0, 0) : new Vector3(0, 0, 1);
         axisV = normal.cross(other).normalized();
@@ -53,11 +49,6 @@ public final class ShadowMap {
         middleU = foot.dot(axisU);
         middleV = foot.dot(axisV);
         clear();
-    }
-
-    /** @return an empty map of the same plane */
-    ShadowMap another() {
-        return new ShadowMap(plane, lamp, middle, extent);
     }
 
     /** @return whether the lamp shines on the plane's outer side */
@@ -76,20 +67,20 @@ public final class ShadowMap {
 
     /** @return the column of the map to which a point is projected; not a whole number */
     public double column(double x, double y, double z) {
-        double h = plane.distance(x, y, z) / lampRise;
-        double u = (x - h * lamp.x() - plane.point().x()) * axisU.x()
-                + (y - h * lamp.y() - plane.point().y()) * axisU.y()
-                + (z - h * lamp.z() - plane.point().z()) * axisU.z();
-        return (u - middleU) * cells + SIZE / 2.0;
+        return place(x, y, z, axisU, middleU);
     }
 
     /** @return the row of the map to which a point is projected; not a whole number */
     public double row(double x, double y, double z) {
+        return place(x, y, z, axisV, middleV);
+    }
+
+    private double place(double x, double y, double z, Vector3 axis, double middle) {
         double h = plane.distance(x, y, z) / lampRise;
-        double v = (x - h * lamp.x() - plane.point().x()) * axisV.x()
-                + (y - h * lamp.y() - plane.point().y()) * axisV.y()
-                + (z - h * lamp.z() - plane.point().z()) * axisV.z();
-        return (v - middleV) * cells + SIZE / 2.0;
+        double along = (x - h * lamp.x() - plane.point().x()) * axis.x()
+                + (y - h * lamp.y() - plane.point().y()) * axis.y()
+                + (z - h * lamp.z() - plane.point().z()) * axis.z();
+        return (along - middle) * cells + SIZE / 2.0;
     }
 
     /** @return whether a point is on the plane's outer side, so that it casts a shadow */

@@ -1,11 +1,7 @@
 package particles.output.report;
 
-import java.io.StringWriter;
 import java.util.List;
 import java.util.Optional;
-import javax.xml.stream.XMLOutputFactory;
-import javax.xml.stream.XMLStreamException;
-import javax.xml.stream.XMLStreamWriter;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 
@@ -33,46 +29,18 @@ public final class JUnitXml {
      * @throws OutputException if it cannot be written
      */
     public static void write(OutputFolder folder, String suite, List<Case> cases) {
-        StringWriter text = new StringWriter();
-        try {
-            XMLStreamWriter xml = XMLOutputFactory.newInstance().createXMLStreamWriter(text);
-            xml.writeStartDocument("UTF-8", "1.0");
-            xml.writeCharacters("\n");
-            start(xml, "testsuite", "name", suite, "tests", Integer.toString(cases.size()), "failures",
-                    Long.toString(cases.stream().filter(c -> c.failure().isPresent()).count()), "errors", "0",
-                    "skipped",
-                            "0", "time", "0");
-            for (Case result : cases) {
-                xml.writeCharacters("\n  ");
-                start(xml, "testcase", "classname", suite, "name", result.name(), "time", "0");
-                String details = String.join("\n", result.details());
-                if (result.failure().isPresent()) {
-                    start(xml, "failure", "type", "mark", "message", result.failure().get());
-                } else {
-                    start(xml, "system-out");
-                }
-                xml.writeCharacters(clean(details));
-                xml.writeEndElement();
-                xml.writeEndElement();
-            }
-            xml.writeCharacters("\n");
-            xml.writeEndElement();
-            xml.writeEndDocument();
-        } catch (XMLStreamException e) {
-            throw new IllegalStateException("XML cannot be written to memory", e);
+        StringBuilder xml = new StringBuilder(Html.fill("""
+                <?xml version="1.0" encoding="UTF-8"?>
+                <testsuite name="%s" tests="%s" failures="%s" errors="0" skipped="0" time="0">
+                """, suite, cases.size(), cases.stream().filter(c -> c.failure().isPresent()).count()));
+        for (Case result : cases) {
+            String details = String.join("\n", result.details());
+            xml.append(Html.fill("  <testcase classname=\"%s\" name=\"%s\" time=\"0\">", suite, result.name()))
+                    .append(result.failure().map(why -> Html.fill(
+                            "<failure type=\"mark\" message=\"%s\">%s</failure>", why, details))
+                            .orElseGet(() -> Html.fill("<system-out>%s</system-out>", details)))
+                    .append("</testcase>\n");
         }
-        folder.write("TEST-" + suite + ".xml", text + "\n");
-    }
-
-    private static void start(XMLStreamWriter xml, String element, String... attributes) throws XMLStreamException {
-        xml.writeStartElement(element);
-        for (int k = 0; k < attributes.length; k += 2) {
-            xml.writeAttribute(attributes[k], clean(attributes[k + 1]));
-        }
-    }
-
-    /** Removes control characters that XML cannot express. */
-    private static String clean(String text) {
-        return text.replaceAll(Html.NO_CHARACTER, "?");
+        folder.write("TEST-" + suite + ".xml", xml + "</testsuite>\n");
     }
 }

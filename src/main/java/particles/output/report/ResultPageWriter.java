@@ -2,11 +2,14 @@ package particles.output.report;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartWriter;
 import particles.output.files.Numbers;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
+import particles.output.files.TrajectoryWriter;
 import particles.output.text.TableText;
 import particles.view.ChartData;
 import particles.view.DataTable;
@@ -74,10 +77,10 @@ public final class ResultPageWriter {
         List<String> lines = new ArrayList<>(List.of("chart,series,x quantity,x,y quantity,y"));
         for (ChartData chart : charts) {
             for (ChartData.Series series : chart.series()) {
-                String start = TableText.quoted(chart.title()) + "," + TableText.quoted(series.name()) + ",";
                 for (int k = 0; k < series.x().length; k++) {
-                    lines.add(start + TableText.quoted(chart.xLabel()) + "," + Numbers.shortest(series.x()[k]) + ","
-                            + TableText.quoted(chart.yLabel()) + "," + Numbers.shortest(series.y()[k]));
+                    lines.add(Stream.of(chart.title(), series.name(), chart.xLabel(), Numbers.shortest(series.x()[k]),
+                            chart.yLabel(), Numbers.shortest(series.y()[k])).map(TrajectoryWriter::quoted)
+                            .collect(Collectors.joining(",")));
                 }
             }
         }

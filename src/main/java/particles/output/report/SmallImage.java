@@ -1,6 +1,7 @@
 package particles.output.report;
 
 import java.awt.image.BufferedImage;
+import java.awt.image.DataBuffer;
 import java.awt.image.IndexColorModel;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -42,18 +43,10 @@ final class SmallImage {
         List<Integer> order = counts.keySet().stream().sorted(Comparator.comparing((Integer colour) ->
                 -counts.get(colour)).thenComparing(colour -> colour)).limit(MOST_COLOURS).toList();
         Map<Integer, Integer> colours = new HashMap<>();
-        for (int c = 0; c < order.size(); c++) {
-            colours.put(order.get(c), c);
-        }
-        counts.keySet().forEach(colour -> colours.computeIfAbsent(colour, c -> nearest(c, order)));
-        byte[][] palette = new byte[3][order.size()];
-        for (int c = 0; c < order.size(); c++) {
-            for (int primary = 0; primary < 3; primary++) {
-                palette[primary][c] = (byte) (order.get(c) >> 16 - 8 * primary);
-            }
-        }
+        counts.keySet().forEach(colour -> colours.put(colour, nearest(colour, order)));
+        int[] palette = order.stream().mapToInt(Integer::intValue).toArray();
         BufferedImage small = new BufferedImage(width, image.getHeight(), BufferedImage.TYPE_BYTE_INDEXED,
-                new IndexColorModel(8, order.size(), palette[0], palette[1], palette[2]));
+                new IndexColorModel(8, palette.length, palette, 0, false, -1, DataBuffer.TYPE_BYTE));
         byte[] pixels = new byte[rgb.length];
         for (int k = 0; k < rgb.length; k++) {
             pixels[k] = colours.get(rgb[k]).byteValue();

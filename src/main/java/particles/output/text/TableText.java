@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import particles.output.files.Numbers;
+import particles.output.files.TrajectoryWriter;
 import particles.view.DataTable;
 
 /** Tables as text: for the screen, for Markdown, and with all digits as CSV. */
@@ -71,12 +72,7 @@ public final class TableText {
     }
 
     private static <T> String line(List<T> cells, Function<T, String> text) {
-        return cells.stream().map(text).map(TableText::quoted).collect(Collectors.joining(","));
-    }
-
-    /** @return a CSV cell, quoted if RFC 4180 requires it */
-    public static String quoted(String cell) {
-        return cell.matches("(?s).*[\",\\r\\n].*") ? '"' + cell.replace("\"", "\"\"") + '"' : cell;
+        return cells.stream().map(text).map(TrajectoryWriter::quoted).collect(Collectors.joining(","));
     }
 
     /** @return the header, then the rows, as people read them */

@@ -21,7 +21,8 @@ class PngEncoderTest {
             rgb[p] = colour.applyAsInt(p % width, p / width);
         }
         ByteArrayOutputStream out = new ByteArrayOutputStream();
-        encoder.write(rgb, out);
+        encoder.encode(rgb);
+        encoder.writeTo(out);
         BufferedImage read = ImageIO.read(new ByteArrayInputStream(out.toByteArray()));
         assertEquals(width, read.getWidth());
         assertEquals(height, read.getHeight());

@@ -82,7 +82,7 @@ class FrameRendererTest {
     void springsShowTheirStrain() {
         FrameState state = state(-3, 0, 0, 3, 0, 0);
         state.springs = 1;
-        state.rigid = new boolean[1];
+        state.stiffness = new double[1];
         state.from = new int[] {0};
         state.to = new int[] {1};
         RenderOptions springsOnly = new RenderOptions(Visibility.NEVER, Visibility.ALWAYS, 0.5, 0.1,
@@ -151,7 +151,7 @@ class FrameRendererTest {
         double huge = 1e200;
         FrameState state = state(huge, -huge, huge, Double.NaN, 0, 0, Double.MAX_VALUE, 0, 1e9, 0, 0, 0, 1e12, 0, -3);
         state.springs = 4;
-        state.rigid = new boolean[4];
+        state.stiffness = new double[4];
         state.from = new int[] {0, 1, 2, 3};
         state.to = new int[] {1, 2, 3, 4};
         state.restLength = new double[] {1, 0, 1, 1};

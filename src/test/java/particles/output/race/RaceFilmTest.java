@@ -69,8 +69,8 @@ class RaceFilmTest {
     @Test
     void framesAreKeptAsTheyWereDrawnAndTheLastOneStays() {
         PanelFilm film = new PanelFilm(stage(), 48, 64, 5);
-        falling(0.25, film).run();
-        film.close();
+        falling(0.25, film.getObserver()).run();
+        film.getObserver().close();
         assertEquals(6, film.count());
         int[] first = new int[48 * 64];
         int[] last = new int[48 * 64];
@@ -79,7 +79,8 @@ class RaceFilmTest {
         film.get(5, last);
         film.get(99, after);
         assertArrayEquals(last, after);
-        assertTrue(middle(first, film.getBackdrop()) < 32 && middle(last, film.getBackdrop()) > 32, "it falls");
+        int[] backdrop = film.getRenderer().renderBackdrop();
+        assertTrue(middle(first, backdrop) < 32 && middle(last, backdrop) > 32, "it falls");
     }
 
     /** @return the height in the picture of what is not backdrop (pixels from the top) */
