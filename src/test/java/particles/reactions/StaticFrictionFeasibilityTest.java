@@ -2,68 +2,53 @@ package particles.reactions;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.GRAVITY;
 
+import deSolvers.RK4Solver;
+import java.lang.reflect.Proxy;
 import java.util.List;
-import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import particles.ParticleSystem;
+import particles.Systems;
+import particles.effects.Gravity;
 import particles.law.Obstacle;
 import particles.law.Plane;
 import particles.law.Vector3;
 import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
+import particles.rules.ClampedImpacts;
 
 /** The cost of deciding whether friction holds a linkage, counted in calls of the ground's normal. */
 class StaticFrictionFeasibilityTest {
     private static final int STEPS = 10;
 
-    /** Level ground that counts the calls of its normal. */
-    private static final class CountingGround implements Obstacle {
-        private final Plane ground = Plane.ground(0);
-        private long looks;
-
-        @Override
-        public double distance(double x, double y, double z) {
-            return ground.distance(x, y, z);
-        }
-
-        @Override
-        public Vector3 normal(double x, double y, double z) {
-            looks++;
-            return ground.normal(x, y, z);
-        }
-
-        @Override
-        public double curvature(double x, double y, double z) {
-            return ground.curvature(x, y, z);
-        }
-
-        @Override
-        public boolean isFlat() {
-            return ground.isFlat();
-        }
-
-        @Override
-        public int separation(double[] points, double[] coefficients) {
-            return ground.separation(points, coefficients);
-        }
-    }
-
     private static long looksInAStep(int rods) {
-        CountingGround ground = new CountingGround();
-        Vector3[] places = new Vector3[rods + 1];
-        Vector3[] velocities = new Vector3[rods + 1];
+        long[] looks = {0};
+        Obstacle ground = (Obstacle) Proxy.newProxyInstance(Obstacle.class.getClassLoader(),
+                new Class<?>[] {Obstacle.class}, (proxy, method, values) -> {
+                    looks[0] += method.getName().equals("normal") ? 1 : 0;
+                    return method.invoke(Plane.ground(0), values);
+                });
+        ParticleSystem system = new ParticleSystem();
+        RigidConstraints constraints = new RigidConstraints(system, 5);
         for (int i = 0; i <= rods; i++) {
-            places[i] = new Vector3(0.5 * i, 0, 0);
-            velocities[i] = Vector3.ZERO;
+            system.addParticle("p" + i, 1, new Vector3(0.5 * i, 0, 0), Vector3.ZERO, false);
+            if (i > 0) {
+                constraints.addRod(i - 1, i, 0.5);
+            }
         }
-        JointCase chain = new JointCase(List.of(new ContactSurface("ground", ground, 0, JointCase.coulomb(0.5), 1e-6)),
-                places,
-                velocities, IntStream.range(0, rods).mapToObj(i -> new int[] {i, i + 1}).toArray(int[][]::new));
-        chain.clamped(1.0 / 256, STEPS / 256.0).run();
+        system.addEffect(new Gravity(system.getParticles(), GRAVITY));
+        RestingContacts contacts = new RestingContacts(system, List.of(new ContactSurface("ground", ground, 0,
+                new Friction(Friction.Law.COULOMB, 0.5, 0.5, 0), 1e-6)));
+        constraints.solveWith(contacts);
+        system.addReaction(contacts);
+        system.addReaction(constraints);
+        Systems.run(system, new RK4Solver(), 1.0 / 256, STEPS / 256.0, new ClampedImpacts(contacts));
         for (int i = 0; i <= rods; i++) {
-            assertTrue(chain.contacts.getModes().isSticking(i), "particle " + i);
-            assertEquals(0.5 * i, chain.at(i, 0));
+            assertTrue(contacts.getModes().isSticking(i), "particle " + i);
+            assertEquals(0.5 * i, system.getOwnState()[6 * i]);
         }
-        return ground.looks / STEPS;
+        return looks[0] / STEPS;
     }
 
     /**

@@ -12,8 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.SimulationException;
-import particles.scene.Scene;
-import particles.scene.TestScenes;
+import particles.scene.ShortRun;
 
 /** Where rods and wires keep a particle from moving across a surface, the surface exerts no force, by every solver. */
 class CarriedByWiresTest {
@@ -26,28 +25,19 @@ class CarriedByWiresTest {
                 .map(impact -> Arguments.of(solver, impact)));
     }
 
-    private static Scene bead(String solver, String impact, String wire, List<String> more) {
-        return TestScenes.build("""
-                title: A bead
-                teaches: What its wire carries, a surface does not.
-                solver: %s
-                impact: %s
-                deltaT: 0.01
-                duration: 0.5
+    private static ShortRun bead(String solver, String impact, String wire, String more) {
+        return new ShortRun(solver + " " + impact + " 0.01 0.5", """
                 particles:
                   - {id: pivot, position: [-1, 0, 0], fixed: true}
                   - {id: bead, position: [0, 0, 0]}
-                wires:
-                  - %s
-                effects:
-                  - gravity: {acceleration: [1, -10, 0]}
-                """.formatted(solver, impact, wire) + String.join("\n", more));
+                wires: [%s]
+                effects: [gravity: {acceleration: [1, -10, 0]}]
+                %s
+                """.formatted(wire, more));
     }
 
     private static double[] end(String solver, String impact, String wire, String rule) {
-        Scene scene = bead(solver, impact, wire, List.of("rules:", "  - " + rule));
-        scene.simulation().run();
-        return scene.system().getOwnState().clone();
+        return bead(solver, impact, wire, "rules: [" + rule + "]").run().getScene().system().getOwnState();
     }
 
     /** On rough ground, a bead moves bit for bit as 1 m above it; on the line that is x = t&sup2;/2. */
@@ -65,10 +55,13 @@ class CarriedByWiresTest {
     @ParameterizedTest
     @MethodSource("solversAndImpacts")
     void aBeadThatIsDrivenIntoAWallEndsTheRun(String solver, String impact) {
-        Scene scene = bead(solver, impact, LINE, List.of("rods:", "  - {from: pivot, to: bead}", "rules:",
-                "  - glide: {particle: pivot, to: [-0.5, 0, 0], duration: 0.5}",
-                "  - plane: {point: [0.25, 0, 0], normal: [-1, 0, 0]}"));
-        SimulationException end = assertThrows(SimulationException.class, scene.simulation()::run);
+        ShortRun run = bead(solver, impact, LINE, """
+                rods: [{from: pivot, to: bead}]
+                rules:
+                  - glide: {particle: pivot, to: [-0.5, 0, 0], duration: 0.5}
+                  - plane: {point: [0.25, 0, 0], normal: [-1, 0, 0]}
+                """);
+        SimulationException end = assertThrows(SimulationException.class, run::run);
         assertTrue(end.getMessage().contains("no impulses keep all particles out"), end.getMessage());
         assertEquals(0.25, end.getTime(), 0.011, "half way of the glide is at half its time");
     }

@@ -2,54 +2,29 @@ package particles.rules;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.scene.ShortRun.G;
 
 import deSolvers.catalog.SolverCatalog;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import particles.energy.EnergyLedger;
-import particles.scene.Scene;
-import particles.scene.TestScenes;
+import particles.scene.ShortRun;
 
 /** Where rods, moving anchors, curved surfaces, friction and the order of a solver meet, by every solver. */
 class CornersOfContactTest {
-    private static final double G = 9.81;
     private static final List<String> EXACT_TOO = List.of("euler", "midpoint", "rk4", "adams", "symplectic-euler",
             "backward-euler", "linearised-euler", "implicit-midpoint");
-    private final EnergyLedger ledger = new EnergyLedger();
 
     private static List<String> solvers() {
         return SolverCatalog.names();
     }
 
-    /** Runs a scene with a solver; returns its end. */
-    private Scene run(String solver, String impact, double deltaT, double duration, String text) {
-        String head = """
-                title: A corner
-                teaches: Two laws meet.
-                solver: %s
-                impact: %s
-                deltaT: %s
-                duration: %s
-                effects: [gravity]
-                """.formatted(solver, impact, deltaT, duration);
-        Scene scene = TestScenes.build(head + text);
-        scene.simulation().addObserver(ledger);
-        scene.simulation().run();
-        return scene;
+    private static ShortRun run(String solver, String impact, double deltaT, double duration, String text) {
+        return ShortRun.of(String.join(" ", solver, impact, "" + deltaT, "" + duration), text);
     }
 
     private static int order(String solver) {
         return solver.endsWith("euler") ? 1 : 2;
-    }
-
-    private static double at(Scene scene, int entry) {
-        return scene.system().getOwnState()[entry];
-    }
-
-    private static double distance(Scene scene, int i, int j) {
-        double[] s = scene.system().getOwnState();
-        return Math.hypot(s[6 * i] - s[6 * j], Math.hypot(s[6 * i + 1] - s[6 * j + 1], s[6 * i + 2] - s[6 * j + 2]));
     }
 
     /**
@@ -64,7 +39,7 @@ class CornersOfContactTest {
                 for (String motion : List.of("glide: {particle: hand, to: [2, 0, 0], duration: 2}",
                         "shake: {particle: hand, amplitude: [0.3, 0, 0], period: 2}")) {
                     boolean glide = motion.startsWith("glide");
-                    Scene scene = run(solver, impact, 0.005, 2, """
+                    ShortRun scene = run(solver, impact, 0.005, 2, """
                             particles:
                               - {id: hand, position: [1, 0, 0], fixed: true}
                               - {id: block, position: [0, 0, 0], velocity: [%s, 0, 0]}
@@ -75,8 +50,8 @@ class CornersOfContactTest {
                               - %s
                             """.formatted(glide ? 0 : 0.3 * Math.PI, mu, motion));
                     String what = impact + ", mu = " + mu + ", " + motion;
-                    assertEquals(1, distance(scene, 0, 1), order(solver) == 1 ? 4e-3 : 4e-5, what);
-                    assertEquals(glide ? 1 : 0, at(scene, 6), order(solver) == 1 ? 4e-3 : 4e-5, what);
+                    assertEquals(1, scene.distance(0, 1), order(solver) == 1 ? 4e-3 : 4e-5, what);
+                    assertEquals(glide ? 1 : 0, scene.at(6), order(solver) == 1 ? 4e-3 : 4e-5, what);
                 }
             }
         }
@@ -91,7 +66,7 @@ class CornersOfContactTest {
     @MethodSource("solvers")
     void aChainOnTheGroundFollowsAHand(String solver) {
         for (String impact : EXACT_TOO.contains(solver) ? List.of("clamp", "exact") : List.of("clamp")) {
-            Scene scene = run(solver, impact, 0.005, 2, """
+            ShortRun scene = run(solver, impact, 0.005, 2, """
                     particles:
                       - {id: hand, position: [1, 0.5, 0], fixed: true}
                       - {id: a, position: [0, 0, 0]}
@@ -104,10 +79,10 @@ class CornersOfContactTest {
                       - glide: {particle: hand, to: [2, 0.5, 0.5], duration: 1}
                     """);
             double tolerance = order(solver) == 1 ? 5e-3 : 1e-4;
-            assertEquals(Math.hypot(1, 0.5), distance(scene, 0, 1), tolerance, impact);
-            assertEquals(1, distance(scene, 1, 2), tolerance, impact);
-            assertEquals(0, Math.abs(at(scene, 7)) + Math.abs(at(scene, 13)), 1e-9, impact);
-            assertTrue(at(scene, 6) > 0.9, impact + ": at x = " + at(scene, 6));
+            assertEquals(Math.hypot(1, 0.5), scene.distance(0, 1), tolerance, impact);
+            assertEquals(1, scene.distance(1, 2), tolerance, impact);
+            assertEquals(0, Math.abs(scene.at(7)) + Math.abs(scene.at(13)), 1e-9, impact);
+            assertTrue(scene.at(6) > 0.9, impact + ": at x = " + scene.at(6));
         }
     }
 
@@ -120,9 +95,8 @@ class CornersOfContactTest {
     @ParameterizedTest
     @MethodSource("solvers")
     void aDumbbellOnAnElasticSphereKeepsItsEnergy(String solver) {
-        double before = 0;
         for (String impact : List.of("clamp", "exact")) {
-            run(solver, impact, 0.004, 0.12, """
+            ShortRun run = run(solver, impact, 0.004, 0.12, """
                     particles:
                       - {id: a, position: [1.03, -0.51, -0.11], velocity: [-2.5, 1.2, -1.3]}
                       - {id: b, position: [1.23, -0.46, 0.14], velocity: [-2.9, 1.3, -1.0]}
@@ -131,10 +105,8 @@ class CornersOfContactTest {
                     rules:
                       - sphere: {centre: [0, 0, 0], radius: 1, restitution: 1}
                     """);
-            double gained = ledger.getWork().values().stream().mapToDouble(work -> work).sum() - before;
-            assertEquals(0, gained, impact.equals("clamp") ? 0.3 : order(solver) == 1 ? 5e-3 : 1e-3,
-                    impact);
-            before += gained;                           // the ledger counts on in the next run
+            double gained = run.getLedger().getWork().values().stream().mapToDouble(work -> work).sum();
+            assertEquals(0, gained, impact.equals("clamp") ? 0.3 : order(solver) == 1 ? 5e-3 : 1e-3, impact);
         }
     }
 
@@ -167,13 +139,13 @@ class CornersOfContactTest {
 
     private void requireConvergence(String solver, String impact, String text, double duration, double x, double y) {
         double h = 0.0025;
-        Scene scene = run(solver, impact, h, duration, text);
-        double off = Math.hypot(at(scene, 0) - x, at(scene, 1) - y);
-        
+        ShortRun scene = run(solver, impact, h, duration, text);
+        double off = Math.hypot(scene.at(0) - x, scene.at(1) - y);
         assertTrue(off <= (order(solver) == 1 ? 0.12 : 5e-4), impact + ": off by " + off);
-        assertTrue(scene.simulation().getEvents() <= 3, scene.simulation().getEvents() + " events");
-        Scene fine = run(solver, impact, h / 4, duration, text);
-        double finer = Math.hypot(at(fine, 0) - x, at(fine, 1) - y);
+        long events = scene.getScene().simulation().getEvents();
+        assertTrue(events <= 3, events + " events");
+        ShortRun fine = run(solver, impact, h / 4, duration, text);
+        double finer = Math.hypot(fine.at(0) - x, fine.at(1) - y);
         assertTrue(finer <= Math.max(off / 2.8, 5e-6), impact + ": off by " + off + ", then by " + finer);
     }
 
@@ -184,7 +156,7 @@ class CornersOfContactTest {
     @ParameterizedTest
     @MethodSource("solvers")
     void aBeadStopsWhereItsRingMeetsTheGround(String solver) {
-        Scene scene = run(solver, "exact", 0.05, 2, """
+        ShortRun scene = run(solver, "exact", 0.05, 2, """
                 particles:
                   - {id: bead, position: [0.8, 0.6, 0]}
                 wires:
@@ -192,8 +164,8 @@ class CornersOfContactTest {
                 rules:
                   - ground: {height: -0.5, restitution: 0, friction: {law: slide, coefficient: 0.46}}
                 """);
-        assertEquals(-0.5, at(scene, 1), 1e-10, "measured: 1.0e-11 (linearised-euler)");
-        assertEquals(1, scene.simulation().getEvents());
+        assertEquals(-0.5, scene.at(1), 1e-10, "measured: 1.0e-11 (linearised-euler)");
+        assertEquals(1, scene.getScene().simulation().getEvents());
     }
 
     /** Along a groove a particle stops after v&sup2; cos a/(2 mu g), as far as the threshold of 0.01 m/s lets it. */
@@ -204,7 +176,7 @@ class CornersOfContactTest {
             double a = Math.toRadians(degrees);
             for (String impact : List.of("clamp", "exact")) {
                 double h = 0.002;
-                Scene scene = run(solver, impact, h, 2, """
+                ShortRun scene = run(solver, impact, h, 2, """
                         particles:
                           - {id: ball, position: [0, 0, 0], velocity: [0, 0, 1]}
                         rules:
@@ -213,8 +185,8 @@ class CornersOfContactTest {
                                    friction: {law: coulomb, coefficient: 0.2}}
                         """.formatted(Math.sin(a), Math.cos(a)));
                 double way = Math.cos(a) / (2 * 0.2 * G);
-                assertEquals(way, at(scene, 2), 3e-5 + (order(solver) == 1 ? h / 2 : 0), impact);
-                assertEquals(0, at(scene, 5));
+                assertEquals(way, scene.at(2), 3e-5 + (order(solver) == 1 ? h / 2 : 0), impact);
+                assertEquals(0, scene.at(5));
             }
         }
     }

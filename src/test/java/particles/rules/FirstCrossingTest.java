@@ -8,8 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.BlowUpException;
-import particles.scene.Scene;
-import particles.scene.TestScenes;
+import particles.scene.ShortRun;
 
 /** Roots of polynomials that are known, and polynomials that have none to be found. */
 class FirstCrossingTest {
@@ -32,23 +31,12 @@ class FirstCrossingTest {
     @ParameterizedTest
     @ValueSource(strings = {"exact", "clamp"})
     void aRunWhosePathsOverflowEndsAsABlowUp(String impact) {
-        String text = """
-                title: A storm
-                teaches: Numbers that are too large.
-                solver: rk4
-                deltaT: 0.01
-                duration: 1
-                impact: IMPACT
-                particles:
-                  - {id: leaf, position: [2, 0, 0], mass: 1e-5}
-                effects:
-                  - drag: {coefficient: 1e30}
-                  - wind: {mean: [-1e30, 0, 0]}
-                rules:
-                  - sphere: {centre: [0, 0, 0], radius: 1, restitution: 0.5}
-                """.replace("IMPACT", impact);
-        Scene scene = TestScenes.build(text);
-        BlowUpException e = assertThrows(BlowUpException.class, () -> scene.simulation().run());
+        ShortRun run = new ShortRun("rk4 " + impact + " 0.01 1", """
+                particles: [{id: leaf, position: [2, 0, 0], mass: 1e-5}]
+                effects: [drag: {coefficient: 1e30}, wind: {mean: [-1e30, 0, 0]}]
+                rules: [sphere: {centre: [0, 0, 0], radius: 1, restitution: 0.5}]
+                """);
+        BlowUpException e = assertThrows(BlowUpException.class, run::run);
         assertEquals(0.01, e.getTime(), 1e-12);
     }
 }
