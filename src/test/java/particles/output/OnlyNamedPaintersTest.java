@@ -2,8 +2,10 @@ package particles.output;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static particles.output.SmallPictures.FRONT;
+import static particles.output.SmallPictures.curve;
 import static particles.output.SmallPictures.look;
 import static particles.output.SmallPictures.renderer;
+import static particles.output.SmallPictures.spring;
 import static particles.output.SmallPictures.state;
 
 import java.lang.reflect.Field;
@@ -34,17 +36,7 @@ class OnlyNamedPaintersTest {
     private static final RenderOptions BALLS = look(ParticleStyle.Kind.BALLS, 1, 0);
     // seen from above
     private static final Plane SLOPE = new Plane(new Vector3(0, -3, 0), new Vector3(0, 0.8, 0.6));
-    private static final CurveView LINE = new CurveView() {
-        @Override
-        public Vector3 at(double u) {
-            return new Vector3(u, 0, 0);
-        }
-
-        @Override
-        public double length() {
-            return Double.POSITIVE_INFINITY;
-        }
-    };
+    private static final CurveView LINE = curve(Double.POSITIVE_INFINITY, u -> new Vector3(u, 0, 0));
 
     /** A picture, and the painters that it needs besides the particle painter. */
     private record Case(String what, RenderOptions look, Scenery scenery, boolean spring, Set<String> painters) {
@@ -73,14 +65,8 @@ class OnlyNamedPaintersTest {
     @MethodSource("cases")
     void onlyNeededPaintersAreCreated(Case shown) throws IllegalAccessException {
         FrameRenderer renderer = renderer(FRONT, shown.look(), shown.scenery());
-        FrameState state = state(0, 0, 0, 2, 0, 0, 0, 2, 0);
-        if (shown.spring()) {
-            state.springs = 1;
-            state.from = new int[] {0};
-            state.to = new int[] {1};
-            state.restLength = new double[] {2};
-            state.stiffness = new double[1];
-        }
+        double[] places = {0, 0, 0, 2, 0, 0, 0, 2, 0};
+        FrameState state = shown.spring() ? spring(2, 0, places) : state(places);
         renderer.render(state);
         Map<String, Integer> expected = new TreeMap<>(Map.of("ParticlePainter", 1));
         shown.painters().forEach(name -> expected.put(name, 1));

@@ -9,6 +9,7 @@ import static particles.output.SmallPictures.H;
 import static particles.output.SmallPictures.W;
 import static particles.output.SmallPictures.area;
 import static particles.output.SmallPictures.look;
+import static particles.output.SmallPictures.picture;
 import static particles.output.SmallPictures.renderer;
 import static particles.output.SmallPictures.state;
 
@@ -34,6 +35,7 @@ import particles.output.painters.TrailSample;
 import particles.view.Camera;
 import particles.view.ParticleStyle;
 import particles.view.Scenery;
+import particles.view.Surface;
 
 /** Styles of particles: areas, positions and brightness against computed values. */
 class ParticleStylesTest {
@@ -59,7 +61,7 @@ class ParticleStylesTest {
     @Test
     void blobsCoverTheLevelSetOfTheirField() {
         double radius = 1.5;
-        int[] empty = renderer(FRONT, look(ParticleStyle.Kind.BLOBS, radius, 0), Scenery.NONE).render(state()).clone();
+        int[] empty = picture(FRONT, look(ParticleStyle.Kind.BLOBS, radius, 0), Scenery.NONE);
         for (double distance : new double[] {0, 1.5, 3, 3.75, 6}) {
             double[] xs = distance == 0 ? new double[] {0} : new double[] {-distance / 2, distance / 2};
             FrameState state = distance == 0 ? state(0, 0, 0) : state(xs[0], 0, 0, xs[1], 0, 0);
@@ -191,19 +193,10 @@ class ParticleStylesTest {
         system.addParticle("ball", 1, new Vector3(-6, 0.525, 0), new Vector3(4, 0, 0), false);
         Simulation simulation = rk4(system, 0.003, 3);
         FrameRenderer renderer = renderer(FRONT, look(ParticleStyle.Kind.BALLS, 0.25, 2), Scenery.NONE);
-        int[] empty = renderer(FRONT, look(ParticleStyle.Kind.BALLS, 0.25, 2), Scenery.NONE).render(state()).clone();
+        int[] empty = picture(FRONT, look(ParticleStyle.Kind.BALLS, 0.25, 2), Scenery.NONE);
         List<int[]> frames = new ArrayList<>();
-        try (FrameObserver observer = new FrameObserver(renderer, 10, List.of(new FrameSink() {
-            @Override
-            public Runnable prepare(int index, int[] rgb) {
-                return () -> frames.add(rgb.clone());
-            }
-
-            @Override
-            public void close() {
-                // nothing to complete
-            }
-        }))) {
+        try (FrameObserver observer = new FrameObserver(renderer, 10,
+                List.<FrameSink>of((index, rgb) -> () -> frames.add(rgb.clone())))) {
             simulation.addObserver(observer);
             simulation.run();
         }
@@ -269,12 +262,18 @@ class ParticleStylesTest {
             state.trail = new TrailSample[] {new TrailSample(-0.5, new float[] {1e30f, Float.NaN, 0, 0, 0,
                 Float.POSITIVE_INFINITY, 1, 2, 3, 4, 5, 6, 7, 8, 9}, new int[0])};
             state.death = new double[] {0, Double.NaN, 1, Double.POSITIVE_INFINITY, 1};
+            state.springs = 4;
+            state.stiffness = new double[4];
+            state.from = new int[] {0, 1, 2, 3};
+            state.to = new int[] {1, 2, 3, 4};
+            state.restLength = new double[] {1, 0, 1, 1};
             for (boolean perspective : new boolean[] {true, false}) {
                 Camera camera = new Camera(new Vector3(0, 3, 9), Vector3.ZERO, new Vector3(0, 1, 0), perspective, 40,
                         9);
-                Scenery scenery = new Scenery(List.of(), List.of(Plane.ground(0)),
+                Scenery scenery = new Scenery(
+                        List.of(new Surface(new int[] {0, 1, 2, 2, 3, 4, 7, 8, 9}, false)), List.of(Plane.ground(0)),
                         List.of(new Sphere(new Vector3(50, 0, 0), 1, true)), List.of());
-                int[] empty = renderer(camera, look(kind, 0.5, 1), scenery).render(state()).clone();
+                int[] empty = picture(camera, look(kind, 0.5, 1), scenery);
                 int[] rgb = renderer(camera, look(kind, 0.5, 1), scenery).render(state);
                 assertTrue(rgb[H / 2 * W + W / 2] != empty[H / 2 * W + W / 2], kind + ": the one at the origin");
             }

@@ -6,8 +6,11 @@ import static particles.output.SmallPictures.FRONT;
 import static particles.output.SmallPictures.H;
 import static particles.output.SmallPictures.W;
 import static particles.output.SmallPictures.area;
+import static particles.output.SmallPictures.curve;
 import static particles.output.SmallPictures.look;
+import static particles.output.SmallPictures.picture;
 import static particles.output.SmallPictures.renderer;
+import static particles.output.SmallPictures.spring;
 import static particles.output.SmallPictures.state;
 
 import java.util.List;
@@ -42,12 +45,11 @@ class SceneryStylesTest {
             // edge pixels in full: measured 1.014, 1.022
             assertEquals(1, area(rgb, empty) / (Math.PI * seen * seen), 0.05);
         }
-        int[] hollow = renderer(camera, look(ParticleStyle.Kind.BALLS, 0.2, 0),
-                scenery(new Sphere(Vector3.ZERO, 1.2, true)))
-                .render(state(0, 0, 0));
+        int[] hollow = picture(camera, look(ParticleStyle.Kind.BALLS, 0.2, 0),
+                scenery(new Sphere(Vector3.ZERO, 1.2, true)), 0, 0, 0);
         assertTrue((hollow[H / 2 * W + W / 2] & 255) > 120, "what is inside of a hollow is seen");
-        int[] solid = renderer(camera, look(ParticleStyle.Kind.BALLS, 0.2, 0), scenery(ball)).render(state(0, 0, 0));
-        int[] alone = renderer(camera, look(ParticleStyle.Kind.BALLS, 0.2, 0), scenery(ball)).render(state(0, 100, 0));
+        int[] solid = picture(camera, look(ParticleStyle.Kind.BALLS, 0.2, 0), scenery(ball), 0, 0, 0);
+        int[] alone = picture(camera, look(ParticleStyle.Kind.BALLS, 0.2, 0), scenery(ball), 0, 100, 0);
         assertEquals(alone[H / 2 * W + W / 2], solid[H / 2 * W + W / 2], "what is inside of a ball is not");
     }
 
@@ -60,16 +62,11 @@ class SceneryStylesTest {
     void rodsAreBars() {
         RenderOptions look = new RenderOptions(Visibility.NEVER, Visibility.ALWAYS, 0.5, 0.1,
                 new RenderOptions.Colours(0, 0, 0, 0), ParticleStyle.STANDARD);
-        int[] empty = renderer(FRONT, look, Scenery.NONE).render(state()).clone();
+        int[] empty = picture(FRONT, look, Scenery.NONE);
         int[] heights = new int[2];
         for (int k = 0; k < 2; k++) {
-            FrameState state = state(-3, 0, 0, 3, 0, 0);
-            state.springs = 1;
-            state.from = new int[] {0};
-            state.to = new int[] {1};
-            state.restLength = new double[] {6};
-            state.stiffness = new double[] {k == 0 ? Double.POSITIVE_INFINITY : 0};
-            int[] rgb = renderer(FRONT, look, Scenery.NONE).render(state);
+            int[] rgb = renderer(FRONT, look, Scenery.NONE)
+                    .render(spring(6, k == 0 ? Double.POSITIVE_INFINITY : 0, -3, 0, 0, 3, 0, 0));
             for (int y = 0; y < 130; y++) {
                 for (int x = 140; x < 180; x++) {
                     heights[k] += rgb[y * W + x] != empty[y * W + x] ? 1 : 0;
@@ -90,32 +87,12 @@ class SceneryStylesTest {
     /** A ring of wire is drawn in its place; an infinite wire to the edge of the picture. */
     @Test
     void wiresFollowTheirCurves() {
-        CurveView ring = new CurveView() {
-            @Override
-            public Vector3 at(double u) {
-                return new Vector3(3 * Math.cos(u / 3), 3 * Math.sin(u / 3), 0);
-            }
-
-            @Override
-            public double length() {
-                return 6 * Math.PI;
-            }
-        };
-        CurveView parabola = new CurveView() {
-            @Override
-            public Vector3 at(double u) {
-                return new Vector3(u, u * u / 16, 0);
-            }
-
-            @Override
-            public double length() {
-                return Double.POSITIVE_INFINITY;
-            }
-        };
+        CurveView ring = curve(6 * Math.PI, u -> new Vector3(3 * Math.cos(u / 3), 3 * Math.sin(u / 3), 0));
+        CurveView parabola = curve(Double.POSITIVE_INFINITY, u -> new Vector3(u, u * u / 16, 0));
         RenderOptions look = look(ParticleStyle.Kind.BALLS, 0.5, 0);
-        int[] empty = renderer(FRONT, look, Scenery.NONE).render(state()).clone();
-        int[] first = renderer(FRONT, look, new Scenery(List.of(), List.of(), List.of(),
-                List.of(ring))).render(state());
+        int[] empty = picture(FRONT, look, Scenery.NONE);
+        int[] first = picture(FRONT, look, new Scenery(List.of(), List.of(), List.of(),
+                List.of(ring)));
         double mean = 0;
         int count = 0;
         for (int p = 0; p < first.length; p++) {
@@ -128,8 +105,8 @@ class SceneryStylesTest {
         }
         assertEquals(60, mean / count, 0.1);          // measured 60.05
         assertTrue(count > 2 * Math.PI * 60 * 3, count + " pixels");
-        int[] second = renderer(FRONT, look, new Scenery(List.of(), List.of(), List.of(),
-                List.of(parabola))).render(state());
+        int[] second = picture(FRONT, look, new Scenery(List.of(), List.of(), List.of(),
+                List.of(parabola)));
         for (int x = -7; x <= 7; x++) {
             int p = (int) (100 - 20 * x * x / 16.0) * W + 160 + 20 * x;
             assertTrue(second[p] != empty[p], "at " + x + " m");

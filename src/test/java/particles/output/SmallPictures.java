@@ -1,10 +1,12 @@
 package particles.output;
 
+import java.util.function.DoubleFunction;
 import particles.law.Vector3;
 import particles.output.frames.FrameRenderer;
 import particles.output.frames.FrameSetup;
 import particles.output.painters.FrameState;
 import particles.view.Camera;
+import particles.view.CurveView;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 import particles.view.RenderOptions.Visibility;
@@ -45,6 +47,37 @@ public final class SmallPictures {
         state.birth = new double[state.particles];
         state.death = new double[state.particles];
         return state;
+    }
+
+    /** @return a picture of free particles at these places */
+    public static int[] picture(Camera camera, RenderOptions look, Scenery scenery, double... positions) {
+        return renderer(camera, look, scenery).render(state(positions));
+    }
+
+    /** @return a state whose first two particles are joined by a spring */
+    public static FrameState spring(double restLength, double stiffness, double... positions) {
+        FrameState state = state(positions);
+        state.springs = 1;
+        state.from = new int[] {0};
+        state.to = new int[] {1};
+        state.restLength = new double[] {restLength};
+        state.stiffness = new double[] {stiffness};
+        return state;
+    }
+
+    /** @return a curve of this length */
+    public static CurveView curve(double length, DoubleFunction<Vector3> at) {
+        return new CurveView() {
+            @Override
+            public Vector3 at(double u) {
+                return at.apply(u);
+            }
+
+            @Override
+            public double length() {
+                return length;
+            }
+        };
     }
 
     /** The number of pixels that differ from the empty picture; edge pixels count partly. */

@@ -1,6 +1,8 @@
 package particles.output;
 
+import java.util.function.Predicate;
 import particles.ParticleSystem;
+import particles.Rule;
 import particles.law.Effect;
 
 /** Small forces for tests of observers. */
@@ -55,6 +57,21 @@ public final class TestEffects {
                 if (time > when) {
                     force[3] = Double.NaN;
                 }
+            }
+        };
+    }
+
+    /** @return a rule that acts after each step, and says whether it changed anything */
+    public static Rule rule(Predicate<ParticleSystem> act) {
+        return new Rule() {
+            @Override
+            public String getName() {
+                return "test";
+            }
+
+            @Override
+            public boolean afterStep(ParticleSystem system, double deltaT) {
+                return act.test(system);
             }
         };
     }

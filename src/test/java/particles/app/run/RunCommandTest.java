@@ -100,6 +100,20 @@ class RunCommandTest {
         Files.writeString(scenes.resolve("01-block.yaml"), SCENE.replace(old, replacement));
     }
 
+    private static void assertHas(String text, String... parts) {
+        for (String part : parts) {
+            assertTrue(text.contains(part), part + " in " + text);
+        }
+    }
+
+    private void assertPrinted(String... parts) {
+        assertHas(lines.toString(), parts);
+    }
+
+    private void assertJson(String... parts) throws IOException {
+        assertHas(Files.readString(out.resolve("run.json")), parts);
+    }
+
     private static final Set<String> NUMBERS_AND_PLOTS = Set.of("energy.png", "phase.png", "run.json",
             "trajectory.csv");
 
@@ -144,8 +158,7 @@ class RunCommandTest {
         assertTrue(files().containsAll(Set.of("frames/frame-00007.png", "animation.gif")), files()::toString);
         String[] end = Files.readString(out.resolve("trajectory.csv")).strip().replaceFirst("(?s).*\n", "").split(",");
         assertEquals(5.2918e-11, Double.parseDouble(end[2]), 1.8e-15);   // back where it began; measured: 1.9e-16 m
-        assertTrue(lines.toString().contains("energy: -2.18e-18 J at the start, -2.18e-18 J at the end"),
-                lines::toString);
+        assertPrinted("energy: -2.18e-18 J at the start, -2.18e-18 J at the end");
     }
 
     @Test
@@ -165,22 +178,18 @@ class RunCommandTest {
         List<String> rows = Files.readAllLines(out.resolve("trajectory.csv"));
         assertEquals(1 + 51 * 2, rows.size());
         assertTrue(rows.get(102).startsWith("0.5,block,"), rows.get(102));
-        assertTrue(lines.toString().contains("0.5 s simulated in 50 steps with 200 evaluations"), lines.toString());
-        String where = "files in " + out + ": frames, animation.gif, energy.png, phase.png, trajectory.csv, run.json";
-        assertTrue(lines.toString().contains(where), lines.toString());
-        String json = Files.readString(out.resolve("run.json"));
-        for (String part : List.of("\"scene\" : \"01-block\"", "\"solver\" : \"rk4\"", "\"steps\" : 50",
+        assertPrinted("0.5 s simulated in 50 steps with 200 evaluations");
+        assertPrinted("files in " + out + ": frames, animation.gif, energy.png, phase.png, trajectory.csv, run.json");
+        assertJson("\"scene\" : \"01-block\"", "\"solver\" : \"rk4\"", "\"steps\" : 50",
                 "\"evaluations\" : 200",
-                "\"version\" : \"" + Version.CURRENT + "\"", "\"endTime\" : 0.5")) {
-            assertTrue(json.contains(part), part + " in " + json);
-        }
+                "\"version\" : \"" + Version.CURRENT + "\"", "\"endTime\" : 0.5");
     }
 
     @Test
     void aFilmIsMadeOnRequest() throws IOException {
         assertEnds(ExitCode.DONE, "", "--video=mp4");
         assertTrue(files().containsAll(Set.of("film.mp4", "animation.gif")), files().toString());
-        assertTrue(lines.toString().contains("animation.gif, film.mp4, energy.png"), lines.toString());
+        assertPrinted("animation.gif, film.mp4, energy.png");
         assertEnds(ExitCode.DONE, "");
         assertTrue(files().stream().noneMatch("film.mp4"::equals), "the next run removes it");
         replaceInScene("{frameRate: 10", "{video: mp4, animation: false, frameRate: 10");
@@ -206,7 +215,7 @@ class RunCommandTest {
         for (String name : List.of("1", "01", "block", "01-block", "01-block.yaml", elsewhere.toString())) {
             assertEnds(ExitCode.DONE, "", "--scene=" + name, "--frames=false");
         }
-        assertTrue(Files.readString(out.resolve("run.json")).contains("\"a scene of mine\""));
+        assertJson("\"a scene of mine\"");
     }
 
     @Test
@@ -240,11 +249,8 @@ class RunCommandTest {
     @Test
     void optionsOverrideTheScene() throws IOException {
         assertEnds(ExitCode.DONE, "", "--frames=false", "--solver=euler", "--deltaT=0.004", "--duration=0.01");
-        String json = Files.readString(out.resolve("run.json"));
-        for (String part : List.of("\"solver\" : \"euler\"", "\"deltaT\" : 0.004", "\"duration\" : 0.01",
-                "\"steps\" : 3")) {
-            assertTrue(json.contains(part), part + " in " + json);
-        }
+        assertJson("\"solver\" : \"euler\"", "\"deltaT\" : 0.004", "\"duration\" : 0.01",
+                "\"steps\" : 3");
     }
 
     @Tag("slow")
@@ -357,10 +363,9 @@ class RunCommandTest {
         assertTrue(files().containsAll(NUMBERS_AND_PLOTS) && files().contains("frames/frame-00000.png"),
                 files().toString());
         assertTrue(files().stream().noneMatch(name -> name.endsWith(".part")), files().toString());
-        assertTrue(lines.toString().contains(" s of 100 s simulated in "), lines.toString());
+        assertPrinted(" s of 100 s simulated in ");
         String end = times().get(times().size() - 1);
-        assertTrue(Files.readString(out.resolve("run.json")).contains("\"endTime\" : "
-                + Digits.exact(Double.parseDouble(end)) + ","), end);
+        assertJson("\"endTime\" : " + Digits.exact(Double.parseDouble(end)) + ",");
     }
 
     @Test

@@ -22,6 +22,8 @@ import org.jcodec.common.model.Size;
 import org.jcodec.containers.mp4.demuxer.MP4Demuxer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFile;
 import particles.output.files.OutputFolder;
@@ -136,22 +138,20 @@ class FilmTest {
         }
     }
 
-    /** A fractional frame rate accumulates no error, and a run may begin with any frame. */
-    @Test
-    void oddSizesAndRatesAreFilmedToo() throws IOException {
-        write(W + 1, H + 1, 29.97, 7, 50);
+    /**
+     * A fractional frame rate accumulates no error, an odd last row and column are left out, a run may begin with any
+     * frame, and a slow film is as long as the run.
+     */
+    @ParameterizedTest
+    @CsvSource({"1, 29.97, 7, 50", "0, 0.01, 0, 3"})
+    void oddSizesAndRatesAreFilmedToo(int odd, double rate, int first, int count) throws IOException {
+        write(W + odd, H + odd, rate, first, count);
         Read film = read();
-        assertEquals(W, film.size().getWidth());
-        assertEquals(H, film.size().getHeight());
-        assertEquals(50, film.pictures().size());
-        assertEquals(50 / 29.97, film.duration(), 1.0 / 15_345);
-        assertEquals(49 / 29.97, film.times().get(49), 1.0 / 15_345);
-    }
-
-    @Test
-    void aSlowFilmIsAsLongAsTheRun() throws IOException {
-        write(W, H, 0.01, 0, 3);
-        assertEquals(300, read().duration(), 1);
+        assertEquals(List.of(W, H, count),
+                List.of(film.size().getWidth(), film.size().getHeight(), film.pictures().size()));
+        double tick = 1 / (512 * rate);
+        assertEquals(count / rate, film.duration(), tick);
+        assertEquals((count - 1) / rate, film.times().get(count - 1), tick);
     }
 
     /** A film appears only when it is complete, and a failed one leaves nothing. */

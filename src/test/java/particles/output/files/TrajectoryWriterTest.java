@@ -12,12 +12,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.IntToLongFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Rule;
 import particles.Simulation;
 import particles.SimulationException;
 import particles.law.Vector3;
@@ -38,30 +38,23 @@ class TrajectoryWriterTest {
         system.addEffect(TestEffects.gravity(system, 9.81));
         Simulation simulation = rk4(system, 0.1, duration);
         if (jump) {
-            simulation.addRule(new Rule() {
-                private int steps;
-
-                @Override
-                public String getName() {
-                    return "jump";
-                }
-
-                @Override
-                public boolean afterStep(ParticleSystem system, double deltaT) {
-                    if (++steps != 3) {
-                        return false;
-                    }
-                    system.getOwnState()[4] = 5;
-                    return true;
-                }
-            });
+            int[] steps = new int[1];
+            simulation.addRule(TestEffects.rule(moved -> {
+                boolean now = ++steps[0] == 3;
+                moved.getOwnState()[4] = now ? 5 : moved.getOwnState()[4];
+                return now;
+            }));
         }
         return simulation;
     }
 
     private List<String> linesOf(Simulation simulation, long stride, String folder) throws IOException {
+        return linesOf(simulation, particles -> stride, folder);
+    }
+
+    private List<String> linesOf(Simulation simulation, IntToLongFunction stride, String folder) throws IOException {
         try (OutputFolder out = OutputFolder.open(top.resolve(folder));
-                TrajectoryWriter writer = new TrajectoryWriter(out, particles -> stride)) {
+                TrajectoryWriter writer = new TrajectoryWriter(out, stride)) {
             simulation.addObserver(writer);
             simulation.run();
         }
@@ -77,25 +70,11 @@ class TrajectoryWriterTest {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("p0", 1, Vector3.ZERO, new Vector3(1, 0, 0), false);
         Simulation simulation = rk4(system, 0.125, 125);
-        simulation.addRule(new Rule() {
-            @Override
-            public String getName() {
-                return "birth";
-            }
-
-            @Override
-            public boolean afterStep(ParticleSystem system, double deltaT) {
-                system.addParticle("p" + system.getParticles().count(), 1, Vector3.ZERO, Vector3.ZERO, false);
-                return true;
-            }
-        });
-        List<String> lines = new ArrayList<>();
-        try (OutputFolder out = OutputFolder.open(top);
-                TrajectoryWriter writer = new TrajectoryWriter(out, n -> TrajectoryWriter.strideFor(1000, n, 5000))) {
-            simulation.addObserver(writer);
-            simulation.run();
-        }
-        lines.addAll(Files.readAllLines(top.resolve("trajectory.csv")));
+        simulation.addRule(TestEffects.rule(grown -> {
+            grown.addParticle("p" + grown.getParticles().count(), 1, Vector3.ZERO, Vector3.ZERO, false);
+            return true;
+        }));
+        List<String> lines = linesOf(simulation, n -> TrajectoryWriter.strideFor(1000, n, 5000), "born");
         int most = 1 + 1 + 5000 + 1001;                 // the heading too
         assertTrue(lines.size() <= most, lines.size() + " lines");
         assertTrue(lines.size() > most / 2, "and is not much coarser than it may be: " + lines.size());
@@ -166,31 +145,6 @@ class TrajectoryWriterTest {
         List<String> lines = linesOf(thrown(0.5, true), 1, "out");
         String[] fields = lines.get(1 + 2 * 3).split(",");
         assertEquals("5.0", fields[6]);
-    }
-
-    /** The file is byte for byte the same with and without other observers. */
-    @Test
-    void otherObserversChangeNoByte() throws IOException {
-        linesOf(thrown(0.55, true), 1, "alone");
-        Simulation watched = thrown(0.55, true);
-        watched.addObserver(new Observer() {
-            private double next;
-
-            @Override
-            public double getNextTime() {
-                return next;
-            }
-
-            @Override
-            public void moved(Motion motion) {
-                for (; next <= motion.getEndTime(); next += 1 / 30.0) {
-                    motion.interpolate(next, new double[motion.getEndState().length]);
-                }
-            }
-        });
-        linesOf(watched, 1, "watched");
-        assertArrayEquals(Files.readAllBytes(top.resolve("alone/trajectory.csv")),
-                Files.readAllBytes(top.resolve("watched/trajectory.csv")));
     }
 
     @Test
