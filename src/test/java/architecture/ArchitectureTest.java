@@ -82,9 +82,9 @@ class ArchitectureTest {
                                            particles.scene particles.scene.format particles.view
             particles.experiments.lecture: deSolvers deSolvers.catalog deSolvers.problems deSolvers.text
                                            particles.experiments.runs particles.experiments.stability particles.view
-            particles.experiments.phase:   particles particles.experiments.runs particles.law particles.scene
+            particles.experiments.phase:   deSolvers.text particles particles.experiments.runs particles.law
                                            particles.scene.format particles.view
-            particles.experiments.race:    particles particles.energy particles.experiments.energy
+            particles.experiments.race:    deSolvers.text particles particles.energy particles.experiments.energy
                                            particles.experiments.runs particles.law particles.scene
                                            particles.scene.format particles.view
             particles.experiments.runs:    deSolvers deSolvers.catalog particles particles.law particles.scene

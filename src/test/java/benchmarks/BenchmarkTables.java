@@ -1,5 +1,7 @@
 package benchmarks;
 
+import static particles.view.DataTable.column;
+
 import java.util.ArrayList;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
@@ -7,6 +9,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
+import java.util.stream.IntStream;
 import particles.view.DataTable;
 
 /** Tables of measured times. */
@@ -24,26 +27,21 @@ public final class BenchmarkTables {
      * @param medians the time of each run (ns)
      */
     static DataTable comparison(List<Comparison.Plan> plans, List<Comparison> found, Map<Run, Double> medians) {
-        List<List<Object>> rows = new ArrayList<>();
-        for (int k = 0; k < found.size(); k++) {
-            Comparison.Plan plan = plans.get(k);
-            Comparison pair = found.get(k);
-            double ours = medians.get(pair.ours());
-            double theirs = medians.get(pair.theirs());
-            rows.add(List.of(plan.atEqual(), plan.workload(), plan.ours(), plan.theirs(),
-                    pair.oursFound().evaluations(),
-                    pair.theirsFound().evaluations(), pair.oursFound().error(), pair.theirsFound().error(),
-                    ours / MICRO,
-                    theirs / MICRO, theirs / ours));
+        record Row(Comparison.Plan plan, Comparison pair, double ours, double theirs) {
         }
-        return new DataTable(COMPARISON,
+        return DataTable.of(COMPARISON,
                 "Beside Hipparchus: the same source, once the same steps, and once the same error",
-                List.of(DataTable.column("equal"), DataTable.column("workload"), DataTable.column("ours"),
-                        DataTable.column("Hipparchus"), DataTable.column("evaluations"),
-                        DataTable.column("its evaluations"),
-                        new DataTable.Column("error", 2), new DataTable.Column("its error", 2),
-                        new DataTable.Column("time (\u00b5s)", 3), new DataTable.Column("its time (\u00b5s)", 3),
-                        new DataTable.Column("its time over ours", 2)), rows);
+                IntStream.range(0, found.size()).mapToObj(k -> new Row(plans.get(k), found.get(k),
+                        medians.get(found.get(k).ours()), medians.get(found.get(k).theirs()))).toList(),
+                column("equal", row -> row.plan.atEqual()), column("workload", row -> row.plan.workload()),
+                column("ours", row -> row.plan.ours()), column("Hipparchus", row -> row.plan.theirs()),
+                column("evaluations", row -> row.pair.oursFound().evaluations()),
+                column("its evaluations", row -> row.pair.theirsFound().evaluations()),
+                column("error", 2, row -> row.pair.oursFound().error()),
+                column("its error", 2, row -> row.pair.theirsFound().error()),
+                column("time (\u00b5s)", 3, row -> row.ours / MICRO),
+                column("its time (\u00b5s)", 3, row -> row.theirs / MICRO),
+                column("its time over ours", 2, row -> row.theirs / row.ours));
     }
 
     /**
@@ -51,36 +49,26 @@ public final class BenchmarkTables {
      * @param medians the time of each (ns)
      */
     static DataTable solvers(List<Run> runs, Map<Run, Double> medians) {
-        List<List<Object>> rows = new ArrayList<>();
-        for (Run run : runs) {
-            Workload workload = Workload.of(run.workload());
-            long evaluations = run.outcome(workload, workload.reference(run.duration())).evaluations();
-            double step = medians.get(run) / run.steps();
-            rows.add(List.of(run.workload(), run.method(), (double) evaluations / run.steps(), step / MICRO,
-                    medians.get(run) / evaluations));
-        }
-        return new DataTable("solvers", "One step of each solver; adaptive ones with their own tolerances",
-                List.of(DataTable.column("workload"), DataTable.column("solver"),
-                new DataTable.Column("evaluations per step", 3),
-                        new DataTable.Column("time a step (\u00b5s)", 3),
-                        new DataTable.Column("time an evaluation (ns)",
-                                3)), rows);
+        return DataTable.of("solvers", "One step of each solver; adaptive ones with their own tolerances", runs,
+                column("workload", Run::workload), column("solver", Run::method),
+                column("evaluations per step", 3, run -> evaluations(run) / run.steps()),
+                column("time a step (\u00b5s)", 3, run -> medians.get(run) / run.steps() / MICRO),
+                column("time an evaluation (ns)", 3, run -> medians.get(run) / evaluations(run)));
+    }
+
+    private static double evaluations(Run run) {
+        Workload workload = Workload.of(run.workload());
+        return run.outcome(workload, workload.reference(run.duration())).evaluations();
     }
 
     /** @param medians the time of each run and of the same one by hand (ns) */
     static DataTable steps(Map<Run, Double> medians) {
-        List<List<Object>> rows = new ArrayList<>();
-        medians.forEach((run, time) -> {
-            if (medians.containsKey(ByHand.like(run))) {
-                double byHand = medians.get(ByHand.like(run));
-                rows.add(List.of(run.workload(), run.method(), time / run.steps() / MICRO,
-                        byHand / run.steps() / MICRO, time / byHand));
-            }
-        });
-        return new DataTable(STEPS, "A step of ours beside plain loops written by hand for the workload",
-                List.of(DataTable.column("workload"), DataTable.column("solver"),
-                        new DataTable.Column("ours (\u00b5s)", 3), new DataTable.Column("by hand (\u00b5s)", 3),
-                        new DataTable.Column("ours over by hand", 3)), rows);
+        return DataTable.of(STEPS, "A step of ours beside plain loops written by hand for the workload",
+                medians.keySet().stream().filter(run -> medians.containsKey(ByHand.like(run))).toList(),
+                column("workload", Run::workload), column("solver", Run::method),
+                column("ours (\u00b5s)", 3, run -> medians.get(run) / run.steps() / MICRO),
+                column("by hand (\u00b5s)", 3, run -> medians.get(ByHand.like(run)) / run.steps() / MICRO),
+                column("ours over by hand", 3, run -> medians.get(run) / medians.get(ByHand.like(run))));
     }
 
     private static String twoDigits(double ratio) {

@@ -1,5 +1,7 @@
 package benchmarks;
 
+import static particles.view.DataTable.column;
+
 import deSolvers.catalog.SolverCatalog;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -7,17 +9,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
-import particles.ParticleSystem;
 import particles.experiments.runs.ProgressListener;
-import particles.law.DivisibleEffect;
-import particles.law.Effect;
 import particles.output.FrameBenchmark;
 import particles.view.DataTable;
 
 /** The list of all benchmarks, which can be chosen by name. */
 public final class Benchmarks {
     private static final int STEPS = 16;
-    private static final double MICRO = 1e3;
     private static final double MILLI = 1e6;
     private static final List<String> SCENES = List.of("02-one-spring", "09-cloth-in-wind", "10-jelly-block");
     private static final List<String> FRAMES = List.of("05-hanging-chain", "08-cloth", "09-cloth-in-wind");
@@ -50,7 +48,6 @@ public final class Benchmarks {
         Comparison.plans().forEach(plan -> names.add(plan.toString()));
         runs().forEach(run -> names.add(name("solver", run)));
         steps().forEach(run -> names.add(name("steps", run)));
-        EffectCases.names().forEach(effect -> names.add("effect " + effect));
         SCENES.forEach(scene -> names.add("scene " + scene));
         FRAMES.forEach(scene -> names.add("frame " + scene));
         return names;
@@ -96,10 +93,9 @@ public final class Benchmarks {
         List<Run> runs = runs().stream().filter(run -> included.test(name("solver", run))).toList();
         List<Run> steps = steps().stream().filter(run -> included.test(name("steps", run)))
                 .flatMap(run -> Stream.of(run, ByHand.like(run))).toList();
-        List<String> effects = chosen("effect ", EffectCases.names());
         List<String> scenes = chosen("scene ", SCENES);
         List<String> frames = chosen("frame ", FRAMES);
-        int all = both.size() + runs.size() + steps.size() + effects.size() + scenes.size() + frames.size();
+        int all = both.size() + runs.size() + steps.size() + scenes.size() + frames.size();
         if (!comparisons.isEmpty()) {
             tables.add(BenchmarkTables.comparison(plans, comparisons,
                     medians(stopwatch, SolveBenchmark.class, both, all)));
@@ -110,16 +106,13 @@ public final class Benchmarks {
         if (!steps.isEmpty()) {
             tables.add(BenchmarkTables.steps(medians(inOneProcess, SolveBenchmark.class, steps, all)));
         }
-        if (!effects.isEmpty()) {
-            tables.add(effectTable(medians(stopwatch, EffectBenchmark.class, effects, all)));
-        }
         if (!scenes.isEmpty()) {
-            tables.add(timeTable("scenes", "Reading, checking and building a scene", "scene", MILLI,
+            tables.add(timeTable("scenes", "Reading, checking and building a scene",
                     medians(stopwatch, SceneBenchmark.class, scenes, all)));
         }
         if (!frames.isEmpty()) {
             tables.add(timeTable("frames",
-                    "Drawing a frame of 1280 x 720 pixels and compressing it to PNG, on one thread", "scene", MILLI,
+                    "Drawing a frame of 1280 x 720 pixels and compressing it to PNG, on one thread",
                     medians(stopwatch, FrameBenchmark.class, frames, all)));
         }
         return tables;
@@ -138,22 +131,8 @@ public final class Benchmarks {
         return medians;
     }
 
-    private static DataTable effectTable(Map<String, Double> medians) {
-        List<List<Object>> rows = new ArrayList<>();
-        medians.forEach((name, nanos) -> {
-            ParticleSystem system = EffectCases.build(name);
-            Effect effect = EffectCases.effect(name, system);
-            int size = effect instanceof DivisibleEffect springs ? springs.size() : system.getParticles().count();
-            rows.add(List.of(name, size, nanos / MICRO, nanos / size));
-        });
-        return new DataTable("effects", "One evaluation of an effect's forces", List.of(DataTable.column("effect"),
-                DataTable.column("particles or springs"), new DataTable.Column("time (\u00b5s)", 3),
-                new DataTable.Column("each (ns)", 3)), rows);
-    }
-
-    private static DataTable timeTable(String name, String title, String of, double unit, Map<String, Double> medians) {
-        List<List<Object>> rows = new ArrayList<>();
-        medians.forEach((what, nanos) -> rows.add(List.of(what, nanos / unit)));
-        return new DataTable(name, title, List.of(DataTable.column(of), new DataTable.Column("time (ms)", 3)), rows);
+    private static DataTable timeTable(String name, String title, Map<String, Double> medians) {
+        return DataTable.of(name, title, List.copyOf(medians.keySet()), column("scene", scene -> scene),
+                column("time (ms)", 3, scene -> medians.get(scene) / MILLI));
     }
 }

@@ -2,6 +2,7 @@ package benchmarks;
 
 import java.util.ArrayList;
 import java.util.List;
+import particles.experiments.runs.FewestSteps;
 
 /**
  * One of our solvers beside one of Hipparchus' integrators, both on one workload: either the same method with the same
@@ -79,8 +80,7 @@ record Comparison(Run ours, Run.Outcome oursFound, Run theirs, Run.Outcome their
             loose = tight;
             tight -= 0.5;
             if (tight < Math.log10(TIGHTEST)) {
-                throw new IllegalStateException(method + " does not reach an error of " + ERROR + " on the "
-                        + workload.name());
+                throw missed(method, workload);
             }
         }
         for (int k = 0; k < HALVINGS && loose > tight; k++) {
@@ -99,25 +99,17 @@ record Comparison(Run ours, Run.Outcome oursFound, Run theirs, Run.Outcome their
     }
 
     private static Run bySteps(Workload workload, String method, double[] reference) {
-        int few = 1;
-        int enough = 16;
-        while (!reaches(steps(workload, method, enough), workload, reference)) {
-            few = enough;
-            enough *= 2;
-            if (enough > MOST_STEPS) {
-                throw new IllegalStateException(method + " does not reach an error of " + ERROR + " on the "
-                        + workload.name());
-            }
+        int steps = FewestSteps.find(16, MOST_STEPS, 1, enough ->
+                reaches(steps(workload, method, enough), workload, reference));
+        if (steps == 0) {
+            throw missed(method, workload);
         }
-        while (enough - few > 1) {
-            int middle = (few + enough) / 2;
-            if (reaches(steps(workload, method, middle), workload, reference)) {
-                enough = middle;
-            } else {
-                few = middle;
-            }
-        }
-        return steps(workload, method, enough);
+        return steps(workload, method, steps);
+    }
+
+    private static IllegalStateException missed(String method, Workload workload) {
+        return new IllegalStateException(method + " does not reach an error of " + ERROR + " on the "
+                + workload.name());
     }
 
     private static Run steps(Workload workload, String method, int steps) {

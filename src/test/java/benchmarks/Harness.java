@@ -17,8 +17,7 @@ import particles.output.FrameBenchmark;
  * processor does this in every build; as a separate step it costs nothing in other builds.
  */
 final class Harness {
-    static final List<Class<?>> BENCHMARKS = List.of(SolveBenchmark.class, EffectBenchmark.class, SceneBenchmark.class,
-            FrameBenchmark.class);
+    static final List<Class<?>> BENCHMARKS = List.of(SolveBenchmark.class, SceneBenchmark.class, FrameBenchmark.class);
 
     private Harness() {
     }

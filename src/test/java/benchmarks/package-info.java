@@ -2,7 +2,7 @@
  * Programs that measure time, run by their own tasks and never by tests; tests check the counts behind them.
  *
  * <h2>All benchmarks: {@code gradle benchmark}</h2>
- * Every solver, effect, reading a scene and drawing a frame, and solvers beside Hipparchus, by JMH, in three minutes.
+ * Every solver, reading a scene and drawing a frame, and solvers beside Hipparchus, by JMH, in three minutes.
  * {@code -Pinclude=chain} measures a part; {@code -Pforks=3 -Piterations=10} gives closer medians; {@code -Pseconds} is
  * the length of an iteration. Results go to {@code build/out/benchmark}.
  *
@@ -42,3 +42,4 @@
  * system, for {@code run --scene=2 --frames=false} with its two charts: the median of five starts, without other work.
  */
 package benchmarks;
+

@@ -3,6 +3,7 @@ package deSolvers.text;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
+import java.util.Locale;
 
 /** Numbers in messages for people: a few digits, the same in every locale. */
 public final class Digits {
@@ -14,6 +15,16 @@ public final class Digits {
     /** @return the number with 3 digits at most: 0.05, 12.6, 6.02e23 */
     public static String few(double value) {
         return write(value, new MathContext(FEW, RoundingMode.HALF_EVEN));
+    }
+
+    /** @return the number with so many digits at most */
+    public static String few(double value, int digits) {
+        return write(value, new MathContext(digits));
+    }
+
+    /** @return the text with numbers in it, the same in every locale; see {@link String#format} */
+    public static String format(String text, Object... values) {
+        return String.format(Locale.ROOT, text, values);
     }
 
     /** @return the number rounded towards zero to 2 digits, for numbers that have to stay below a limit */

@@ -119,6 +119,11 @@ public record ChartData(Finding finding, String xLabel, String yLabel, boolean x
                     items.stream().mapToDouble(y).toArray());
         }
 
+        /** @return a series of points (x, y) */
+        public static Series of(String name, Mark mark, List<double[]> points) {
+            return of(name, mark, points, point -> point[0], point -> point[1]);
+        }
+
         /** @return a series of one point */
         public static Series point(String name, Mark mark, double x, double y) {
             return new Series(name, mark, new double[] {x}, new double[] {y});

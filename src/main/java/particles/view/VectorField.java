@@ -1,5 +1,7 @@
 package particles.view;
 
+import java.util.stream.IntStream;
+
 /**
  * The vector field ds/dt of one degree of freedom over its state space: the arrows on the slide "Vectors show the
  * vector field" for s = (x, v). Arrow k stands at (x[k], v[k]) and points along (dx[k], dv[k]).
@@ -16,5 +18,13 @@ public record VectorField(double[] x, double[] v, double[] dx, double[] dv) {
             throw new IllegalArgumentException("a vector field of " + x.length + ", " + v.length + ", " + dx.length
                     + " and " + dv.length + " entries; all four have to be of one length");
         }
+    }
+
+    /** @return arrows at all pairs of these positions and velocities, with accelerations of 0 as yet */
+    public static VectorField over(double[] positions, double[] velocities) {
+        int n = positions.length * velocities.length;
+        double[] x = IntStream.range(0, n).mapToDouble(k -> positions[k % positions.length]).toArray();
+        double[] v = IntStream.range(0, n).mapToDouble(k -> velocities[k / positions.length]).toArray();
+        return new VectorField(x, v, v.clone(), new double[n]);
     }
 }

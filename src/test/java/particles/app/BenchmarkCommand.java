@@ -20,13 +20,13 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /** {@code gradle benchmark}: a separate program, since it needs test classes. */
-@Command(name = BenchmarkCommand.NAME, description = "Measures the speed of solvers, effects, scenes and frames.")
+@Command(name = BenchmarkCommand.NAME, description = "Measures the speed of solvers, scenes and frames.")
 final class BenchmarkCommand extends ExperimentCommand {
     static final String NAME = "benchmark";
 
     @Option(names = "--include", paramLabel = "REGEX", defaultValue = "",
             description =
-                    "Only what this regular expression is found in, such as 'chain rk4' or '^effect' (default: all).")
+                    "Only what this regular expression is found in, such as 'chain rk4' or '^scene' (default: all).")
     private String include;
 
     @Option(names = "--forks", paramLabel = "NUMBER", defaultValue = "1",

@@ -3,6 +3,7 @@ package particles.app.experiments;
 import java.util.List;
 import particles.app.cli.Mistakes;
 import particles.experiments.energy.DriftCharts;
+import particles.experiments.energy.DriftHeadline;
 import particles.experiments.energy.EnergyDrift;
 import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.runs.ProgressListener;
@@ -39,7 +40,7 @@ public final class EnergyDriftCommand extends ExperimentCommand {
         String caption = "Above: the size of the error, logarithmic. Below: the error itself while it is less than"
                 + " 0.1. A cross marks a run that ended early.";
         Picture picture = Picture.stacked("energy-drift", caption, charts);
-        return new ResultPage(name(), DriftCharts.finding(comparison), List.of(
+        return new ResultPage(name(), DriftHeadline.of(comparison), List.of(
                 """
                         The energy error is the change of the total energy minus the work of drag, damping, wind, \
                         contacts and collisions: it is the solver's error. It is divided by the largest kinetic plus \

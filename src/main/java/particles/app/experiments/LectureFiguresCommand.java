@@ -4,7 +4,6 @@ import deSolvers.catalog.SolverCatalog;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.NoSuchElementException;
 import java.util.Optional;
 import particles.app.cli.Mistakes;
@@ -39,24 +38,16 @@ public final class LectureFiguresCommand extends ExperimentCommand {
 
     @Override
     protected void read(Mistakes mistakes) {
-        mistakes.check(this::checkDeltaT);
-        mistakes.check(this::checkSteps);
+        if (deltaT != null) {                           // picocli leaves an option null that was not given
+            mistakes.check(() -> positive("deltaT", deltaT));
+            mistakes.check(() -> requireSolver("deltaT"));
+        }
+        if (steps != null) {
+            mistakes.check(() -> requireWithin("steps", steps, 1, MOST_STEPS));
+            mistakes.check(() -> requireSolver("steps"));
+        }
         mistakes.check(this::checkSolver);
         super.read(mistakes);
-    }
-
-    private void checkDeltaT() {
-        if (deltaT != null) {                           // picocli leaves an option null that was not given
-            positive("deltaT", deltaT);
-            requireSolver("deltaT");
-        }
-    }
-
-    private void checkSteps() {
-        if (steps != null) {
-            requireWithin("steps", steps, 1, MOST_STEPS);
-            requireSolver("steps");
-        }
     }
 
     private void checkSolver() {
@@ -82,20 +73,16 @@ public final class LectureFiguresCommand extends ExperimentCommand {
         if (solver != null) {
             figures.add(new Figure(solver, deltaT == null ? DELTA_T : deltaT, steps == null ? STEPS : steps));
         }
-        List<Result> results = new ArrayList<>();
-        List<Picture> pictures = new ArrayList<>();
-        List<Panel> panels = new ArrayList<>();
-        pictures.add(Picture.phase("vector-field", "The vector field of x'' = -x, and the one solution through (1, 0).",
-                LectureFigures.exactChart(), Optional.of(LectureFigures.field(1.5))).again());
-        panels.add(Panel.phase(LectureFigures.exactChart(), Optional.of(LectureFigures.field(1.5))));
-        for (Figure figure : figures) {
-            progress.reached((double) results.size() / figures.size(), figure.solver());
-            Result result = LectureFigures.run(figure);
-            results.add(result);
+        List<Result> results = progress.each(figures, Figure::solver, LectureFigures::run);
+        Panel alone = Panel.phase(LectureFigures.exactChart(), Optional.of(LectureFigures.field(1.5)));
+        List<Panel> panels = new ArrayList<>(List.of(alone));
+        List<Picture> pictures = new ArrayList<>(List.of(Picture.of("vector-field",
+                "The vector field of x'' = -x, and the one solution through (1, 0).", alone).again()));
+        for (Result result : results) {
             Panel panel = Panel.phase(LectureFigures.chart(result, title(result)),
                     Optional.of(LectureFigures.field(LectureFigures.reach(result))));
             panels.add(panel);
-            pictures.add(Picture.of(fileName(figure), caption(result), panel).again());
+            pictures.add(Picture.of(fileName(result.figure()), caption(result), panel).again());
         }
         pictures.add(0, Picture.panels("all-figures", "All figures beside each other; each has its own scale.",
                 "Euler and midpoint spiral outwards, RK4 inwards: how fast depends on the step", panels)
@@ -117,14 +104,13 @@ public final class LectureFiguresCommand extends ExperimentCommand {
     private static String title(Result result) {
         Figure figure = result.figure();
         return figure.solver() + ", deltaT = " + Digits.exact(figure.deltaT()) + " s, " + figure.steps() + " steps: "
-                + String.format(Locale.ROOT, "amplitude\u00a0\u00d7\u00a0%.4g, phase\u00a0%+.2g\u00a0rad",
+                + Digits.format("amplitude\u00a0\u00d7\u00a0%.4g, phase\u00a0%+.2g\u00a0rad",
                 result.amplitude(),
                 result.phaseError()).replace('-', '\u2212');
     }
 
     private static String caption(Result result) {
-        return String.format(Locale.ROOT,
-                "%s, deltaT = %s s, %d steps: the amplitude is multiplied by %.6f, the energy by %.6f,"
+        return Digits.format("%s, deltaT = %s s, %d steps: the amplitude is multiplied by %.6f, the energy by %.6f,"
                 + " and the phase %s by %.6f rad.", result.figure().solver(), Digits.exact(result.figure().deltaT()),
                 result.figure().steps(), result.amplitude(), result.amplitude() * result.amplitude(),
                 result.phaseError() > 0 ? "runs ahead" : "lags", Math.abs(result.phaseError()));

@@ -3,7 +3,6 @@ package particles.app.experiments;
 import deSolvers.text.Digits;
 import java.math.BigDecimal;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
 import particles.app.cli.Mistakes;
@@ -144,8 +143,8 @@ public final class RaceCommand extends ExperimentCommand {
                         . The strip below shows the energy error of each solver, physics taken out, over the energy \
                         scale. A solver that fails, or goes far from where the reference ever is, leaves the race; \
                         its panel stays as it was.""",
-                String.format(Locale.ROOT, "The animation runs %s.", Math.abs(speed - 1) < 0.01 ? "in real time"
-                        : String.format(Locale.ROOT, "at %.3g times the speed of the scene", speed))),
+                Digits.format("The animation runs %s.", Math.abs(speed - 1) < 0.01 ? "in real time"
+                        : Digits.format("at %.3g times the speed of the scene", speed))),
                 List.of(Picture.made(GifAnimation.FILE, "The race."),
                         Picture.made(SHEET, "The end of the race, and the energy error over time."),
                         Picture.stacked("race-charts", """

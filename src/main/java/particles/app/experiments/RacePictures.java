@@ -1,8 +1,6 @@
 package particles.app.experiments;
 
 import deSolvers.text.Digits;
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleConsumer;
@@ -82,7 +80,7 @@ final class RacePictures implements Race.ObserverFactory, AutoCloseable {
      */
     void write(ChartWriter writer, String sheet, Result race, DoubleConsumer progress) {
         List<RaceFilm.Words> words = race.lanes().stream().map(lane -> new RaceFilm.Words(
-                lane.match().setting().solver().label(), step(lane), cost(lane, race.equalTime()), lane.left()))
+                lane.label(), step(lane), cost(lane, race.equalTime()), lane.left()))
                 .toList();
         film.orElseThrow().write(writer, sheet, new RaceFilm.Head(race.scene() + ": " + RaceCharts.work(race),
                 RaceCharts.finding(race), "Grey ghost: the reference, " + Race.REFERENCE + ".", words),
@@ -91,12 +89,8 @@ final class RacePictures implements Race.ObserverFactory, AutoCloseable {
 
     /** Two digits, as there is little room; the table has the others. */
     private static String step(Lane lane) {
-        return lane.match().setting().tolerance().map(t -> "tolerance " + two(t)).orElseGet(() -> "deltaT = "
-                + two(lane.match().setting().deltaT()) + " s");
-    }
-
-    private static String two(double value) {
-        return Digits.few(new BigDecimal(value).round(new MathContext(2)).doubleValue());
+        return lane.match().setting().tolerance().map(t -> "tolerance " + Digits.few(t, 2)).orElseGet(() -> "deltaT = "
+                + Digits.few(lane.match().setting().deltaT(), 2) + " s");
     }
 
     private static String cost(Lane lane, boolean equalTime) {

@@ -1,5 +1,6 @@
 package particles.app.experiments;
 
+import deSolvers.text.Digits;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
@@ -107,8 +108,7 @@ public final class ReportCommand extends ResultsCommand {
                         progress.reached((done + part) / chosen.size(), experiment.name() + ", " + what)));
             }
             ReportWriter.write(folder, FILE, new Report(title(), text(), sections,
-                    String.format(Locale.ROOT,
-                    "Made by gradle report of DESolver %s in %.0f s.", Version.CURRENT,
+                    Digits.format("Made by gradle report of DESolver %s in %.0f s.", Version.CURRENT,
                     (System.nanoTime() - begin) * NANO)));
         }
         for (Section section : sections) {

@@ -5,7 +5,6 @@ import static particles.view.DataTable.column;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.spectrum.Mode;
@@ -66,20 +65,19 @@ final class SceneStabilityPage {
     private static String title(SceneDescription scene, List<Limit> limits, Mode fastest) {
         String limit = limits.stream().filter(known -> known.measured() > 0
                 && known.measured() < Double.POSITIVE_INFINITY).findFirst()
-                .map(known -> String.format(Locale.ROOT, ", and %s is stable with steps up to deltaT = %.3g s",
+                .map(known -> Digits.format(", and %s is stable with steps up to deltaT = %.3g s",
                         known.solver().label(), known.predicted() > 0
                         ? Math.min(known.predicted(), known.measured()) : known.measured()))
                 .orElse("");
-        return String.format(Locale.ROOT, "%s: the fastest mode has |lambda| = %.3g /s%s", scene.title(),
+        return Digits.format("%s: the fastest mode has |lambda| = %.3g /s%s", scene.title(),
                 fastest.size(), limit);
     }
 
     private static List<String> text(Spectrum spectrum, Mode fastest) {
         String grows = spectrum.growth() == 0 ? ""
-                : String.format(Locale.ROOT, " Some motion grows by itself, by %.3g /s: that is physics, not an"
+                : Digits.format(" Some motion grows by itself, by %.3g /s: that is physics, not an"
                         + " error of the solver.", spectrum.growth());
-        return List.of(String.format(Locale.ROOT,
-                """
+        return List.of(Digits.format("""
                         Predicted: the scene's equations, linearised at its start, have modes with eigenvalues up to \
                         |lambda| = %.8g /s (%s, %d products with the Jacobian, relative error below %.0e). The \
                         longest safe step is the one at which the solver's own factor of some mode exceeds 1. A mode \

@@ -1,6 +1,5 @@
 package particles.app.experiments;
 
-import java.util.ArrayList;
 import java.util.List;
 import particles.app.cli.Mistakes;
 import particles.experiments.runs.ProgressListener;
@@ -37,11 +36,8 @@ public final class StiffGalleryCommand extends ExperimentCommand {
 
     @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
-        List<Sweep> sweeps = new ArrayList<>();
-        for (SolverChoice choice : choices) {
-            progress.reached((double) sweeps.size() / choices.size(), choice.label());
-            sweeps.add(StiffGallery.sweep(choice, decades));
-        }
+        List<Sweep> sweeps = progress.each(choices, SolverChoice::label, choice ->
+                StiffGallery.sweep(choice, decades));
         return new ResultPage(name(), StiffCharts.finding(sweeps), List.of(
                 """
                         Two masses swing together on soft springs, with omega = 1. The spring between them is at \

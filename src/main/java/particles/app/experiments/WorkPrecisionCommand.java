@@ -2,9 +2,7 @@ package particles.app.experiments;
 
 import deSolvers.text.Digits;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import particles.app.cli.Mistakes;
 import particles.experiments.lecture.CostExercise;
@@ -30,6 +28,8 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
     private static final double SECONDS_A_CURVE = 1.4;
     /** A problem that takes longer than this (s) is announced. */
     private static final double LONG = 45;
+    /** The part of the time that the references take. */
+    private static final double REFERENCES = 0.1;
     private static final String FAILURES = " Below: the runs without a result.";
 
     @Option(names = "--problem", paramLabel = "NAMES", defaultValue = "all",
@@ -62,32 +62,26 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
 
     @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
-        Map<WorkProblem, List<Curve>> all = new LinkedHashMap<>();
-        for (String name : names) {
-            progress.reached((double) all.size() / names.size(), name + ", the reference");
-            WorkProblem solved = WorkProblems.of(name);
-            List<Curve> curves = new ArrayList<>();
-            for (SolverChoice choice : choices) {
-                progress.reached((all.size() + (double) curves.size() / choices.size()) / names.size(), choice.label()
-                        + " on " + name);
-                curves.add(WorkPrecision.measure(solved, choice));
-            }
-            all.put(solved, curves);
-        }
-        progress.reached(1, "the lecture's exercise");
-        List<Cost> costs = CostExercise.solve();
+        List<WorkProblem> problems = progress.part(0, REFERENCES).each(names, name -> name + ", the reference",
+                WorkProblems::of);
         List<Picture> pictures = new ArrayList<>();
-        all.forEach((solved, curves) -> {
+        List<Curve> all = new ArrayList<>();
+        for (WorkProblem solved : problems) {
+            double done = REFERENCES + (1 - REFERENCES) * problems.indexOf(solved) / problems.size();
+            List<Curve> curves = progress.part(done, done + (1 - REFERENCES) / problems.size()).each(choices, choice ->
+                    choice.label() + " on " + solved.name(), choice -> WorkPrecision.measure(solved, choice));
             String caption = solved.title() + " over " + Digits.few(solved.duration()) + " s; reference: "
                     + solved.origin() + ".";
             pictures.add(Picture.stacked(solved.name() + "-evaluations", caption
-                    + " The slope is fitted through the filled points."
-                    + FAILURES, WorkCharts.byEvaluations(solved, curves)));
+                    + " The slope is fitted through the filled points." + FAILURES, WorkCharts.byEvaluations(curves)));
             pictures.add(Picture.stacked(solved.name() + "-time", caption
                     + " CPU time, the median of five or more runs after a warm-up; bars go from the lower to the upper"
                     + " quartile. One solver is called first only if its bar overlaps no other." + FAILURES,
-                    WorkCharts.byTime(solved, curves)));
-        });
+                    WorkCharts.byTime(curves)));
+            all.addAll(curves);
+        }
+        progress.reached(1, "the lecture's exercise");
+        List<Cost> costs = CostExercise.solve();
         return new ResultPage(name(), CostExercise.finding(costs), List.of(
                 """
                         Each line is a solver, each point a run with half the step, or a tenth of the tolerance, of \

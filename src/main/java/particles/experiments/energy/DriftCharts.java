@@ -1,7 +1,8 @@
 package particles.experiments.energy;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
+import static particles.view.DataTable.column;
+
+import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -34,23 +35,17 @@ public final class DriftCharts {
         List<Series> logarithmic = new ArrayList<>();
         List<double[]> failures = new ArrayList<>();
         for (Drift drift : comparison.drifts()) {
-            String name = drift.setting().solver().label();
-            int n = 0;
-            while (n < drift.error().length && Math.abs(drift.error()[n]) <= LINEAR) {
-                n++;
-            }
-            linear.add(new Series(name, Mark.LINE, Arrays.copyOf(drift.time(), n), Arrays.copyOf(drift.error(), n)));
-            double[] size = Arrays.stream(drift.error()).map(e -> Math.abs(e) < SMALLEST ? Double.NaN
-                    : Math.abs(e)).toArray();
-            logarithmic.add(new Series(name, Mark.LINE, drift.time(), size));
+            double[] error = drift.error();
+            int n = (int) Arrays.stream(error).takeWhile(e -> Math.abs(e) <= LINEAR).count();
+            linear.add(new Series(drift.label(), Mark.LINE, Arrays.copyOf(drift.time(), n), Arrays.copyOf(error, n)));
+            logarithmic.add(new Series(drift.label(), Mark.LINE, drift.time(), Arrays.stream(error).map(Math::abs)
+                    .map(e -> e < SMALLEST ? Double.NaN : e).toArray()));
             if (drift.kind() == Kind.FAILED) {
-                failures.add(new double[] {drift.time()[drift.time().length - 1], Math.max(SMALLEST,
-                        Math.abs(drift.end()))});
+                failures.add(new double[] {drift.time()[error.length - 1], Math.max(SMALLEST, Math.abs(drift.end()))});
             }
         }
         if (!failures.isEmpty()) {
-            logarithmic.add(new Series(STOPPED, Mark.FAILURES, failures.stream().mapToDouble(f -> f[0]).toArray(),
-                    failures.stream().mapToDouble(f -> f[1]).toArray()));
+            logarithmic.add(Series.of(STOPPED, Mark.FAILURES, failures));
         }
         return List.of(new ChartData(drawn -> DriftHeadline.of(comparison.of(drawn)), "time (s)",
                         "|energy error| / scale", false, true, logarithmic),
@@ -60,34 +55,17 @@ public final class DriftCharts {
 
     /**
      * @param comparison the measured drifts
-     * @return a sentence that names each error with its size, the worst first
-     */
-    public static String finding(Comparison comparison) {
-        return DriftHeadline.of(comparison);
-    }
-
-    /**
-     * @param comparison the measured drifts
      * @return a row for each solver; tolerances and failures have a column only if there are any
      */
     public static DataTable table(Comparison comparison) {
-        List<List<Object>> rows = new ArrayList<>();
-        for (Drift drift : comparison.drifts()) {
-            rows.add(List.of(drift.setting().solver().label(), drift.setting().deltaT(),
-                    drift.setting().tolerance().orElse(Double.NaN), drift.end(), drift.extreme(), drift.slope(),
-                    drift.kind().words(), drift.outcome().evaluations(),
-                    drift.outcome().seconds(),
-                    drift.outcome().failure().orElse("")));
-        }
-        String scale = new BigDecimal(comparison.scale()).round(new MathContext(4)).stripTrailingZeros()
-                .toPlainString();
-        return new DataTable("drift",
-                "Numerical energy error as a part of the energy scale of an accurate run, " + scale + " J",
-                List.of(DataTable.column("solver"), DataTable.column("deltaT (s)"), DataTable.column("tolerance"),
-                        new DataTable.Column("end drift", 3), new DataTable.Column("largest", 3),
-                        new DataTable.Column("slope (1/s)", 3), DataTable.column("error over time"),
-                        DataTable.column("evaluations"),
-                        new DataTable.Column("time (s)", 2), DataTable.column("why it ended")), rows)
-                .withoutEmptyColumns();
+        return DataTable.of("drift", "Numerical energy error as a part of the energy scale of an accurate run, "
+                + Digits.few(comparison.scale(), 4) + " J", comparison.drifts(), column("solver", Drift::label),
+                column("deltaT (s)", drift -> drift.setting().deltaT()),
+                column("tolerance", drift -> drift.setting().tolerance().orElse(Double.NaN)),
+                column("end drift", 3, Drift::end), column("largest", 3, Drift::extreme),
+                column("slope (1/s)", 3, Drift::slope), column("error over time", drift -> drift.kind().words()),
+                column("evaluations", drift -> drift.outcome().evaluations()),
+                column("time (s)", 2, drift -> drift.outcome().seconds()),
+                column("why it ended", drift -> drift.outcome().failure().orElse(""))).withoutEmptyColumns();
     }
 }

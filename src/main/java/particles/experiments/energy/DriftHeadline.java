@@ -1,9 +1,6 @@
 package particles.experiments.energy;
 
 import deSolvers.text.Digits;
-import java.math.BigDecimal;
-import java.math.MathContext;
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -15,7 +12,7 @@ import particles.experiments.energy.EnergyDrift.Kind;
 import particles.experiments.runs.SolverChoice;
 
 /** One sentence about a comparison: each solver's energy error with its size, the worst first. */
-final class DriftHeadline {
+public final class DriftHeadline {
     /** The largest number of solvers named; the others, which are better, are summed up in the last place. */
     private static final int NAMED = 4;
     /** From ten times the energy on, a percentage is hard to read. */
@@ -24,14 +21,18 @@ final class DriftHeadline {
     private DriftHeadline() {
     }
 
-    static String of(Comparison comparison) {
+    /**
+     * @param comparison the measured drifts
+     * @return a sentence that names each error with its size, the worst first
+     */
+    public static String of(Comparison comparison) {
         return start(comparison) + parts(comparison) + end(comparison);
     }
 
     /** Of a chart that ends at a part of the energy scale: the solvers that leave it, then the others. */
     static String within(double limit, Comparison comparison) {
         List<String> far = comparison.drifts().stream().filter(drift -> drift.largest() > limit)
-                .map(DriftHeadline::label).toList();
+                .map(Drift::label).toList();
         Comparison near = comparison.only(drift -> drift.largest() <= limit);
         return start(comparison) + (far.isEmpty() ? "" : said(far, "exceeds " + part(limit)))
                 + (far.isEmpty() || near.drifts().isEmpty() ? "" : "; ") + parts(near) + end(comparison);
@@ -47,25 +48,19 @@ final class DriftHeadline {
     }
 
     private static String parts(Comparison comparison) {
-        List<Drift> drifts = comparison.drifts().stream().sorted(WORST_FIRST).toList();
-        Map<String, List<String>> verdicts = new LinkedHashMap<>();     // equal ones share a place
-        for (Drift drift : drifts) {
-            verdicts.computeIfAbsent(verdict(drift), verdict -> new ArrayList<>()).add(label(drift));
-        }
+        // equal verdicts share a place
+        Map<String, List<Drift>> verdicts = comparison.drifts().stream().sorted(WORST_FIRST).collect(
+                Collectors.groupingBy(DriftHeadline::verdict, LinkedHashMap::new, Collectors.toList()));
         int places = verdicts.size() <= NAMED + 1 ? verdicts.size() : NAMED;
-        String parts = verdicts.entrySet().stream().limit(places).map(place -> said(place.getValue(), place.getKey()))
-                .collect(Collectors.joining("; "));
-        long named = verdicts.values().stream().limit(places).mapToLong(List::size).sum();
-        String others = named == drifts.size() ? "" : "; the other " + (drifts.size() - named)
-                + " are off by at most " + part(drifts.stream().filter(drift -> verdicts.keySet().stream().skip(places)
-                .anyMatch(verdict(drift)::equals)).mapToDouble(DriftHeadline::size).max().orElse(0));
-        return parts + others;
+        List<Drift> others = verdicts.values().stream().skip(places).flatMap(List::stream).toList();
+        return verdicts.entrySet().stream().limit(places).map(place -> said(place.getValue().stream()
+                .map(Drift::label).toList(), place.getKey())).collect(Collectors.joining("; "))
+                + (others.isEmpty() ? "" : "; the other " + others.size() + " are off by at most "
+                + part(others.stream().mapToDouble(DriftHeadline::size).max().orElse(0)));
     }
 
-    /** One solver gains, stays, blows up; several gain, stay, blow up. */
     private static String said(List<String> solvers, String verdict) {
-        return SolverChoice.together(solvers) + " " + (solvers.size() == 1 ? verdict
-                : verdict.replaceFirst("^is ", "are ").replaceFirst("^(\\w+)s ", "$1 "));
+        return SolverChoice.together(solvers) + " " + SolverChoice.verb(solvers.size(), verdict);
     }
 
     /** Failures come first, by the time that they reached, then the others by the size of their error. */
@@ -78,10 +73,6 @@ final class DriftHeadline {
         return drift.kind() == Kind.SECULAR ? Math.abs(drift.end()) : drift.largest();
     }
 
-    private static String label(Drift drift) {
-        return drift.setting().solver().label();
-    }
-
     static String verdict(Drift drift) {
         return switch (drift.kind()) {
             case FAILED -> (drift.largest() > MANY_TIMES ? "blows up" : "stops") + " at t = "
@@ -89,13 +80,8 @@ final class DriftHeadline {
             case SECULAR -> (drift.end() > 0 ? "gains " : "loses ") + part(size(drift));
             case BOUNDED -> "stays within " + part(size(drift));
             case ROUNDING -> "is exact to round-off";
-            case EXCHANGING -> sign(drift) + part(size(drift));
+            case EXCHANGING -> (drift.extreme() > 0 ? "+" : drift.extreme() < 0 ? "\u2212" : "") + part(size(drift));
         };
-    }
-
-    /** Whether the largest error is a gain or a loss. */
-    private static String sign(Drift drift) {
-        return drift.extreme() > 0 ? "+" : drift.extreme() < 0 ? "\u2212" : "";
     }
 
     /** A part of the energy scale, in percent. */
@@ -104,7 +90,6 @@ final class DriftHeadline {
     }
 
     private static String two(double value) {
-        return Double.isFinite(value) ? Digits.few(new BigDecimal(value).round(new MathContext(2)).doubleValue())
-                : Double.toString(value);
+        return Double.isFinite(value) ? Digits.few(value, 2) : Double.toString(value);
     }
 }

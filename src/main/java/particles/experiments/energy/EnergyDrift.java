@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Predicate;
 import particles.Observer;
 import particles.energy.EnergyHistory;
@@ -36,7 +35,6 @@ public final class EnergyDrift {
     /** When a motion has decayed, its error no longer grows and ends at its largest value. */
     private static final double STILL = 0.98;
     private static final double REFERENCE_TOLERANCE = 1e-9;
-    private static final long MOST_EVALUATIONS = 20_000_000;
 
     /** The kind of growth of an energy error. */
     public enum Kind {
@@ -81,6 +79,11 @@ public final class EnergyDrift {
     public record Drift(Setting setting, double[] time, double[] error, double end, double largest, double slope,
             Kind kind, Outcome outcome) {
 
+        /** @return the solver's name in charts */
+        public String label() {
+            return setting.label();
+        }
+
         /** @return the error of the largest size, with its sign: above 0 if energy was gained */
         public double extreme() {
             return Arrays.stream(error).boxed().max(Comparator.comparingDouble(Math::abs)).orElse(0.0);
@@ -124,13 +127,10 @@ public final class EnergyDrift {
         double scale = scale(scene);
         long target = 4 * Math.max(1, Math.round(scene.duration() / scene.deltaT()));
         EqualWork work = new EqualWork(scene, scene.duration(), target);
-        List<Drift> drifts = new ArrayList<>();
-        for (SolverChoice solver : solvers) {
-            progress.reached((double) drifts.size() / solvers.size(), solver.label());
-            Setting setting = equalWork ? work.find(solver).setting() : new Setting(solver, scene.deltaT(),
-                    Optional.empty());
-            drifts.add(measure(SceneRun.build(scene, setting, scene.duration()), setting, scale, List.of()));
-        }
+        List<Drift> drifts = progress.each(solvers, SolverChoice::label, solver -> {
+            Setting setting = equalWork ? work.find(solver).setting() : Setting.of(solver, scene.deltaT());
+            return measure(SceneRun.build(scene, setting, scene.duration()), setting, scale, List.of());
+        });
         return new Comparison(scene.title(), scene.duration(), scale, equalWork, drifts);
     }
 
@@ -139,7 +139,7 @@ public final class EnergyDrift {
         DriftRecorder recorder = new DriftRecorder(built);
         List<Observer> observers = new ArrayList<>(beside);
         observers.add(recorder);
-        Outcome outcome = SceneRun.run(built, MOST_EVALUATIONS, observers);
+        Outcome outcome = SceneRun.run(built, observers);
         return judge(setting, recorder.getCurve(), recorder.getExchanged(), scale, outcome);
     }
 
@@ -177,11 +177,9 @@ public final class EnergyDrift {
     /** The largest kinetic plus stored energy of a very accurate run. */
     private static double scale(SceneDescription scene) {
         EnergyHistory history = new EnergyHistory();
-        Setting setting = new Setting(SolverChoice.ACCURATE, scene.deltaT(),
-                Optional.of(REFERENCE_TOLERANCE));
-        Scene reference = SceneRun.build(scene, setting, scene.duration());
-        Outcome outcome = SceneRun.run(reference, MOST_EVALUATIONS, List.of(history));
-        return outcome.failure().isEmpty() ? history.getScaleOr(reference.energyEstimate())
-                : reference.energyEstimate();
+        Scene reference = SceneRun.build(scene, Setting.accurate(scene.deltaT(), REFERENCE_TOLERANCE),
+                scene.duration());
+        return SceneRun.run(reference, List.of(history)).failure().isEmpty()
+                ? history.getScaleOr(reference.energyEstimate()) : reference.energyEstimate();
     }
 }

@@ -5,13 +5,15 @@ import static particles.view.DataTable.column;
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.Oscillator;
+import deSolvers.text.Digits;
 import java.util.List;
-import java.util.Locale;
+import particles.experiments.runs.FewestSteps;
 import particles.view.DataTable;
 
 /** The lecture's exercise: "Estimate cost of RK4 versus midpoint for similar accuracy", on x'' = -x over 100 s. */
 public final class CostExercise {
     private static final double DURATION = 100;
+    private static final int MOST_STEPS = 1 << 24;
     private static final List<Double> ERRORS = List.of(1e-1, 1e-2, 1e-3, 1e-4, 1e-6);
 
     private CostExercise() {
@@ -33,21 +35,7 @@ public final class CostExercise {
 
     /** The fewest steps that reach the error; in this range the error falls with each additional step. */
     private static long steps(String solver, double error) {
-        int few = 100;
-        int enough = 200;
-        while (error(solver, enough) > error) {
-            few = enough;
-            enough *= 2;
-        }
-        while (enough - few > 1) {
-            int middle = (few + enough) / 2;
-            if (error(solver, middle) > error) {
-                few = middle;
-            } else {
-                enough = middle;
-            }
-        }
-        return enough;
+        return FewestSteps.find(200, MOST_STEPS, 1, steps -> error(solver, steps) <= error);
     }
 
     private static double error(String name, int steps) {
@@ -58,9 +46,7 @@ public final class CostExercise {
         }
         double[] state = oscillator.getState();
         double[] exact = oscillator.exactState(DURATION);
-        double dx = state[0] - exact[0];
-        double dv = state[1] - exact[1];
-        return Math.sqrt(dx * dx + dv * dv);
+        return Math.hypot(state[0] - exact[0], state[1] - exact[1]);
     }
 
     /**
@@ -70,9 +56,9 @@ public final class CostExercise {
     public static String finding(List<Cost> costs) {
         Cost rough = costs.get(0);
         Cost fine = costs.get(costs.size() - 1);
-        return String.format(Locale.ROOT,
-                "The lecture's exercise: the smaller the error, the more a higher order saves. Midpoint costs %.2g"
-                + " times as much as RK4 for an error of %s, and %.2g times as much for %s",
+        return Digits.format("""
+                The lecture's exercise: the smaller the error, the more a higher order saves. Midpoint costs %.2g \
+                times as much as RK4 for an error of %s, and %.2g times as much for %s""",
                 (double) rough.midpoint() / rough.rk4(), rough.error(),
                 (double) fine.midpoint() / fine.rk4(), Double.toString(fine.error()).replace(".0E", "e"));
     }

@@ -9,9 +9,10 @@ import deSolvers.text.Digits;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.stability.StabilityPolynomial;
@@ -52,12 +53,12 @@ public final class LectureFigures {
      *
      * @param figure      the run
      * @param measured    how the last state differs from the exact one
-     * @param theory      the same from R(ih), |R|<sup>N</sup> and N (arg R - h), where it is known
+     * @param theory      the same from R(ih), |R|<sup>N</sup> and N (arg R - h); NaN where it is not known
      * @param evaluations the number of evaluations of the derivative
      * @param x           positions after each step, with the start
      * @param v           velocities
      */
-    public record Result(Figure figure, Spiral measured, Optional<Spiral> theory, long evaluations, double[] x,
+    public record Result(Figure figure, Spiral measured, Spiral theory, long evaluations, double[] x,
             double[] v) {
         /** @return the measured amplitude */
         public double amplitude() {
@@ -107,8 +108,9 @@ public final class LectureFigures {
             // clockwise; each step turns by less than half a circle, so that whole turns are not lost
             turned -= StrictMath.atan2(v[n] * x[n - 1] - x[n] * v[n - 1], x[n] * x[n - 1] + v[n] * v[n - 1]);
         }
-        Optional<Spiral> theory = StabilityPolynomial.of(figure.solver(), figure.deltaT())
-                .map(r -> new Spiral(r.amplitude(figure.steps()), r.phaseError(figure.steps(), figure.deltaT())));
+        Spiral theory = StabilityPolynomial.of(figure.solver(), figure.deltaT())
+                .map(r -> new Spiral(r.amplitude(figure.steps()), r.phaseError(figure.steps(), figure.deltaT())))
+                .orElse(new Spiral(Double.NaN, Double.NaN));
         Spiral measured = new Spiral(Math.sqrt(state[0] * state[0] + state[1] * state[1]),
                 turned - figure.steps() * figure.deltaT());
         return new Result(figure, measured, theory, oscillator.getEvaluations(), x, v);
@@ -142,14 +144,8 @@ public final class LectureFigures {
     }
 
     private static Series exact() {
-        double[] x = new double[CIRCLE];
-        double[] v = new double[CIRCLE];
-        for (int k = 0; k < CIRCLE; k++) {
-            double t = 2 * Math.PI * k / (CIRCLE - 1);
-            x[k] = StrictMath.cos(t);
-            v[k] = -StrictMath.sin(t);
-        }
-        return new Series("exact", Mark.LINE, x, v);
+        return Series.of("exact", Mark.LINE, IntStream.range(0, CIRCLE).mapToObj(k ->
+                2 * Math.PI * k / (CIRCLE - 1)).toList(), StrictMath::cos, t -> -StrictMath.sin(t));
     }
 
     /**
@@ -157,22 +153,16 @@ public final class LectureFigures {
      * @return the field (v, -x) on a square grid around the origin
      */
     public static VectorField field(double reach) {
-        int n = ARROWS * ARROWS;
-        VectorField field = new VectorField(new double[n], new double[n], new double[n], new double[n]);
-        for (int k = 0; k < n; k++) {
-            field.x()[k] = reach * (2.0 * (k % ARROWS) / (ARROWS - 1) - 1);
-            field.v()[k] = reach * (2.0 * (k / ARROWS) / (ARROWS - 1) - 1);
-            field.dx()[k] = field.v()[k];
-            field.dv()[k] = -field.x()[k];
-        }
+        double[] axis = IntStream.range(0, ARROWS).mapToDouble(k -> reach * (2.0 * k / (ARROWS - 1) - 1)).toArray();
+        VectorField field = VectorField.over(axis, axis);
+        Arrays.setAll(field.dv(), k -> -field.x()[k]);
         return field;
     }
 
     /** @return the largest distance of the path from the origin, with a margin */
     public static double reach(Result result) {
-        double x = Arrays.stream(result.x()).map(Math::abs).max().orElse(1);
-        double v = Arrays.stream(result.v()).map(Math::abs).max().orElse(1);
-        return 1.1 * Math.max(1, Math.max(x, v));
+        return 1.1 * DoubleStream.concat(Arrays.stream(result.x()), Arrays.stream(result.v())).map(Math::abs)
+                .reduce(1, Math::max);
     }
 
     /**
@@ -181,9 +171,10 @@ public final class LectureFigures {
      *         the shortest step of a solver that spirals outwards with several
      */
     public static String finding(List<Result> results) {
-        String ways = Stream.of(way(results, "outwards", result -> result.amplitude() > 1),
-                way(results, "inwards", result -> result.amplitude() < 1)).flatMap(Optional::stream)
-                .collect(Collectors.joining(", "));
+        String ways = Stream.of(
+                SolverChoice.said(solvers(results, result -> result.amplitude() > 1), "spirals outwards"),
+                SolverChoice.said(solvers(results, result -> result.amplitude() < 1), "spirals inwards"))
+                .filter(way -> !way.isEmpty()).collect(Collectors.joining(", "));
         for (String solver : solvers(results, result -> result.amplitude() > 1)) {
             List<Result> steps = results.stream().filter(result -> result.figure().solver().equals(solver))
                     .sorted(Comparator.comparingDouble(result -> -result.figure().deltaT())).toList();
@@ -193,12 +184,6 @@ public final class LectureFigures {
             }
         }
         return ways;
-    }
-
-    private static Optional<String> way(List<Result> results, String way, Predicate<Result> goes) {
-        List<String> solvers = solvers(results, goes);
-        return solvers.isEmpty() ? Optional.empty()
-                : Optional.of(String.join(" and ", solvers) + (solvers.size() == 1 ? " spirals " : " spiral ") + way);
     }
 
     private static List<String> solvers(List<Result> results, Predicate<Result> which) {
@@ -222,14 +207,10 @@ public final class LectureFigures {
                 column("solver", result -> result.figure().solver()),
                 column("deltaT (s)", 6, result -> result.figure().deltaT()),
                 column("steps", result -> result.figure().steps()), column("evaluations", Result::evaluations),
-                column("amplitude", 7, Result::amplitude), column("|R|^N", 7, result -> theory(result).amplitude),
+                column("amplitude", 7, Result::amplitude), column("|R|^N", 7, result -> result.theory().amplitude),
                 column("energy", 8, result -> result.amplitude() * result.amplitude()),
-                column("|R|^(2N)", 8, result -> theory(result).amplitude * theory(result).amplitude),
+                column("|R|^(2N)", 8, result -> result.theory().amplitude * result.theory().amplitude),
                 column("phase error (rad)", 6, Result::phaseError),
-                column("N (arg R - h)", 6, result -> theory(result).phaseError));
-    }
-
-    private static Spiral theory(Result result) {
-        return result.theory().orElse(new Spiral(Double.NaN, Double.NaN));
+                column("N (arg R - h)", 6, result -> result.theory().phaseError));
     }
 }

@@ -1,6 +1,8 @@
 package particles.experiments.phase;
 
 import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
+import particles.view.ChartData.Series;
 
 /** The distance of a path in state space from a curve, by shape alone: times are not compared. */
 final class CurveDistance {
@@ -8,34 +10,34 @@ final class CurveDistance {
     private static final int MOST_POINTS = 600;
     private static final int MOST_LINES = 6000;
 
-    private final double[] x;
-    private final double[] v;
-    private final double middleX;
-    private final double middleV;
-    private final double reachX;
-    private final double reachV;
+    private final Series curve;
+    private final DoubleSummaryStatistics positions;
+    private final DoubleSummaryStatistics velocities;
 
-    /**
-     * @param x positions along the curve
-     * @param v the velocities at these positions
-     */
-    CurveDistance(double[] x, double[] v) {
-        this.x = x;
-        this.v = v;
-        middleX = (lowest(x) + highest(x)) / 2;
-        middleV = (lowest(v) + highest(v)) / 2;
-        reachX = (highest(x) - lowest(x)) / 2;
-        reachV = (highest(v) - lowest(v)) / 2;
+    /** @param curve positions along the curve, and the velocities there */
+    CurveDistance(Series curve) {
+        this.curve = curve;
+        positions = Arrays.stream(curve.x()).summaryStatistics();
+        velocities = Arrays.stream(curve.y()).summaryStatistics();
+    }
+
+    /** @return the curve */
+    Series getCurve() {
+        return curve;
+    }
+
+    private static double reach(DoubleSummaryStatistics range) {
+        return (range.getMax() - range.getMin()) / 2;
     }
 
     /** @return whether there is no curve: the particle is at rest, or moves with constant velocity */
     boolean isDegenerate() {
-        return !(reachX > 0 && reachV > 0);
+        return !(reach(positions) > 0 && reach(velocities) > 0);
     }
 
     /** @return whether the particle does not move at all */
     boolean isAtRest() {
-        return reachX == 0 && reachV == 0;
+        return reach(positions) == 0 && reach(velocities) == 0;
     }
 
     /**
@@ -43,30 +45,32 @@ final class CurveDistance {
      *         box
      */
     double outwards(double position, double velocity) {
-        return isDegenerate() ? Double.NaN
-                : Math.max(Math.abs(position - middleX) / reachX, Math.abs(velocity - middleV) / reachV);
+        return isDegenerate() ? Double.NaN : Math.max(outwards(position, positions), outwards(velocity, velocities));
+    }
+
+    private static double outwards(double value, DoubleSummaryStatistics range) {
+        return Math.abs(value - (range.getMin() + range.getMax()) / 2) / reach(range);
     }
 
     /**
-     * @param pathX positions along a path
-     * @param pathV the velocities at these positions
+     * @param path positions along a path, and the velocities there
      * @return the largest distance of its points from the curve, in halves of the curve's width and height; NaN if it
-     *         has
-     * none
+     *         has none
      */
-    double largest(double[] pathX, double[] pathV) {
-        if (isDegenerate()) {
-            return Double.NaN;
-        }
-        double largest = 0;
-        int skip = Math.max(1, pathX.length / MOST_POINTS);
-        for (int k = pathX.length - 1; k >= 0; k -= skip) {
-            largest = Math.max(largest, of(pathX[k], pathV[k]));
+    double largest(Series path) {
+        double largest = isDegenerate() ? Double.NaN : 0;
+        int skip = Math.max(1, path.x().length / MOST_POINTS);
+        for (int k = path.x().length - 1; k >= 0 && largest >= 0; k -= skip) {
+            largest = Math.max(largest, of(path.x()[k], path.y()[k]));
         }
         return largest;
     }
 
     private double of(double position, double velocity) {
+        double[] x = curve.x();
+        double[] v = curve.y();
+        double reachX = reach(positions);
+        double reachV = reach(velocities);
         double nearest = Double.POSITIVE_INFINITY;
         int skip = Math.max(1, x.length / MOST_LINES);
         for (int k = 0; k + 1 < x.length; k += skip) {
@@ -82,13 +86,5 @@ final class CurveDistance {
             nearest = Math.min(nearest, dx * dx + dv * dv);
         }
         return Math.sqrt(nearest);
-    }
-
-    private static double lowest(double[] values) {
-        return Arrays.stream(values).min().orElse(Double.POSITIVE_INFINITY);
-    }
-
-    private static double highest(double[] values) {
-        return Arrays.stream(values).max().orElse(Double.NEGATIVE_INFINITY);
     }
 }

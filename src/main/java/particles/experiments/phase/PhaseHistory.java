@@ -1,8 +1,11 @@
 package particles.experiments.phase;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
@@ -31,8 +34,7 @@ public final class PhaseHistory implements Observer {
     private int pivot;
     private double angle;
     private double rate;
-    private double[] path = new double[COLUMNS * 256];
-    private int count;
+    private final List<double[]> path = new ArrayList<>();
     private long every = 1;
     private long states;
 
@@ -76,19 +78,19 @@ public final class PhaseHistory implements Observer {
         if (about.isPresent()) {
             turn(state, Particles.STRIDE * index, Particles.STRIDE * pivot);
         }
-        if (states++ % every != 0) {
-            return;
+        if (states++ % every == 0) {
+            if (path.size() == CAPACITY) {
+                // every second state goes; their number is even, so the next one is due
+                List<double[]> kept = IntStream.range(0, CAPACITY / 2).mapToObj(k -> path.get(2 * k)).toList();
+                path.clear();
+                path.addAll(kept);
+                every *= 2;
+            }
+            double[] kept = Arrays.copyOfRange(state, Particles.STRIDE * index, Particles.STRIDE * index + COLUMNS);
+            kept[Particles.STRIDE] = angle;
+            kept[Particles.STRIDE + 1] = rate;
+            path.add(kept);
         }
-        if (count == CAPACITY) {
-            halve();
-        }
-        if (COLUMNS * count == path.length) {
-            path = Arrays.copyOf(path, 2 * path.length);
-        }
-        System.arraycopy(state, Particles.STRIDE * index, path, COLUMNS * count, Particles.STRIDE);
-        path[COLUMNS * count + Particles.STRIDE] = angle;
-        path[COLUMNS * count + Particles.STRIDE + 1] = rate;
-        count++;
     }
 
     /** @return the index of a particle, usually the same as before; the number of particles if it was removed */
@@ -113,36 +115,19 @@ public final class PhaseHistory implements Observer {
         rate = (x * vy - y * vx) / (x * x + y * y);
     }
 
-    /** Drops every second of the states kept. Their number is even, so the next state is due. */
-    private void halve() {
-        for (int k = 0; k < count; k += 2) {
-            System.arraycopy(path, COLUMNS * k, path, COLUMNS * (k / 2), COLUMNS);
-        }
-        count /= 2;
-        every *= 2;
-    }
-
     /** @return the axis along which the particle went farthest; x if it did not move */
     public Axis widestAxis() {
-        Axis widest = Axis.X;
-        for (Axis axis : Axis.DIRECTIONS) {
-            if (range(column(axis.ordinal())) > range(column(widest.ordinal()))) {
-                widest = axis;
-            }
-        }
-        return widest;
+        return Axis.DIRECTIONS.stream().reduce((widest, axis) -> range(axis) > range(widest) ? axis : widest)
+                .orElseThrow();
     }
 
-    private static double range(double[] values) {
-        return Arrays.stream(values).max().orElse(0) - Arrays.stream(values).min().orElse(0);
+    private double range(Axis axis) {
+        DoubleSummaryStatistics values = Arrays.stream(column(axis.ordinal())).summaryStatistics();
+        return values.getMax() - values.getMin();
     }
 
     private double[] column(int entry) {
-        double[] values = new double[count];
-        for (int k = 0; k < count; k++) {
-            values[k] = path[COLUMNS * k + entry];
-        }
-        return values;
+        return path.stream().mapToDouble(state -> state[entry]).toArray();
     }
 
     /**
@@ -152,16 +137,16 @@ public final class PhaseHistory implements Observer {
      * @throws IllegalStateException if no run with this particle was observed
      */
     public ChartData chart(Axis axis, String title) {
-        if (count == 0) {
+        if (path.isEmpty()) {
             throw new IllegalStateException("no run with a particle '" + id + "' was observed");
         }
         double[] x = column(axis == Axis.ANGLE ? Particles.STRIDE : axis.ordinal());
         double[] v = column(axis == Axis.ANGLE ? Particles.STRIDE + 1 : axis.ordinal() + 3);
         String whose = " of '" + id + "'" + (axis == Axis.ANGLE ? " about '" + about.orElseThrow() + "'" : "");
-        Mark mark = every > 1 ? Mark.POINTS : count <= FEW ? Mark.LINE_AND_POINTS : Mark.LINE;
+        Mark mark = every > 1 ? Mark.POINTS : path.size() <= FEW ? Mark.LINE_AND_POINTS : Mark.LINE;
         return new ChartData(title, axis.positionLabel(whose), axis.velocityLabel(whose), false, false,
                 List.of(new Series("path", mark, x, v),
                         Series.point("start", Mark.POINTS, x[0], v[0]),
-                        Series.point("end", Mark.POINTS, x[count - 1], v[count - 1])));
+                        Series.point("end", Mark.POINTS, x[x.length - 1], v[x.length - 1])));
     }
 }

@@ -1,19 +1,22 @@
 package particles.experiments.phase;
 
+import static particles.view.DataTable.column;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.DoublePredicate;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import particles.experiments.phase.Portrait.Subject;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SceneRun;
 import particles.experiments.runs.SceneRun.Outcome;
 import particles.experiments.runs.SceneRun.Setting;
 import particles.experiments.runs.SolverChoice;
-import particles.scene.Scene;
 import particles.scene.format.SceneDescription;
-import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 import particles.view.DataTable;
@@ -24,22 +27,7 @@ import particles.view.DataTable;
  */
 public final class PhasePortraits {
     private static final double REFERENCE_TOLERANCE = 1e-10;
-    private static final long MOST_EVALUATIONS = 20_000_000;
     private static final String REFERENCE = "reference";
-
-    /**
-     * One solver's path of one particle.
-     *
-     * @param solver   its label
-     * @param particle the id of the particle
-     * @param axis     the axis of the portrait
-     * @param off      the largest distance of the path from the reference's curve, in halves of the curve's width and
-     *                 height; NaN if the reference has no curve
-     * @param whole    whether the run reached its end
-     * @param chart    the path over the reference, both ends marked
-     */
-    public record Portrait(String solver, String particle, Axis axis, double off, boolean whole, ChartData chart) {
-    }
 
     /**
      * The result of the runs.
@@ -52,6 +40,10 @@ public final class PhasePortraits {
 
     /** One solver's run, with the path of each particle. */
     private record Run(String name, List<PhaseHistory> paths, Outcome outcome) {
+        Series path(int particle, Axis axis) {
+            Series path = paths.get(particle).chart(axis, "").series().get(0);
+            return new Series(name, path.mark() == Mark.POINTS ? Mark.POINTS : Mark.LINE, path.x(), path.y());
+        }
     }
 
     private PhasePortraits() {
@@ -69,46 +61,44 @@ public final class PhasePortraits {
     public static Portraits compare(SceneDescription scene, List<SolverChoice> solvers, List<String> particles,
             List<Axis> axes, Optional<String> about, ProgressListener progress) {
         progress.reached(0, "the reference");
-        Setting tight = new Setting(SolverChoice.ACCURATE, scene.deltaT(),
-                Optional.of(REFERENCE_TOLERANCE));
-        Run reference = run(scene, tight, REFERENCE, particles, about);
-        List<Run> runs = new ArrayList<>();
-        for (SolverChoice solver : solvers) {
-            progress.reached((runs.size() + 1.0) / (solvers.size() + 1), solver.label());
-            runs.add(run(scene, new Setting(solver, scene.deltaT(), Optional.empty()), solver.label(), particles,
-                    about));
-        }
+        Run reference = run(scene, Setting.accurate(scene.deltaT(), REFERENCE_TOLERANCE), REFERENCE, particles, about);
+        List<Run> runs = progress.each(solvers, SolverChoice::label, solver ->
+                run(scene, Setting.of(solver, scene.deltaT()), solver.label(), particles, about));
         List<Portrait> portraits = new ArrayList<>();
-        List<List<Object>> rows = new ArrayList<>();
+        List<Portrait> rows = new ArrayList<>();
         for (int p = 0; p < particles.size(); p++) {
             for (Axis axis : axes.isEmpty() ? List.of(reference.paths().get(p).widestAxis()) : axes) {
-                Series exact = path(reference, p, axis);
-                CurveDistance curve = new CurveDistance(exact.x(), exact.y());
+                Subject subject = new Subject(particles.get(p), axis, particles.size() > 1 || axes.size() > 1
+                        ? "'" + particles.get(p) + "', " : "");
+                CurveDistance curve = new CurveDistance(reference.path(p, axis));
                 for (Run run : runs) {
-                    Series path = path(run, p, axis);
-                    boolean whole = run.outcome().failure().isEmpty();
-                    PortraitChart chart = new PortraitChart(run.name(), path, exact, curve, whole);
-                    portraits.add(new Portrait(run.name(), particles.get(p), axis, chart.getDistanceOff(), whole,
-                            chart.data(particles.size() > 1 || axes.size() > 1 ? "'" + particles.get(p) + "', " : "",
-                                    axis)));
-                    rows.add(row(particles.get(p), axis, run, path, exact, chart.getDistanceOff()));
+                    Series path = run.path(p, axis);
+                    portraits.add(new Portrait(subject, path, curve, curve.largest(path), run.outcome()));
+                    rows.add(portraits.get(portraits.size() - 1));
                 }
-                rows.add(row(particles.get(p), axis, reference, exact, exact, 0));
+                rows.add(new Portrait(subject, curve.getCurve(), curve, 0, reference.outcome()));
             }
         }
         boolean angles = axes.contains(Axis.ANGLE);
-        String length = angles ? " (rad)" : " (m)";
-        String speed = angles ? " (rad/s)" : " (m/s)";
         String position = angles ? "angle" : "position";
         String velocity = angles ? "angular velocity" : "velocity";
-        return new Portraits(portraits, new DataTable("ends",
+        String length = angles ? " (rad)" : " (m)";
+        String speed = angles ? " (rad/s)" : " (m/s)";
+        return new Portraits(portraits, DataTable.of("ends",
                 "Where the particle was at the end, and how far its path was from the reference's curve on the way",
-                List.of(DataTable.column("particle"), DataTable.column("axis"), DataTable.column("solver"),
-                        DataTable.column(position + length), DataTable.column(velocity + speed),
-                        new DataTable.Column(position + " error" + length, 3),
-                        new DataTable.Column(velocity + " error" + speed, 3),
-                        new DataTable.Column("off the curve (%)", 2), DataTable.column("evaluations"),
-                        DataTable.column("why it ended")), rows));
+                rows, column("particle", row -> row.subject().particle()),
+                column("axis", row -> row.subject().axis().symbol()), column("solver", Portrait::solver),
+                column(position + length, row -> last(row.path().x())),
+                column(velocity + speed, row -> last(row.path().y())),
+                column(position + " error" + length, 3, row -> row.error(Series::x)),
+                column(velocity + " error" + speed, 3, row -> row.error(Series::y)),
+                column("off the curve (%)", 2, row -> 100 * row.off()),
+                column("evaluations", row -> row.outcome().evaluations()),
+                column("why it ended", row -> row.outcome().failure().orElse(""))));
+    }
+
+    static double last(double[] values) {
+        return values[values.length - 1];
     }
 
     /**
@@ -123,53 +113,23 @@ public final class PhasePortraits {
                 worst.merge(portrait.solver(), portrait.whole() ? portrait.off() : Double.POSITIVE_INFINITY, Math::max);
             }
         }
-        List<String> stopped = named(worst, off -> off == Double.POSITIVE_INFINITY);
-        List<String> leaving = named(worst, off -> off > PortraitChart.LEFT && off < Double.POSITIVE_INFINITY);
-        List<String> staying = named(worst, off -> off <= PortraitChart.LEFT);
-        List<String> parts = new ArrayList<>();
-        if (!stopped.isEmpty()) {
-            parts.add(joined(stopped) + (stopped.size() == 1 ? " blows up" : " blow up"));
-        }
-        if (!leaving.isEmpty()) {
-            parts.add(joined(leaving) + (leaving.size() == 1 ? " leaves the curve" : " leave the curve"));
-        }
-        if (!staying.isEmpty()) {
-            double off = staying.stream().mapToDouble(worst::get).max().orElse(0);
-            parts.add(joined(staying) + (staying.size() == 1 ? " stays" : " stay") + (leaving.isEmpty()
-                    ? " on the curve to "
-                    : " on it to ")
-                    + PortraitChart.percent(off));
-        }
-        return scene + (parts.isEmpty() ? ", in state space" : ": " + String.join(", ", parts));
+        String leaving = said(worst, off -> off > Portrait.LEFT && off < Double.POSITIVE_INFINITY, "leaves the curve");
+        double most = worst.values().stream().filter(off -> off <= Portrait.LEFT).max(Double::compare).orElse(0.0);
+        String parts = Stream.of(said(worst, off -> off == Double.POSITIVE_INFINITY, "blows up"), leaving,
+                said(worst, off -> off <= Portrait.LEFT, (leaving.isEmpty() ? "stays on the curve to "
+                        : "stays on it to ") + Portrait.percent(most)))
+                .filter(part -> !part.isEmpty()).collect(Collectors.joining(", "));
+        return scene + (parts.isEmpty() ? ", in state space" : ": " + parts);
     }
 
-    private static List<String> named(Map<String, Double> worst, DoublePredicate which) {
-        return worst.keySet().stream().filter(solver -> which.test(worst.get(solver))).toList();
-    }
-
-    private static String joined(List<String> names) {
-        return names.size() > 3 ? names.size() + " solvers" : SolverChoice.together(names);
+    private static String said(Map<String, Double> worst, DoublePredicate which, String does) {
+        return SolverChoice.said(worst.keySet().stream().filter(solver -> which.test(worst.get(solver))).toList(),
+                does);
     }
 
     private static Run run(SceneDescription scene, Setting setting, String name, List<String> particles,
             Optional<String> about) {
         List<PhaseHistory> paths = particles.stream().map(id -> new PhaseHistory(id, about)).toList();
-        Scene built = SceneRun.build(scene, setting, scene.duration());
-        return new Run(name, paths, SceneRun.run(built, MOST_EVALUATIONS, paths));
-    }
-
-    private static Series path(Run run, int particle, Axis axis) {
-        Series path = run.paths().get(particle).chart(axis, "").series().get(0);
-        return new Series(run.name(), path.mark() == Mark.POINTS ? Mark.POINTS : Mark.LINE, path.x(), path.y());
-    }
-
-    private static List<Object> row(String particle, Axis axis, Run run, Series path, Series exact, double off) {
-        int end = path.x().length - 1;
-        int last = exact.x().length - 1;
-        boolean whole = run.outcome().failure().isEmpty();
-        return List.of(particle, axis.symbol(), run.name(), path.x()[end], path.y()[end],
-                whole ? Math.abs(path.x()[end] - exact.x()[last]) : Double.NaN,
-                whole ? Math.abs(path.y()[end] - exact.y()[last]) : Double.NaN, 100 * off, run.outcome().evaluations(),
-                run.outcome().failure().orElse(""));
+        return new Run(name, paths, SceneRun.run(SceneRun.build(scene, setting, scene.duration()), paths));
     }
 }

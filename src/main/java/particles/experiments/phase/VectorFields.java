@@ -1,7 +1,9 @@
 package particles.experiments.phase;
 
 import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.view.VectorField;
@@ -34,35 +36,25 @@ public final class VectorFields {
             return Optional.empty();
         }
         Particles particles = system.getParticles();
-        int free = -1;
-        for (int i = 0; i < particles.count(); i++) {
-            if (!particles.isFixed(i)) {
-                if (free >= 0) {
-                    return Optional.empty();
-                }
-                free = i;
-            }
-        }
+        int[] free = IntStream.range(0, particles.count()).filter(i -> !particles.isFixed(i)).toArray();
         double[] xs = grid(x, COLUMNS);
         double[] vs = grid(v, ROWS);
-        if (free < 0 || xs.length == 0 || vs.length == 0) {
+        if (free.length != 1 || xs.length == 0 || vs.length == 0) {
             return Optional.empty();
         }
-        double[] state = new double[system.getStateSize()];
-        System.arraycopy(system.getOwnState(), 0, state, 0, state.length);
+        double[] state = Arrays.copyOf(system.getOwnState(), system.getStateSize());
         double[] force = new double[state.length];
-        int first = Particles.STRIDE * free;
+        int first = Particles.STRIDE * free[0];
         int along = first + axis.ordinal();
         double speedAcross = across(state, first + 3, axis);
-        VectorField field = new VectorField(new double[xs.length * vs.length], new double[xs.length * vs.length],
-                new double[xs.length * vs.length], new double[xs.length * vs.length]);
+        VectorField field = VectorField.over(xs, vs);
         double largest = 0;
         double largestAcross = 0;
         for (int k = 0; k < field.x().length; k++) {
-            state[along] = field.x()[k] = xs[k % xs.length];
-            state[along + 3] = field.v()[k] = field.dx()[k] = vs[k / xs.length];
+            state[along] = field.x()[k];
+            state[along + 3] = field.v()[k];
             system.addUpEffects(state, system.getTime(), force);
-            field.dv()[k] = force[along + 3] * particles.getInverseMasses()[free];
+            field.dv()[k] = force[along + 3] * particles.getInverseMasses()[free[0]];
             largest = Math.max(largest, Math.abs(force[along + 3]));
             largestAcross = Math.max(largestAcross, across(force, first + 3, axis));
         }
@@ -72,26 +64,15 @@ public final class VectorFields {
     }
 
     private static double across(double[] values, int first, Axis axis) {
-        double largest = 0;
-        for (int c = 0; c < 3; c++) {
-            if (c != axis.ordinal()) {
-                largest = Math.max(largest, Math.abs(values[first + c]));
-            }
-        }
-        return largest;
+        return IntStream.range(0, 3).filter(c -> c != axis.ordinal()).mapToDouble(c -> Math.abs(values[first + c]))
+                .max().orElse(0);
     }
 
     private static double[] grid(double[] values, int count) {
-        double low = Arrays.stream(values).min().orElse(0);
-        double high = Arrays.stream(values).max().orElse(0);
-        double extent = high - low;
-        if (!(extent > 0) || !Double.isFinite(extent)) {
-            return new double[0];
-        }
-        double[] grid = new double[count];
-        for (int k = 0; k < count; k++) {
-            grid[k] = low - MARGIN * extent + (1 + 2 * MARGIN) * extent * k / (count - 1);
-        }
-        return grid;
+        DoubleSummaryStatistics range = Arrays.stream(values).summaryStatistics();
+        double low = range.getMin();
+        double extent = range.getMax() - low;
+        return extent > 0 && Double.isFinite(extent) ? IntStream.range(0, count).mapToDouble(k ->
+                low - MARGIN * extent + (1 + 2 * MARGIN) * extent * k / (count - 1)).toArray() : new double[0];
     }
 }

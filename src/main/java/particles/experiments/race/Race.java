@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
@@ -14,7 +15,6 @@ import particles.SimulationException;
 import particles.energy.EnergyHistory;
 import particles.experiments.energy.EnergyDrift;
 import particles.experiments.energy.EnergyDrift.Drift;
-import particles.experiments.runs.AllCores;
 import particles.experiments.runs.EqualTime;
 import particles.experiments.runs.EqualWork;
 import particles.experiments.runs.EqualWork.Match;
@@ -40,7 +40,6 @@ public final class Race {
     private static final double REFERENCE_TOLERANCE = 1e-11;
     /** The reference in words. */
     public static final String REFERENCE = "dormand-prince with a tolerance of 1e-11";
-    private static final long MOST_EVALUATIONS = 20_000_000;
     /** A run farther than this from the reference, in units of the scene's extent, has left the race. */
     private static final double BEYOND = 0.25;
 
@@ -65,9 +64,18 @@ public final class Race {
      * @param states   its states at the frames' times, up to its end: (x1, v1, x2, v2, ...)
      * @param distance its distance from the reference at these times, root mean square over the particles (m); NaN
      *                 where there are not as many particles, or between the steps of an adaptive solver
-     * @param left     the time at which it left the race (s): it failed, or went far from any place of the reference
      */
-    public record Lane(Match match, Drift drift, List<double[]> states, double[] distance, OptionalDouble left) {
+    public record Lane(Match match, Drift drift, List<double[]> states, double[] distance) {
+        /** @return the solver's name in charts */
+        public String label() {
+            return match.label();
+        }
+
+        /** @return the time at which it left the race (s): it failed, or went far from any place of the reference */
+        public OptionalDouble left() {
+            return drift.outcome().failure().isPresent() ? OptionalDouble.of(drift.outcome().endTime())
+                    : OptionalDouble.empty();
+        }
     }
 
     /**
@@ -123,25 +131,22 @@ public final class Race {
         double scale = runReference(reference, extent);
         long evaluations = 4 * Math.max(1, Math.round(scene.duration() / scene.deltaT()));
         boolean equalTime = solvers.stream().anyMatch(SolverChoice::implicit);
-        ProgressListener half = (part, what) -> progress.reached(0.5 * part, what);
-        Shares shares = equalTime ? new EqualTime(scene, evaluations, frames, clock).share(solvers, half)
-                : EqualWork.ofFrames(scene, evaluations, frames).share(solvers, half);
+        ProgressListener first = progress.part(0, 0.5);
+        Shares shares = equalTime ? new EqualTime(scene, evaluations, frames, clock).share(solvers, first)
+                : EqualWork.ofFrames(scene, evaluations, frames).share(solvers, first);
         Scene again = SceneRun.build(scene, tight(), scene.duration());
         List<Observer> ghost = factory.of(again, Optional.empty(), extent);
         List<Supplier<Optional<Lane>>> runs = new ArrayList<>();
         runs.add(() -> {
-            SceneRun.run(again, MOST_EVALUATIONS, ghost);
+            SceneRun.run(again, ghost);
             return Optional.empty();
         });
         for (Match match : shares.matches()) {
             runs.add(lane(match, rate, scale, reference.getStates(), extent, factory));
         }
-        List<Lane> lanes = AllCores.map(runs, Supplier::get, (part, what) -> progress.reached(0.5 + 0.5 * part, what),
-                run -> "the race").stream().flatMap(Optional::stream).toList();
-        double[] times = new double[reference.getStates().size()];
-        for (int k = 0; k < times.length; k++) {
-            times[k] = k / rate;
-        }
+        List<Lane> lanes = progress.part(0.5, 1).onAllCores(runs, run -> "the race", Supplier::get).stream()
+                .flatMap(Optional::stream).toList();
+        double[] times = IntStream.range(0, reference.getStates().size()).mapToDouble(k -> k / rate).toArray();
         return new Result(scene.title(), scene.duration(), times, equalTime, shares, scale, reference.getStates(),
                 lanes);
     }
@@ -152,15 +157,14 @@ public final class Race {
      */
     private Setting tight() {
         double frame = scene.duration() / frames;
-        return new Setting(SolverChoice.ACCURATE, frame / Math.ceil(frame / scene.deltaT()),
-                Optional.of(REFERENCE_TOLERANCE));
+        return Setting.accurate(frame / Math.ceil(frame / scene.deltaT()), REFERENCE_TOLERANCE);
     }
 
     /** @return the energy scale */
     private double runReference(FrameStates states, Extent extent) {
         EnergyHistory energy = new EnergyHistory();
         Scene built = SceneRun.build(scene, tight(), scene.duration());
-        Outcome outcome = SceneRun.run(built, MOST_EVALUATIONS, List.of(energy, states, extent));
+        Outcome outcome = SceneRun.run(built, List.of(energy, states, extent));
         if (outcome.failure().isPresent()) {
             throw new SimulationException(outcome.endTime(), -1, "no race without a reference (" + REFERENCE + "): "
                     + outcome.failure().get(), null);
@@ -182,9 +186,7 @@ public final class Race {
             for (int k = 0; k < distance.length; k += framesAStep(match.setting())) {
                 distance[k] = distance(states.getStates().get(k), reference.get(k));
             }
-            OptionalDouble left = drift.outcome().failure().isPresent() ? OptionalDouble.of(drift.outcome().endTime())
-                    : OptionalDouble.empty();
-            return Optional.of(new Lane(match, drift, states.getStates(), distance, left));
+            return Optional.of(new Lane(match, drift, states.getStates(), distance));
         };
     }
 

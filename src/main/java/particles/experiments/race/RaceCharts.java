@@ -1,11 +1,12 @@
 package particles.experiments.race;
 
+import static java.util.stream.Collectors.joining;
 import static particles.view.DataTable.column;
 
+import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.IntStream;
 import particles.experiments.energy.DriftCharts;
 import particles.experiments.energy.EnergyDrift.Comparison;
@@ -54,23 +55,18 @@ public final class RaceCharts {
         List<Series> series = new ArrayList<>();
         List<double[]> left = new ArrayList<>();
         for (Lane lane : race.lanes()) {
-            int[] known = IntStream.range(1, lane.distance().length).filter(k -> lane.distance()[k] >= SMALLEST)
-                    .toArray();
-            double[] time = Arrays.stream(known).mapToDouble(k -> race.times()[k]).toArray();
-            double[] distance = Arrays.stream(known).mapToDouble(k -> lane.distance()[k]).toArray();
-            series.add(new Series(label(lane), Mark.LINE, time, distance));
-            if (lane.left().isPresent() && known.length > 0) {
-                left.add(new double[] {time[known.length - 1], distance[known.length - 1]});
+            List<double[]> known = IntStream.range(1, lane.distance().length)
+                    .filter(k -> lane.distance()[k] >= SMALLEST)
+                    .mapToObj(k -> new double[] {race.times()[k], lane.distance()[k]}).toList();
+            series.add(Series.of(lane.label(), Mark.LINE, known));
+            if (lane.left().isPresent() && !known.isEmpty()) {
+                left.add(known.get(known.size() - 1));
             }
         }
         if (!left.isEmpty()) {
-            series.add(Series.of(DriftCharts.STOPPED, Mark.FAILURES, left, end -> end[0], end -> end[1]));
+            series.add(Series.of(DriftCharts.STOPPED, Mark.FAILURES, left));
         }
         return new ChartData(title(race), "time (s)", "distance from the reference (m)", false, true, series);
-    }
-
-    private static String label(Lane lane) {
-        return lane.match().setting().solver().label();
     }
 
     /**
@@ -80,11 +76,11 @@ public final class RaceCharts {
     public static String work(Result race) {
         double work = race.shares().work();
         if (!race.equalTime()) {
-            return String.format(Locale.ROOT, "equal work, %d evaluations each", Math.round(work));
+            return Digits.format("equal work, %d evaluations each", Math.round(work));
         }
         double spread = EqualTime.spread(race.shares());
-        return spread > TOO_MUCH - 1 ? String.format(Locale.ROOT, "no equal time, up to %.3g times as long", 1 + spread)
-                : String.format(Locale.ROOT, "equal time, %.3g ms each to within %.0f %%", 1000 * work,
+        return spread > TOO_MUCH - 1 ? Digits.format("no equal time, up to %.3g times as long", 1 + spread)
+                : Digits.format("equal time, %.3g ms each to within %.0f %%", 1000 * work,
                         Math.ceil(100 * spread));
     }
 
@@ -105,20 +101,18 @@ public final class RaceCharts {
         List<String> parts = new ArrayList<>();
         List<String> nearest = nearest(race);
         if (!nearest.isEmpty()) {
-            parts.add(SolverChoice.together(nearest) + (nearest.size() == 1 ? " stays" : " stay")
-                    + " nearest to the reference");
+            parts.add(SolverChoice.together(nearest) + " "
+                    + SolverChoice.verb(nearest.size(), "stays nearest to the reference"));
         }
         List<Lane> left = race.lanes().stream().filter(lane -> lane.left().isPresent()).toList();
-        if (left.size() > 3) {
-            parts.add(left.size() + " solvers leave");
-        } else if (!left.isEmpty()) {
-            parts.add(String.join(", ", left.stream().map(lane -> label(lane)
-                    + String.format(Locale.ROOT, " leaves at t = %.3g s", lane.left().getAsDouble())).toList()));
+        if (!left.isEmpty()) {
+            parts.add(left.size() > 3 ? left.size() + " solvers leave" : left.stream().map(lane -> lane.label()
+                    + Digits.format(" leaves at t = %.3g s", lane.left().getAsDouble())).collect(joining(", ")));
         }
         for (Lane lane : race.lanes()) {
             double cost = share(race, lane);
             if (cost > TOO_MUCH) {
-                parts.add(label(lane) + String.format(Locale.ROOT, " cannot do with less than %.3g times the %s", cost,
+                parts.add(lane.label() + Digits.format(" cannot do with less than %.3g times the %s", cost,
                         race.equalTime() ? "time" : "work"));
             }
         }
@@ -132,7 +126,7 @@ public final class RaceCharts {
         double nearest = compared.stream().mapToDouble(RaceCharts::mean).min().orElse(0);
         double size = race.reference().stream().flatMapToDouble(Arrays::stream).map(Math::abs).max().orElse(0);
         return compared.stream().filter(lane -> mean(lane) <= AS_NEAR * nearest + ROUND_OFF * size)
-                .map(RaceCharts::label).toList();
+                .map(Lane::label).toList();
     }
 
     /** The work of a lane, divided by the work that each was to have. */
@@ -152,7 +146,7 @@ public final class RaceCharts {
      * @return the table, with a row for each solver
      */
     public static DataTable table(Result race) {
-        return DataTable.of("race", race.scene() + ", " + work(race), race.lanes(), column("solver", RaceCharts::label),
+        return DataTable.of("race", race.scene() + ", " + work(race), race.lanes(), column("solver", Lane::label),
                 column("deltaT (s)", lane -> lane.match().setting().deltaT()),
                 column("tolerance", 2, lane -> lane.match().setting().tolerance().orElse(Double.NaN)),
                 column("evaluations", lane -> lane.drift().outcome().evaluations()),

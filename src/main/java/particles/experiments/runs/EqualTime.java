@@ -58,7 +58,7 @@ public final class EqualTime {
         this.evaluations = evaluations;
         this.clock = clock;
         work = EqualWork.ofFrames(scene, evaluations, frames);
-        rk4 = new Setting(SolverChoice.RK4, scene.duration() / Math.max(1, evaluations / 4), Optional.empty());
+        rk4 = Setting.of(SolverChoice.RK4, scene.duration() / Math.max(1, evaluations / 4));
     }
 
     /**

@@ -41,6 +41,10 @@ public final class EqualWork {
      * @param whole       whether the run came to its end; if not, its cost is that of the whole duration by proportion
      */
     public record Match(Setting setting, long evaluations, OptionalDouble seconds, double aStep, boolean whole) {
+        /** @return the solver's name in charts */
+        public String label() {
+            return setting.label();
+        }
     }
 
     /**
@@ -147,8 +151,7 @@ public final class EqualWork {
         long most = Math.round(MOST_RAISE * target) + FEW;
         for (int trial = 0; trial < TRIALS; trial++) {
             steps = Math.max(steps + 1, Math.round(SHORTER * steps));
-            Match next = measure(new Setting(match.setting().solver(), duration / steps, Optional.empty()), steps,
-                    most);
+            Match next = measure(Setting.of(match.setting().solver(), duration / steps), steps, most);
             if (next.whole()) {
                 return next;
             }
@@ -169,8 +172,8 @@ public final class EqualWork {
         Optional<SolverChoice> slowest = Optional.empty();
         for (int round = 1; ; round++) {
             long least = work;
-            List<Match> matches = AllCores.map(solvers, solver -> find(solver, LOOSEST, least), progress,
-                    solver -> "equal work for " + solver.label());
+            List<Match> matches = progress.onAllCores(solvers, solver -> "equal work for " + solver.label(), solver ->
+                    find(solver, LOOSEST, least));
             double most = MOST_RAISE * target;
             Optional<Match> over = matches.stream().filter(match -> match.whole() && match.evaluations() <= most
                     && match.evaluations() - least >= match.aStep()).max(Comparator.comparingLong(Match::evaluations));
@@ -187,7 +190,7 @@ public final class EqualWork {
         long steps = Math.max(1, Math.round(wanted / 4.0));
         Optional<Match> best = Optional.empty();
         for (int trial = 0; trial < TRIALS; trial++) {
-            Match match = measure(new Setting(solver, duration / steps, Optional.empty()), steps,
+            Match match = measure(Setting.of(solver, duration / steps), steps,
                     Math.round(MOST_RAISE * wanted) + FEW);
             best = Optional.of(better(best, match, wanted));
             long next = Math.max(1, Math.round(wanted / match.aStep()));

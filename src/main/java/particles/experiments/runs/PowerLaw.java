@@ -1,6 +1,7 @@
 package particles.experiments.runs;
 
-import java.util.Arrays;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
 
 /** Powers fitted to measurements: a straight line in logarithms, by least squares. */
 public final class PowerLaw {
@@ -11,17 +12,17 @@ public final class PowerLaw {
     }
 
     /** @return the exponent of y as a power of x; NaN for fewer than three points */
-    public static double exponent(double[] x, double[] y) {
-        if (x.length < FEWEST) {
+    public static <T> double exponent(List<T> points, ToDoubleFunction<? super T> x, ToDoubleFunction<? super T> y) {
+        if (points.size() < FEWEST) {
             return Double.NaN;
         }
-        double meanX = Arrays.stream(x).map(StrictMath::log).average().orElse(0);
-        double meanY = Arrays.stream(y).map(StrictMath::log).average().orElse(0);
+        double meanX = points.stream().mapToDouble(x).map(StrictMath::log).average().orElse(0);
+        double meanY = points.stream().mapToDouble(y).map(StrictMath::log).average().orElse(0);
         double products = 0;
         double squares = 0;
-        for (int k = 0; k < x.length; k++) {
-            double dx = StrictMath.log(x[k]) - meanX;
-            products += dx * (StrictMath.log(y[k]) - meanY);
+        for (T point : points) {
+            double dx = StrictMath.log(x.applyAsDouble(point)) - meanX;
+            products += dx * (StrictMath.log(y.applyAsDouble(point)) - meanY);
             squares += dx * dx;
         }
         return products / squares;

@@ -1,5 +1,10 @@
 package particles.experiments.runs;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Function;
+
 /** Receives the progress of an experiment. */
 public interface ProgressListener {
 
@@ -8,4 +13,45 @@ public interface ProgressListener {
      * @param what the present task, such as {@code rk4 on the pendulum}
      */
     void reached(double part, String what);
+
+    /** @return receives the progress of a task that is a part of this one */
+    default ProgressListener part(double from, double to) {
+        return (part, what) -> reached(from + (to - from) * part, what);
+    }
+
+    /**
+     * Does a task for each item, one after the other.
+     *
+     * @param items the items
+     * @param name  names an item
+     * @param task  the task
+     * @return the results
+     */
+    default <T, R> List<R> each(List<T> items, Function<T, String> name, Function<T, R> task) {
+        List<R> results = new ArrayList<>();
+        for (T item : items) {
+            reached((double) results.size() / items.size(), name.apply(item));
+            results.add(task.apply(item));
+        }
+        return results;
+    }
+
+    /**
+     * Does a task for each item, several at a time. The tasks must not share anything that one of them changes.
+     *
+     * @param items the items
+     * @param name  names an item that is done
+     * @param task  the task; an exception of it ends all
+     * @return the results, in the order of the items
+     */
+    default <T, R> List<R> onAllCores(List<T> items, Function<T, String> name, Function<T, R> task) {
+        AtomicInteger done = new AtomicInteger();
+        return items.parallelStream().map(item -> {
+            R result = task.apply(item);
+            synchronized (done) {
+                reached((double) done.incrementAndGet() / items.size(), name.apply(item));
+            }
+            return result;
+        }).toList();
+    }
 }

@@ -16,6 +16,8 @@ import particles.scene.format.Tolerances;
 
 /** Runs a scene with different solvers. A run that fails is a result too, with the time and the reason. */
 public final class SceneRun {
+    private static final long MOST_EVALUATIONS = 20_000_000;
+
     private SceneRun() {
     }
 
@@ -27,6 +29,20 @@ public final class SceneRun {
      * @param tolerance the relative and absolute tolerance of an adaptive solver; empty for its own
      */
     public record Setting(SolverChoice solver, double deltaT, Optional<Double> tolerance) {
+        /** @return a setting in which an adaptive solver has its own tolerance */
+        public static Setting of(SolverChoice solver, double deltaT) {
+            return new Setting(solver, deltaT, Optional.empty());
+        }
+
+        /** @return the setting of a reference */
+        public static Setting accurate(double deltaT, double tolerance) {
+            return new Setting(SolverChoice.ACCURATE, deltaT, Optional.of(tolerance));
+        }
+
+        /** @return the solver's name in charts */
+        public String label() {
+            return solver.label();
+        }
     }
 
     /**
@@ -59,6 +75,11 @@ public final class SceneRun {
                 ? setting.tolerance().map(Tolerances::both) : Optional.empty();
         return SceneBuilder.build(scene.withSolver(new SolverDescription(setting.solver().name(), tolerances))
                 .withDeltaT(setting.deltaT()).withDuration(duration));
+    }
+
+    /** @return the outcome of a run to its end, to a failure, or to some minutes' work */
+    public static Outcome run(Scene scene, List<? extends Observer> observers) {
+        return run(scene, MOST_EVALUATIONS, observers);
     }
 
     /**

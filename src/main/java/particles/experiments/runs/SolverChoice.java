@@ -73,6 +73,16 @@ public record SolverChoice(String name, Optional<SolverInfo> info) {
         return names.size() > MOST_NAMED ? names.size() + " solvers" : together(names);
     }
 
+    /** @return what one solver or several do: "is never stable", "are never stable" */
+    public static String verb(int solvers, String does) {
+        return solvers == 1 ? does : does.replaceFirst("^is ", "are ").replaceFirst("^(\\w+)s ", "$1 ");
+    }
+
+    /** @return a few names, or their number, and what they do; empty for no names */
+    public static String said(List<String> names, String does) {
+        return names.isEmpty() ? "" : few(names) + " " + verb(names.size(), does);
+    }
+
     /** @return whether it chooses its own sub-steps and takes tolerances */
     public boolean adaptive() {
         return info.isPresent() && info.get().adaptive();

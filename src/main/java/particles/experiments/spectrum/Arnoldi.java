@@ -1,11 +1,14 @@
 package particles.experiments.spectrum;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.ejml.data.Complex_F64;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.data.ZMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
 import org.ejml.dense.row.CommonOps_ZDRM;
 import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
@@ -62,29 +65,18 @@ final class Arnoldi {
                 return;
             }
             hessenberg.set(column + 1, column, next);
-            for (int k = 0; k < image.length; k++) {
-                image[k] /= next;
-            }
-            y = image;
+            y = Linearisation.divided(image, next);
         }
     }
 
     private Spectrum modes() {
         int m = basis.size();
-        DMatrixRMaj square = new DMatrixRMaj(m, m);
-        for (int row = 0; row < m; row++) {
-            for (int column = 0; column < m; column++) {
-                square.set(row, column, hessenberg.get(row, column));
-            }
-        }
+        DMatrixRMaj square = CommonOps_DDRM.extract(hessenberg, 0, m, 0, m);
         EigenDecomposition_F64<DMatrixRMaj> ritz = DecompositionFactory_DDRM.eig(m, false);
         if (!ritz.decompose(square)) {
             throw new ArithmeticException("the eigenvalues of a " + m + " x " + m + " matrix did not converge");
         }
-        double largest = 0;
-        for (int k = 0; k < m; k++) {
-            largest = Math.max(largest, ritz.getEigenvalue(k).getMagnitude());
-        }
+        double largest = IntStream.range(0, m).mapToDouble(k -> ritz.getEigenvalue(k).getMagnitude()).max().orElse(0);
         List<Mode> modes = new ArrayList<>();
         double error = 0;
         for (int k = 0; k < m; k++) {
@@ -93,8 +85,7 @@ final class Arnoldi {
                 continue;
             }
             double[] weights = vector(square, lambda, largest);
-            double residual = next * Math.sqrt(weights[2 * m - 2] * weights[2 * m - 2]
-                    + weights[2 * m - 1] * weights[2 * m - 1]);
+            double residual = next * Linearisation.norm(Arrays.copyOfRange(weights, 2 * m - 2, 2 * m));
             if (residual <= Spectrum.CONVERGED * largest) {
                 modes.add(mode(lambda, weights));
             }
@@ -126,10 +117,7 @@ final class Arnoldi {
             if (!CommonOps_ZDRM.solve(shifted, right, solution)) {
                 throw new ArithmeticException("no eigenvector for the eigenvalue " + lambda);
             }
-            double length = Linearisation.norm(solution.data);
-            for (int k = 0; k < 2 * m; k++) {
-                right.data[k] = solution.data[k] / length;
-            }
+            right.data = Linearisation.divided(solution.data, Linearisation.norm(solution.data));
         }
         return right.data;
     }

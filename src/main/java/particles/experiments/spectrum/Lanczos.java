@@ -3,6 +3,7 @@ package particles.experiments.spectrum;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
@@ -63,10 +64,7 @@ final class Lanczos {
                     return;
                 }
             }
-            for (int k = 0; k < next.length; k++) {
-                next[k] /= beta;
-            }
-            q = next;
+            q = Linearisation.divided(next, beta);
         }
     }
 
@@ -92,11 +90,8 @@ final class Lanczos {
     }
 
     private int top() {
-        int top = 0;
-        for (int k = 1; k < basis.size(); k++) {
-            top = Math.abs(value(k)) > Math.abs(value(top)) ? k : top;
-        }
-        return top;
+        return IntStream.range(0, basis.size()).boxed().max(Comparator.comparingDouble(k -> Math.abs(value(k))))
+                .orElseThrow();
     }
 
     /** The residual |S y - theta y|, from the component of the next direction. */
@@ -128,7 +123,7 @@ final class Lanczos {
             }
         }
         double omega = Math.sqrt(Math.abs(square));
-        return square > 0 ? new Mode(0, omega, square, 0, linear.inState(q, new double[q.length]))
-                : new Mode(omega, 0, square, 0, linear.inState(q, new double[q.length]));
+        return new Mode(square > 0 ? 0 : omega, square > 0 ? omega : 0, square, 0,
+                linear.inState(q, new double[q.length]));
     }
 }

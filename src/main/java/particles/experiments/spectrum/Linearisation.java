@@ -1,8 +1,9 @@
 package particles.experiments.spectrum;
 
+import java.util.Arrays;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import particles.ParticleSystem;
-import particles.law.Effect;
 import particles.law.Effect.Trait;
 import particles.law.Particles;
 import particles.law.Reaction;
@@ -28,21 +29,12 @@ final class Linearisation {
     Linearisation(ParticleSystem system) {
         this.system = system;
         Particles particles = system.getParticles();
-        int free = 0;
-        for (int i = 0; i < particles.count(); i++) {
-            free += particles.isFixed(i) ? 0 : 3;
-        }
-        places = new int[free];
-        rootMasses = new double[free];
+        places = IntStream.range(0, particles.count()).filter(i -> !particles.isFixed(i))
+                .flatMap(i -> IntStream.range(Particles.STRIDE * i, Particles.STRIDE * i + 3)).toArray();
+        rootMasses = Arrays.stream(places).mapToDouble(place -> Math.sqrt(particles.mass(place / Particles.STRIDE)))
+                .toArray();
         direction = new double[system.getStateSize()];
         product = new double[system.getStateSize()];
-        int k = 0;
-        for (int i = 0; i < particles.count(); i++) {
-            for (int c = 0; c < 3 && !particles.isFixed(i); c++) {
-                places[k] = Particles.STRIDE * i + c;
-                rootMasses[k++] = Math.sqrt(particles.mass(i));
-            }
-        }
         frequency = typicalFrequency();
     }
 
@@ -53,12 +45,9 @@ final class Linearisation {
 
     /** @return whether A is symmetric and B is 0: all forces have potentials, and no reaction answers them */
     boolean isConservative() {
-        for (Effect effect : system.getEffects()) {
-            if (effect.dependsOnVelocity() || !effect.getTraits().contains(Trait.CONSERVATIVE)) {
-                return false;
-            }
-        }
-        return system.getReactions().stream().noneMatch(Reaction::isActive);
+        return system.getEffects().stream().allMatch(effect -> !effect.dependsOnVelocity()
+                && effect.getTraits().contains(Trait.CONSERVATIVE))
+                && system.getReactions().stream().noneMatch(Reaction::isActive);
     }
 
     /** @return w (1/s), about the largest angular frequency; 1 if there is no restoring force */
@@ -76,9 +65,7 @@ final class Linearisation {
             if (square == 0) {
                 return 1;
             }
-            for (int k = 0; k < q.length; k++) {
-                q[k] = next[k] / square;
-            }
+            q = divided(next, square);
         }
         return square == 0 ? 1 : Math.sqrt(square);
     }
@@ -90,27 +77,28 @@ final class Linearisation {
         for (int k = 0; k < size; k++) {
             q[k] = random.nextDouble() - 0.5;
         }
-        double length = norm(q);
-        for (int k = 0; k < size; k++) {
-            q[k] /= length;
-        }
-        return q;
+        return divided(q, norm(q));
+    }
+
+    /** @return a vector divided by a number */
+    static double[] divided(double[] a, double by) {
+        return Arrays.stream(a).map(x -> x / by).toArray();
     }
 
     /** Minus the acceleration that a displacement makes: result = -M^(1/2) A M^(-1/2) q. */
     void stiffness(double[] q, double[] result) {
-        multiply(q, 0, 1, null, 0);
-        for (int k = 0; k < places.length; k++) {
-            result[k] = -rootMasses[k] * product[places[k] + 3];
-        }
+        multiply(q, 0, 1, new double[q.length], 0);
+        deceleration(result);
     }
 
     /** Minus the acceleration that a velocity makes: result = -M^(1/2) B M^(-1/2) p. */
     void damping(double[] p, double[] result) {
-        multiply(null, 0, 0, p, 0);
-        for (int k = 0; k < places.length; k++) {
-            result[k] = -rootMasses[k] * product[places[k] + 3];
-        }
+        multiply(new double[p.length], 0, 1, p, 0);
+        deceleration(result);
+    }
+
+    private void deceleration(double[] result) {
+        Arrays.setAll(result, k -> -rootMasses[k] * product[places[k] + 3]);
     }
 
     /**
@@ -128,8 +116,8 @@ final class Linearisation {
 
     private void multiply(double[] q, int fromQ, double scale, double[] p, int fromP) {
         for (int k = 0; k < places.length; k++) {
-            direction[places[k]] = q == null ? 0 : scale * q[fromQ + k] / rootMasses[k];
-            direction[places[k] + 3] = p == null ? 0 : p[fromP + k] / rootMasses[k];
+            direction[places[k]] = scale * q[fromQ + k] / rootMasses[k];
+            direction[places[k] + 3] = p[fromP + k] / rootMasses[k];
         }
         system.getJacobianProduct(direction, product);
     }

@@ -1,14 +1,14 @@
 package particles.experiments.stability;
 
-import deSolvers.DESolverException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.SimulationException;
 import particles.experiments.runs.SceneRun;
 import particles.experiments.runs.SceneRun.Setting;
 import particles.experiments.spectrum.Mode;
@@ -98,12 +98,8 @@ final class PerturbationGrowth {
         }
 
         private double largest(double from, double to) {
-            double largest = 0;
-            for (int k = 0; k < distances.length; k++) {
-                double time = steps.get(k) * deltaT;
-                largest = time >= from && time <= to ? Math.max(largest, distances[k]) : largest;
-            }
-            return largest;
+            return IntStream.range(0, distances.length).filter(k -> steps.get(k) * deltaT >= from
+                    && steps.get(k) * deltaT <= to).mapToDouble(k -> distances[k]).max().orElse(0);
         }
     }
 
@@ -127,24 +123,16 @@ final class PerturbationGrowth {
     Twins run(Setting setting, Mode mode, int steps, int parts) {
         Recorder first = run(setting, steps, parts, Optional.empty());
         Recorder second = run(setting, steps, parts, Optional.of(mode));
-        double[] distances = new double[Math.min(first.states.size(), second.states.size())];
-        for (int k = 0; k < distances.length; k++) {
-            distances[k] = distance(first, second, k, mode.size());
-        }
-        return new Twins(parts * setting.deltaT(), first.steps, distances, first.failure.isPresent() ? first.failure
-                : second.failure);
+        double[] distances = IntStream.range(0, Math.min(first.states.size(), second.states.size())).mapToDouble(k ->
+                distance(first.masses, first.states.get(k), second.states.get(k), mode.size())).toArray();
+        return new Twins(parts * setting.deltaT(), first.steps, distances, first.failure.or(() -> second.failure));
     }
 
     private Recorder run(Setting setting, int steps, int parts, Optional<Mode> mode) {
         Scene built = SceneRun.build(scene, setting, steps * parts * setting.deltaT());
         mode.ifPresent(along -> displace(built.system(), along));
-        Recorder recorder = new Recorder(parts);
-        built.simulation().addObserver(recorder);
-        try {
-            built.simulation().run();
-        } catch (SimulationException | DESolverException e) {
-            recorder.failure = Optional.of(e.getMessage());
-        }
+        Recorder recorder = new Recorder(built.system(), parts);
+        recorder.failure = SceneRun.run(built, List.of(recorder)).failure();
         return recorder;
     }
 
@@ -170,15 +158,13 @@ final class PerturbationGrowth {
         }
     }
 
-    private static double distance(Recorder first, Recorder second, int at, double omega) {
-        double[] a = first.states.get(at);
-        double[] b = second.states.get(at);
+    private static double distance(double[] masses, double[] a, double[] b, double omega) {
         double sum = 0;
         for (int i = 0, x = 0; x < a.length; i++, x += Particles.STRIDE) {
             for (int c = x; c < x + 3; c++) {
                 double dx = omega * (b[c] - a[c]);
                 double dv = b[c + 3] - a[c + 3];
-                sum += first.masses[i] * (dx * dx + dv * dv);
+                sum += masses[i] * (dx * dx + dv * dv);
             }
         }
         return Math.sqrt(sum);
@@ -188,37 +174,30 @@ final class PerturbationGrowth {
     private static final class Recorder implements Observer {
         private final List<double[]> states = new ArrayList<>();
         private final List<Integer> steps = new ArrayList<>();
-        private double[] masses = {};
-        private Optional<String> failure = Optional.empty();
+        private final double[] masses;
         private final int parts;
+        private Optional<String> failure = Optional.empty();
         private int part;
         private boolean comparable = true;
 
-        Recorder(int parts) {
-            this.parts = parts;
-        }
-
-        @Override
-        public void started(ParticleSystem system) {
+        Recorder(ParticleSystem system, int parts) {
             masses = system.getParticles().getMasses().clone();
-            add(system, system.getOwnState(), 0);
+            this.parts = parts;
+            add(system, system.getOwnState());
         }
 
         @Override
         public void moved(Motion motion) {
             part++;
             comparable &= motion.getSystem().getStateSize() == states.get(0).length;
-            int step = part / parts;
-            if (comparable && part % parts == 0 && (step < EVERY || step % EVERY == 0)) {
-                add(motion.getSystem(), motion.getEndState(), step);
+            if (comparable && part % parts == 0 && (part < EVERY * parts || part / parts % EVERY == 0)) {
+                add(motion.getSystem(), motion.getEndState());
             }
         }
 
-        private void add(ParticleSystem system, double[] state, int step) {
-            double[] copy = new double[system.getStateSize()];
-            System.arraycopy(state, 0, copy, 0, copy.length);
-            states.add(copy);
-            steps.add(step);
+        private void add(ParticleSystem system, double[] state) {
+            states.add(Arrays.copyOf(state, system.getStateSize()));
+            steps.add(part / parts);
         }
     }
 }

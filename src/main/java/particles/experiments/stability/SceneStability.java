@@ -1,13 +1,14 @@
 package particles.experiments.stability;
 
-import java.util.ArrayList;
+import static particles.view.DataTable.column;
+
+import deSolvers.text.Digits;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
+import java.util.stream.IntStream;
 import particles.ParticleSystem;
-import particles.experiments.runs.AllCores;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SceneRun;
 import particles.experiments.runs.SceneRun.Outcome;
@@ -74,8 +75,12 @@ public final class SceneStability {
      * @param note      the reason why longer steps are not safe, or the longest step tried
      */
     public record Limit(SolverChoice solver, double predicted, double measured, double predictedGrowth,
-            double measuredGrowth,
-                        String note) {
+            double measuredGrowth, String note) {
+        /** @return whether it was predicted and measured that steps up to a limit are safe */
+        boolean isFinite() {
+            return measured > 0 && measured < Double.POSITIVE_INFINITY && predicted > 0
+                    && predicted < Double.POSITIVE_INFINITY && !solver.adaptive();
+        }
     }
 
     private SceneStability(SceneDescription scene, Spectrum spectrum) {
@@ -97,8 +102,8 @@ public final class SceneStability {
         SceneStability stability = new SceneStability(scene, spectrum);
         // each run is a system of its own, so that solvers share nothing but the fine runs, which do not depend on who
         // asks first
-        return AllCores.map(solvers, stability::limit, progress,
-                solver -> "found the largest safe step of " + solver.label());
+        return progress.onAllCores(solvers, solver -> "found the largest safe step of " + solver.label(),
+                stability::limit);
     }
 
     /** @return the spectrum of the scene's start, without modes too slow to be seen in the scene's duration */
@@ -109,7 +114,7 @@ public final class SceneStability {
     }
 
     private static ParticleSystem atStart(SceneDescription scene) {
-        return SceneRun.build(scene, setting(SolverChoice.RK4, scene.deltaT()), scene.deltaT()).system();
+        return SceneRun.build(scene, Setting.of(SolverChoice.RK4, scene.deltaT()), scene.deltaT()).system();
     }
 
     private Limit limit(SolverChoice solver) {
@@ -117,8 +122,7 @@ public final class SceneStability {
         if (solver.info().isEmpty()) {
             return bisected(solver, Double.NaN, 2 / fastest.size(), fastest);
         }
-        SpectrumLimit theory = new SpectrumLimit(Amplification.of(solver.info().get()),
-                solver.info().get().secondOrder(), spectrum);
+        SpectrumLimit theory = new SpectrumLimit(solver.info().get(), spectrum);
         double predicted = theory.deltaT();
         Mode most = theory.growingMost(scene.deltaT());
         if (solver.adaptive() || predicted == Double.POSITIVE_INFINITY) {
@@ -127,7 +131,7 @@ public final class SceneStability {
         if (predicted > 0) {
             return bisected(solver, predicted, predicted, theory.deciding());
         }
-        Twins pair = twins.run(setting(solver, scene.deltaT()), most, PerturbationGrowth.STEPS);
+        Twins pair = twins.run(Setting.of(solver, scene.deltaT()), most, PerturbationGrowth.STEPS);
         double growth = theory.factor(most, scene.deltaT()) - 1;
         double measured = pair.factor(motion(most)) - 1;
         boolean leaves = growth > StabilityLimit.ROUND_OFF && measured * FAR_OFF < growth;
@@ -143,7 +147,7 @@ public final class SceneStability {
             safe /= BRACKET;
             if (n == MOST_BRACKETS) {
                 return new Limit(solver, predicted, 0, Double.NaN, Double.NaN,
-                        String.format(Locale.ROOT, "grows even at %.3g s", unsafe));
+                        Digits.format("grows even at %.3g s", unsafe));
             }
         }
         for (int n = 0; isSafe(solver, unsafe, mode); n++) {
@@ -151,7 +155,7 @@ public final class SceneStability {
             unsafe *= BRACKET;
             if (n == MOST_BRACKETS) {
                 return new Limit(solver, predicted, Double.POSITIVE_INFINITY, Double.NaN, Double.NaN,
-                        String.format(Locale.ROOT, "longest tried: %.3g s", safe));
+                        Digits.format("longest tried: %.3g s", safe));
             }
         }
         while (unsafe > safe * (1 + ACCURACY)) {
@@ -170,7 +174,7 @@ public final class SceneStability {
     }
 
     private boolean isSafe(SolverChoice solver, double deltaT, Mode mode) {
-        Twins pair = twins.run(setting(solver, deltaT), mode, PerturbationGrowth.STEPS);
+        Twins pair = twins.run(Setting.of(solver, deltaT), mode, PerturbationGrowth.STEPS);
         return pair.failure().isEmpty() && !pair.leaves(fine(mode, PerturbationGrowth.STEPS * deltaT));
     }
 
@@ -182,7 +186,7 @@ public final class SceneStability {
         Twins known = fine.get(mode);
         if (known == null || known.duration() < duration) {
             double deltaT = FINE * RK4 / spectrum.modes().get(0).size();
-            known = twins.run(setting(SolverChoice.RK4, deltaT), mode,
+            known = twins.run(Setting.of(SolverChoice.RK4, deltaT), mode,
                     (int) Math.ceil(BRACKET * duration / deltaT));
             fine.put(mode, known);
         }
@@ -192,7 +196,7 @@ public final class SceneStability {
     /** Accurate twins in steps of rk4 that divide the scene's step, at the same times as a solver's. */
     private Twins motion(Mode mode) {
         int parts = (int) Math.ceil(scene.deltaT() * spectrum.modes().get(0).size() / EXACT);
-        return twins.run(setting(SolverChoice.RK4, scene.deltaT() / parts), mode,
+        return twins.run(Setting.of(SolverChoice.RK4, scene.deltaT() / parts), mode,
                 PerturbationGrowth.STEPS, parts);
     }
 
@@ -206,36 +210,27 @@ public final class SceneStability {
         double done = 0;
         for (double deltaT = solver.adaptive() ? longest : unit; deltaT <= longest * (1 + ACCURACY);
                 deltaT *= FAR_FACTOR) {
-            Outcome outcome = SceneRun.run(SceneRun.build(scene, setting(solver, deltaT), FAR_STEPS * deltaT),
+            Outcome outcome = SceneRun.run(SceneRun.build(scene, Setting.of(solver, deltaT), FAR_STEPS * deltaT),
                     MOST_EVALUATIONS, List.of());
             if (outcome.failure().isPresent()) {
                 return new Limit(solver, predicted, done, predictedGrowth, Double.NaN,
-                        String.format(Locale.ROOT, "at %.3g s: %s", deltaT, outcome.failure().get()));
+                        Digits.format("at %.3g s: %s", deltaT, outcome.failure().get()));
             }
             done = deltaT;
         }
         return new Limit(solver, predicted, Double.POSITIVE_INFINITY, predictedGrowth, Double.NaN,
-                String.format(Locale.ROOT, "%slongest tried: %.3g s",
+                Digits.format("%slongest tried: %.3g s",
                         solver.adaptive() ? "chooses its own sub-steps; " : "", done).replaceAll("e[+]0?", "e"));
     }
 
     /** A mode by the particle that moves most in it. */
     private String named(Mode mode) {
         double[] shape = mode.shape();
-        int most = 0;
-        double largest = 0;
-        for (int x = 0; x < shape.length; x += Particles.STRIDE) {
-            double size = shape[x] * shape[x] + shape[x + 1] * shape[x + 1] + shape[x + 2] * shape[x + 2];
-            if (size > largest) {
-                largest = size;
-                most = x / Particles.STRIDE;
-            }
-        }
-        return String.format(Locale.ROOT, "the mode of '%s' (|lambda| = %.4g /s)", particles.id(most), mode.size());
-    }
-
-    private static Setting setting(SolverChoice solver, double deltaT) {
-        return new Setting(solver, deltaT, Optional.empty());
+        int most = IntStream.range(0, shape.length / Particles.STRIDE).boxed().max(Comparator.comparingDouble(i -> {
+            int x = Particles.STRIDE * i;
+            return shape[x] * shape[x] + shape[x + 1] * shape[x + 1] + shape[x + 2] * shape[x + 2];
+        })).orElse(0);
+        return Digits.format("the mode of '%s' (|lambda| = %.4g /s)", particles.id(most), mode.size());
     }
 
     /**
@@ -244,40 +239,30 @@ public final class SceneStability {
      * @return the table: a row for each solver
      */
     public static DataTable table(List<Limit> limits, double deltaT) {
-        List<List<Object>> rows = new ArrayList<>();
-        for (Limit limit : limits) {
-            rows.add(List.of(limit.solver().label(), predicted(limit),
-                    limit.measured() == Double.POSITIVE_INFINITY ? "stable"
-                            : text(limit.measured(), limit.measuredGrowth()), ratio(limit), limit.note()));
-        }
-        return new DataTable("largest-safe-step",
+        return DataTable.of("largest-safe-step",
                 "The largest safe deltaT (s). Predicted: from the equations, linearised at the scene's start. Measured:"
                         + " from runs. 'Always grows' is followed by the growth in a step of " + deltaT + " s,"
-                        + " the scene's deltaT",
-                List.of(DataTable.column("solver"), DataTable.column("predicted"),
-                DataTable.column("measured"), DataTable.column("measured/predicted"),
-                DataTable.column("remark")), rows);
+                        + " the scene's deltaT", limits, column("solver", limit -> limit.solver().label()),
+                column("predicted", SceneStability::predicted),
+                column("measured", limit -> limit.measured() == Double.POSITIVE_INFINITY ? "stable"
+                        : text(limit.measured(), limit.measuredGrowth())),
+                column("measured/predicted", limit -> limit.isFinite() ? limit.measured() / limit.predicted() : "-"),
+                column("remark", Limit::note));
     }
 
     private static String predicted(Limit limit) {
         if (!limit.solver().adaptive() || limit.predicted() == Double.POSITIVE_INFINITY) {
             return text(limit.predicted(), limit.predictedGrowth());
         }
-        return limit.predicted() > 0 ? String.format(Locale.ROOT, "sub-steps of %.6g", limit.predicted()) : "-";
-    }
-
-    private static Object ratio(Limit limit) {
-        boolean both = limit.predicted() > 0 && limit.predicted() < Double.POSITIVE_INFINITY && limit.measured() > 0
-                && limit.measured() < Double.POSITIVE_INFINITY && !limit.solver().adaptive();
-        return both ? limit.measured() / limit.predicted() : "-";
+        return limit.predicted() > 0 ? Digits.format("sub-steps of %.6g", limit.predicted()) : "-";
     }
 
     private static String text(double value, double growth) {
         if (value == 0) {
             return Double.isNaN(growth) ? "none" : growth > 0 ? StabilityLimit.text(0, growth)
-                    : String.format(Locale.ROOT, "no growth seen in %d steps", PerturbationGrowth.STEPS);
+                    : Digits.format("no growth seen in %d steps", PerturbationGrowth.STEPS);
         }
-        return value > 0 && value < Double.POSITIVE_INFINITY ? String.format(Locale.ROOT, "%.6g", value)
+        return value > 0 && value < Double.POSITIVE_INFINITY ? Digits.format("%.6g", value)
                 : StabilityLimit.text(value, growth);
     }
 }

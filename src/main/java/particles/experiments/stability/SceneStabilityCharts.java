@@ -4,7 +4,7 @@ import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
-import particles.experiments.spectrum.Mode;
+import java.util.stream.Stream;
 import particles.experiments.spectrum.Spectrum;
 import particles.experiments.stability.SceneStability.Limit;
 import particles.experiments.stability.StabilityRegion.Window;
@@ -34,18 +34,12 @@ public final class SceneStabilityCharts {
      *         the same as the lower one, for a wide page
      */
     public static List<ChartData> plane(String title, Spectrum spectrum, double deltaT, List<String> solvers) {
-        List<Double> re = new ArrayList<>();
-        List<Double> im = new ArrayList<>();
-        double far = 3;
-        for (Mode mode : spectrum.modes()) {
-            re.add(deltaT * mode.re());
-            im.add(deltaT * mode.im());
-            far = Math.max(far, 1.1 * deltaT * mode.size());
-        }
-        Series upper = new Series("deltaT times an eigenvalue of the scene", Mark.POINTS, array(re), array(im));
-        re.addAll(re);
-        im.addAll(im.stream().map(y -> -y).toList());
-        Series both = new Series(upper.name(), Mark.POINTS, array(re), array(im));
+        List<double[]> points = spectrum.modes().stream().map(mode ->
+                new double[] {deltaT * mode.re(), deltaT * mode.im()}).toList();
+        double far = spectrum.modes().stream().mapToDouble(mode -> 1.1 * deltaT * mode.size()).reduce(3, Math::max);
+        Series upper = Series.of("deltaT times an eigenvalue of the scene", Mark.POINTS, points);
+        Series both = Series.of(upper.name(), Mark.POINTS, Stream.concat(points.stream(), points.stream().map(point ->
+                new double[] {point[0], -point[1]})).toList());
         ChartData half = StabilityRegion.half(solvers, new Window(-1.5 * far, far / 2, far, far / CELLS));
         ChartData whole = StabilityRegion.outlines(solvers, new Window(-far, far / 3, far, far / CELLS));
         return List.of(add(whole, both).titled(title), add(half, upper).titled(title));
@@ -65,41 +59,25 @@ public final class SceneStabilityCharts {
      */
     public static ChartData growth(Spectrum spectrum, List<Limit> limits) {
         List<Series> series = new ArrayList<>();
-        double largest = 0;
-        for (Limit limit : limits) {
-            largest = Math.max(largest, isFinite(limit) ? 2 * limit.measured() : 0);
-        }
-        for (Limit limit : limits) {
-            if (isFinite(limit)) {
-                SpectrumLimit theory = new SpectrumLimit(Amplification.of(limit.solver().info().orElseThrow()),
-                        limit.solver().info().orElseThrow().secondOrder(), spectrum);
-                List<Double> x = new ArrayList<>();
-                List<Double> y = new ArrayList<>();
-                double factor = 1;
-                for (int k = 1; k <= POINTS && factor < TOP; k++) {
-                    double deltaT = largest * k / POINTS;
-                    factor = theory.factor(theory.growingMost(deltaT), deltaT);
-                    x.add(deltaT);
-                    y.add(Math.min(TOP, factor));
-                }
-                series.add(new Series(limit.solver().label(), Mark.LINE, array(x), array(y)));
-                series.add(Series.point(limit.solver().label() + ", runs: " + Digits.few(limit.measured()) + " s",
-                        Mark.POINTS, limit.measured(), 1));
+        List<Limit> finite = limits.stream().filter(Limit::isFinite).toList();
+        double largest = finite.stream().mapToDouble(limit -> 2 * limit.measured()).max().orElse(0);
+        for (Limit limit : finite) {
+            SpectrumLimit theory = new SpectrumLimit(limit.solver().info().orElseThrow(), spectrum);
+            List<double[]> line = new ArrayList<>();
+            double factor = 1;
+            for (int k = 1; k <= POINTS && factor < TOP; k++) {
+                double deltaT = largest * k / POINTS;
+                factor = theory.factor(theory.growingMost(deltaT), deltaT);
+                line.add(new double[] {deltaT, Math.min(TOP, factor)});
             }
+            series.add(Series.of(limit.solver().label(), Mark.LINE, line));
+            series.add(Series.point(limit.solver().label() + ", runs: " + Digits.few(limit.measured()) + " s",
+                    Mark.POINTS, limit.measured(), 1));
         }
-        return new ChartData(drawn -> "Runs move apart from deltaT = " + limits.stream()
-                .filter(limit -> isFinite(limit) && limit.solver().isIn(drawn))
+        return new ChartData(drawn -> "Runs move apart from deltaT = " + finite.stream()
+                .filter(limit -> limit.solver().isIn(drawn))
                 .map(limit -> Digits.few(limit.measured()) + " s (" + limit.solver().label() + ")")
                 .collect(Collectors.joining(", ")) + " on", "deltaT (s)", "largest factor of a mode in one step", false,
                 false, series);
-    }
-
-    private static boolean isFinite(Limit limit) {
-        return limit.measured() > 0 && limit.measured() < Double.POSITIVE_INFINITY && !limit.solver().adaptive()
-                && limit.predicted() > 0 && limit.predicted() < Double.POSITIVE_INFINITY;
-    }
-
-    private static double[] array(List<Double> values) {
-        return values.stream().mapToDouble(Double::doubleValue).toArray();
     }
 }

@@ -1,5 +1,7 @@
 package particles.experiments.stability;
 
+import deSolvers.catalog.SolverInfo;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -23,52 +25,41 @@ final class SpectrumLimit {
     private static final double SAME_DIRECTION = 1e-7;
 
     private final Amplification amplification;
-    private final boolean secondOrder;
     private final List<Mode> modes;
     private final Map<List<Long>, Double> known = new HashMap<>();
 
     /**
-     * @param amplification the amplification of the solver
-     * @param secondOrder   whether it steps positions and velocities separately
-     * @param spectrum      the spectrum of the system
+     * @param info     the solver
+     * @param spectrum the spectrum of the system
      */
-    SpectrumLimit(Amplification amplification, boolean secondOrder, Spectrum spectrum) {
-        this.amplification = amplification;
-        this.secondOrder = secondOrder;
+    SpectrumLimit(SolverInfo info, Spectrum spectrum) {
+        amplification = Amplification.of(info);
         modes = spectrum.modes().stream().filter(mode -> mode.re() <= 0).toList();
     }
 
     /** @return the longest step (s); 0 if some mode grows at any, infinite if none does */
     double deltaT() {
-        double least = Double.POSITIVE_INFINITY;
-        for (Mode mode : modes) {
-            least = Math.min(least, limit(mode) / mode.size());
-        }
-        return least;
+        return deltaT(deciding());
+    }
+
+    private double deltaT(Mode mode) {
+        return limit(mode) / mode.size();
     }
 
     /** @return the mode that sets {@link #deltaT}, or the fastest, if none does */
     Mode deciding() {
-        Mode deciding = modes.get(0);
-        for (Mode mode : modes) {
-            deciding = limit(mode) / mode.size() < limit(deciding) / deciding.size() ? mode : deciding;
-        }
-        return deciding;
+        return modes.stream().min(Comparator.comparingDouble(this::deltaT)).orElseThrow();
     }
 
     /** @return the mode that grows most in a step of this length */
     Mode growingMost(double deltaT) {
-        Mode most = modes.get(0);
-        for (Mode mode : modes) {
-            most = factor(mode, deltaT) > factor(most, deltaT) ? mode : most;
-        }
-        return most;
+        return modes.stream().max(Comparator.comparingDouble(mode -> factor(mode, deltaT))).orElseThrow();
     }
 
     /** @return the factor by which a step of this length multiplies a mode */
     double factor(Mode mode, double deltaT) {
         // else its partner grows by itself
-        boolean overdamped = secondOrder && mode.im() == 0 && mode.stiffness() > 0;
+        boolean overdamped = amplification.isOfSprings() && mode.im() == 0 && mode.stiffness() > 0;
         return overdamped ? amplification.ofSpring(deltaT * deltaT * mode.stiffness(), deltaT * mode.damping())
                 : amplification.at(deltaT * mode.re(), deltaT * mode.im());
     }
@@ -76,7 +67,8 @@ final class SpectrumLimit {
     /** The limit of h |lambda| in this mode's direction. */
     private double limit(Mode mode) {
         List<Long> direction = List.of(Math.round(mode.re() / mode.size() / SAME_DIRECTION),
-                mode.im() == 0 && secondOrder ? Math.round(mode.damping() / mode.size() / SAME_DIRECTION) : -1);
+                mode.im() == 0 && amplification.isOfSprings()
+                        ? Math.round(mode.damping() / mode.size() / SAME_DIRECTION) : -1);
         return known.computeIfAbsent(direction, unknown -> measure(mode));
     }
 
@@ -95,14 +87,6 @@ final class SpectrumLimit {
                 return 0;
             }
         }
-        while (unstable - stable > 1e-6 * stable) {
-            double middle = (stable + unstable) / 2;
-            if (factor(mode, middle * unit) <= 1) {
-                stable = middle;
-            } else {
-                unstable = middle;
-            }
-        }
-        return stable;
+        return StabilityLimit.bisected(stable, unstable, 1e-6, h -> factor(mode, h * unit) <= 1);
     }
 }

@@ -1,6 +1,7 @@
 package particles.experiments.stability;
 
-import java.util.Locale;
+import deSolvers.text.Digits;
+import java.util.function.DoublePredicate;
 import java.util.function.DoubleUnaryOperator;
 
 /**
@@ -41,15 +42,22 @@ public record StabilityLimit(double value, double growth) {
                 return new StabilityLimit(Double.POSITIVE_INFINITY, growth);
             }
         }
-        while (unstable - stable > ACCURACY * stable) {
-            double middle = (stable + unstable) / 2;
-            if (isStable(amplification, middle)) {
-                stable = middle;
+        return new StabilityLimit(bisected(stable, unstable, ACCURACY, h -> isStable(amplification, h)), growth);
+    }
+
+    /** @return the largest h that is known to be stable, when the next one that is not is this close */
+    static double bisected(double stable, double unstable, double accuracy, DoublePredicate isStable) {
+        double low = stable;
+        double high = unstable;
+        while (high - low > accuracy * low) {
+            double middle = (low + high) / 2;
+            if (isStable.test(middle)) {
+                low = middle;
             } else {
-                unstable = middle;
+                high = middle;
             }
         }
-        return new StabilityLimit(stable, growth);
+        return low;
     }
 
     private static boolean isStable(DoubleUnaryOperator amplification, double h) {
@@ -73,8 +81,8 @@ public record StabilityLimit(double value, double growth) {
         if (value == 0) {
             return Double.isNaN(growth) ? "always grows"
                     : growth < ROUND_OFF ? "no growth above 1e-12 a step"
-                    : String.format(Locale.ROOT, "always grows: %.2e a step", growth).replace("e-0", "e-");
+                    : Digits.format("always grows: %.2e a step", growth).replace("e-0", "e-");
         }
-        return value == Double.POSITIVE_INFINITY ? "unbounded" : String.format(Locale.ROOT, "%.4f", value);
+        return value == Double.POSITIVE_INFINITY ? "unbounded" : Digits.format("%.4f", value);
     }
 }

@@ -2,8 +2,8 @@ package particles.experiments.stability;
 
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
 import particles.view.DataTable;
@@ -23,18 +23,10 @@ public final class StabilityLimits {
      * @return the table, a row for each solver of the catalogue
      */
     public static DataTable measure(ProgressListener progress) {
-        List<List<Object>> rows = new ArrayList<>();
-        List<SolverInfo> all = SolverCatalog.all();
-        for (SolverInfo info : all) {
-            progress.reached((double) rows.size() / all.size(), "limits of " + info.name());
-            rows.add(row(info));
-        }
         return new DataTable("limits", "The largest stable deltaT |lambda|; growth is given at deltaT |lambda| = 0.1",
-                List.of(DataTable.column("solver"),
-                DataTable.column("real limit: theory"), DataTable.column("measured"),
-                DataTable.column("imaginary limit: theory"),
-                DataTable.column("measured "), DataTable.column("damped limit: stated"),
-                DataTable.column("measured  "), DataTable.column("measured on")), rows);
+                Stream.of("solver", "real limit: theory", "measured", "imaginary limit: theory", "measured ",
+                "damped limit: stated", "measured  ", "measured on").map(DataTable::column).toList(),
+                progress.each(SolverCatalog.all(), info -> "limits of " + info.name(), StabilityLimits::row));
     }
 
     /** @return a sentence: the solvers without a limit, and those that are never stable */

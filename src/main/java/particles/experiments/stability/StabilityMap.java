@@ -67,7 +67,7 @@ public final class StabilityMap {
         while (!pieces.isEmpty()) {
             draw(chain(pieces), line);
         }
-        return series(name, Mark.LINE, line);
+        return Series.of(name, Mark.LINE, line);
     }
 
     /**
@@ -89,7 +89,7 @@ public final class StabilityMap {
                 }
             }
         }
-        return series(name, Mark.BAND, line);
+        return Series.of(name, Mark.BAND, line);
     }
 
     /** Finds the point on the outline between a stable grid point and an unstable neighbour. */
@@ -115,11 +115,6 @@ public final class StabilityMap {
             chain.forEach(point -> line.add(new double[] {point[0], -point[1]}));
             line.add(gap);
         }
-    }
-
-    private static Series series(String name, Mark mark, List<double[]> line) {
-        return new Series(name, mark, line.stream().mapToDouble(p -> p[0]).toArray(),
-                line.stream().mapToDouble(p -> p[1]).toArray());
     }
 
     /**

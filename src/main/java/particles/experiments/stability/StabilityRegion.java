@@ -2,8 +2,7 @@ package particles.experiments.stability;
 
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
-import java.math.BigDecimal;
-import java.math.MathContext;
+import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
@@ -85,7 +84,7 @@ public final class StabilityRegion {
         for (String solver : solvers) {
             double limit = SolverCatalog.info(solver).imaginaryLimit();
             if (limit > 0 && limit < Double.POSITIVE_INFINITY) {
-                parts.add(digits(limit) + " with " + solver);
+                parts.add(Digits.few(limit, 4) + " with " + solver);
             }
         }
         List<String> never = those(solvers, info -> info.imaginaryLimit() == 0);
@@ -103,10 +102,6 @@ public final class StabilityRegion {
         return solvers.stream().filter(solver -> which.test(SolverCatalog.info(solver))).toList();
     }
 
-    private static String digits(double limit) {
-        return new BigDecimal(limit).round(new MathContext(4)).stripTrailingZeros().toPlainString();
-    }
-
     /** The limits of a step, in a sentence. */
     private static String limits(SolverInfo info) {
         double damping = info.dampedLimit();
@@ -117,7 +112,7 @@ public final class StabilityRegion {
         if (Double.isNaN(damping)) {
             return "the first step of its table";
         }
-        return (info.secondOrder() ? "critical damping to " : "damping to ") + digits(damping)
-                + (springs > 0 ? ", undamped springs to " + digits(springs) : "; undamped springs always grow");
+        return (info.secondOrder() ? "critical damping to " : "damping to ") + Digits.few(damping, 4)
+                + (springs > 0 ? ", undamped springs to " + Digits.few(springs, 4) : "; undamped springs always grow");
     }
 }

@@ -3,13 +3,13 @@ package particles.experiments.work;
 import static particles.view.DataTable.column;
 
 import deSolvers.RK4Solver;
+import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.LongSupplier;
-import particles.Simulation;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SceneRun;
 import particles.experiments.runs.SolverChoice;
@@ -116,26 +116,29 @@ public final class EffectCost {
     }
 
     private static List<Variant> variants(int columns, int steps) {
-        List<Variant> all = new ArrayList<>();
         Scene cloth = scene(columns, steps, "");
         HandwrittenBaseline source = new HandwrittenBaseline(cloth.system(), cloth.springs());
         RK4Solver solver = new RK4Solver();
-        all.add(new Variant("springs, hand-written", () -> {
+        List<Variant> all = new ArrayList<>(List.of(new Variant("springs, hand-written", () -> {
             for (int step = 0; step < steps; step++) {
                 solver.stepState(source, DELTA_T);
             }
-        }));
+        })));
         for (String[] addition : ADDITIONS) {
-            Simulation simulation = scene(columns, steps, addition[1]).simulation();
-            all.add(new Variant(addition[0], simulation::run));
+            all.add(new Variant(addition[0], scene(columns, steps, addition[1]).simulation()::run));
         }
         return all;
+    }
+
+    /** @return what is measured besides the hand-written springs */
+    static List<String> names() {
+        return Arrays.stream(ADDITIONS).map(addition -> addition[0]).toList();
     }
 
     /** @return a square cloth that runs for a number of steps, with more lines in its scene */
     static Scene scene(int columns, int steps, String addition) {
         double side = SPACING * (columns - 1);
-        String text = String.format(Locale.ROOT, CLOTH, DELTA_T, steps * DELTA_T, side, side, columns, columns);
+        String text = Digits.format(CLOTH, DELTA_T, steps * DELTA_T, side, side, columns, columns);
         return SceneRun.of("a cloth", text + addition);
     }
 
@@ -157,45 +160,39 @@ public final class EffectCost {
     public static ChartData chart(List<Cost> costs) {
         List<Cost> sorted = costs.stream().sorted(Comparator.comparingDouble(Cost::overBase)).toList();
         long dearer = costs.stream().filter(cost -> cost.overBase() > SPREAD).count();
-        long dear = costs.stream().filter(cost -> cost.overBase() >= DEAR).count();      // the title names them
-        int others = sorted.size() - (int) Math.max(dear, Math.min(MOST_BARS, dearer));
+        int others = sorted.size() - (int) Math.max(dear(costs).size(), Math.min(MOST_BARS, dearer));
         List<Cost> bars = new ArrayList<>(sorted.subList(others, sorted.size()));
         if (others > 0) {
             bars.add(0, new Cost("the other " + others + ", at most", 0, sorted.get(others - 1).overBase()));
         }
-        double[] x = new double[3 * bars.size()];
-        double[] y = new double[3 * bars.size()];
-        for (int k = 0; k < bars.size(); k++) {
-            x[3 * k] = 1;
-            x[3 * k + 1] = bars.get(k).overBase();
-            x[3 * k + 2] = Double.NaN;                  // the pen is lifted between bars
-            y[3 * k] = k;
-            y[3 * k + 1] = k;
-            y[3 * k + 2] = Double.NaN;
+        List<double[]> lines = new ArrayList<>();
+        for (Cost bar : bars) {
+            double row = bars.indexOf(bar);
+            lines.addAll(List.of(new double[] {1, row}, new double[] {bar.overBase(), row},
+                    new double[] {Double.NaN, Double.NaN}));            // the pen is lifted between bars
         }
-        List<String> rows = bars.stream().map(cost -> cost.name() + ": " + times(cost)).toList();
         return new ChartData(finding(costs), "time for a step / time with springs alone", "what the scene names", true,
-                false, List.of(new Series("time for a step", Mark.BAND, x, y))).inRows(rows);
+                false, List.of(Series.of("time for a step", Mark.BAND, lines))).inRows(bars.stream().map(cost ->
+                cost.name() + ": " + Digits.format(cost.overBase() < TWO_DECIMALS ? "%.2f" : "%.0f",
+                cost.overBase())).toList());
+    }
+
+    private static List<String> dear(List<Cost> costs) {
+        return costs.stream().filter(cost -> cost.overBase() >= DEAR).map(Cost::name).toList();
     }
 
     /** Says no more than a second measurement would: factors of 2, and powers of ten. */
     private static String finding(List<Cost> costs) {
-        List<String> dear = costs.stream().filter(cost -> cost.overBase() >= DEAR).map(Cost::name).toList();
+        List<String> dear = dear(costs);
         double rest = costs.stream().mapToDouble(Cost::overBase).filter(times -> times < DEAR).max().orElse(1);
-        double bound = rest < 2 ? 2 : rest < 5 ? 5 : DEAR;
-        String expensive = dear.isEmpty() ? "nothing makes" : SolverChoice.together(dear).replace("+ ", "")
-                + (dear.size() > 1 ? " make" : " makes");
-        return expensive.substring(0, 1).toUpperCase(Locale.ROOT) + expensive.substring(1)
-                + " a step of springs more than 10 times as long; all else less than "
-                + Math.round(bound) + " times";
+        String expensive = (dear.isEmpty() ? "nothing" : SolverChoice.together(dear).replace("+ ", "")) + " "
+                + SolverChoice.verb(Math.max(1, dear.size()), "makes a step of springs more than 10 times as long");
+        return expensive.substring(0, 1).toUpperCase(Locale.ROOT) + expensive.substring(1) + "; all else less than "
+                + (rest < 2 ? 2 : rest < 5 ? 5 : Math.round(DEAR)) + " times";
     }
 
     /** @return the time of springs alone, divided by that of the hand-written code, in words */
     public static String overBound(List<Cost> costs) {
-        return String.format(Locale.ROOT, "%.2f", costs.get(1).seconds() / costs.get(0).seconds());
-    }
-
-    private static String times(Cost cost) {
-        return String.format(Locale.ROOT, cost.overBase() < TWO_DECIMALS ? "%.2f" : "%.0f", cost.overBase());
+        return Digits.format("%.2f", costs.get(1).seconds() / costs.get(0).seconds());
     }
 }

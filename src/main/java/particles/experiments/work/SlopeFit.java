@@ -1,12 +1,12 @@
 package particles.experiments.work;
 
-import java.util.ArrayList;
-import java.util.Collections;
+import deSolvers.text.Digits;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
-import java.util.Locale;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 import particles.experiments.runs.PowerLaw;
 import particles.experiments.work.WorkPrecision.Point;
-import particles.experiments.work.WorkProblem.Stiff;
 
 /**
  * The slope of a solver's errors, fitted only where they follow a power law: over the last three or more runs in a row,
@@ -21,7 +21,7 @@ public record SlopeFit(double slope, int first, int last, String whyNot) {
     /** Errors above this are too large to follow the power law. */
     static final double SMALL = 0.1;
     /** The largest difference of slopes from run to run on a line that counts as straight. */
-    static final double STRAIGHT = 0.1;
+    private static final double STRAIGHT = 0.1;
     /** The largest number of the finest errors that may be left out, since round-off reaches them first. */
     private static final int LEFT_OUT = 2;
     /** The same for tolerances, which a solver follows only roughly. */
@@ -36,82 +36,47 @@ public record SlopeFit(double slope, int first, int last, String whyNot) {
     private static final double OFF_THEORY = 1.25;
 
     /**
-     * @param points  runs with ever shorter steps
-     * @param problem the problem
-     * @param inStiff whether the fit is of the stiff range alone
-     * @param theory  the slope that is expected; NaN where there is no one
-     * @return the fit of the error as a power of deltaT
+     * @param points   runs with ever shorter steps, or ever tighter tolerances
+     * @param floor    errors below this may be round-off
+     * @param byStep   whether the slope is that of the error as a power of deltaT; otherwise of the evaluations, with
+     *                 the sign changed
+     * @param shortest runs with shorter steps (s) are left out
+     * @param theory   the slope that is expected; NaN where there is none
+     * @return the last straight piece of the line, as long as possible, or none if its slope is not that of the method
      */
-    static SlopeFit byStep(List<Point> points, WorkProblem problem, boolean inStiff, double theory) {
-        double shortest = inStiff ? problem.stiff().map(Stiff::deltaT).orElse(0.0) : 0;
-        List<Integer> usable = usable(points, problem.floor());
-        usable.removeIf(k -> points.get(k).deltaT() < shortest);
-        return last(points, usable, problem, STRAIGHT, false).near(theory);
-    }
-
-    /**
-     * @param points  runs with ever tighter tolerance
-     * @param problem the problem
-     * @param theory  the slope that is expected; NaN where there is no one
-     * @return the fit of the error as a power of the evaluations, with the sign changed
-     */
-    static SlopeFit byWork(List<Point> points, WorkProblem problem, double theory) {
-        return last(points, usable(points, problem.floor()), problem, ROUGHLY_STRAIGHT, true).near(theory);
-    }
-
-    /** This fit, or none if its slope is not that of the method. */
-    private SlopeFit near(double theory) {
-        return Math.abs(slope - theory) > OFF_THEORY ? none(String.format(Locale.ROOT,
-                "a straight piece of slope %.2f, which is not the method's", slope)) : this;
-    }
-
-    /** The last straight piece of the line, as long as possible. */
-    private static SlopeFit last(List<Point> points, List<Integer> usable, WorkProblem problem, double straight,
-            boolean byWork) {
+    static SlopeFit of(List<Point> points, double floor, boolean byStep, double shortest, double theory) {
+        ToDoubleFunction<Point> size = byStep ? Point::deltaT : point -> 1.0 / point.evaluations();
+        double straight = byStep ? STRAIGHT : ROUGHLY_STRAIGHT;
+        List<Integer> usable = IntStream.range(0, points.size()).filter(k -> points.get(k).failure().isEmpty()
+                && points.get(k).error() < SMALL && points.get(k).error() > floor
+                && points.get(k).deltaT() >= shortest).boxed().toList();
         for (int end = usable.size() - 1; end >= Math.max(PowerLaw.FEWEST, usable.size() - LEFT_OUT) - 1; end--) {
             int begin = end;
-            double low = Double.POSITIVE_INFINITY;
-            double high = Double.NEGATIVE_INFINITY;
+            DoubleSummaryStatistics slopes = new DoubleSummaryStatistics();
             while (begin > 0 && usable.get(begin - 1) == usable.get(begin) - 1) {
-                double slope = slope(points.get(usable.get(begin - 1)), points.get(usable.get(begin)), byWork);
-                low = Math.min(low, slope);
-                high = Math.max(high, slope);
-                if (!(high - low <= straight)) {
+                Point coarse = points.get(usable.get(begin - 1));
+                Point fine = points.get(usable.get(begin));
+                double finer = size.applyAsDouble(coarse) / size.applyAsDouble(fine);
+                // the finer one has to take more work
+                slopes.accept(finer < MORE_WORK ? Double.NaN : Math.log(coarse.error() / fine.error())
+                        / Math.log(finer));
+                if (!(slopes.getMax() - slopes.getMin() <= straight)) {
                     break;
                 }
                 begin--;
             }
             if (end - begin >= PowerLaw.FEWEST - 1) {
-                return fitted(points, usable.get(begin), usable.get(end), byWork);
+                int first = usable.get(begin);
+                int last = usable.get(end);
+                double slope = PowerLaw.exponent(points.subList(first, last + 1), size, Point::error);
+                return Math.abs(slope - theory) > OFF_THEORY ? none(Digits.format(
+                        "a straight piece of slope %.2f, which is not the method's", slope))
+                        : new SlopeFit(slope, first, last, "");
             }
         }
         return none(usable.size() < PowerLaw.FEWEST
-                ? usable.size() + " errors between " + problem.floor() + " and " + SMALL + ", where the method shows"
+                ? usable.size() + " errors between " + floor + " and " + SMALL + ", where the method shows"
                 : "not on a straight line");
-    }
-
-    /** The slope between two runs; NaN if the finer one did not take more work. */
-    private static double slope(Point coarse, Point fine, boolean byWork) {
-        double finer = byWork ? (double) fine.evaluations() / coarse.evaluations() : coarse.deltaT() / fine.deltaT();
-        return byWork && finer < MORE_WORK ? Double.NaN : Math.log(coarse.error() / fine.error()) / Math.log(finer);
-    }
-
-    private static List<Integer> usable(List<Point> points, double floor) {
-        List<Integer> usable = new ArrayList<>();
-        for (int k = points.size() - 1; k >= 0; k--) {
-            double error = points.get(k).error();
-            if (points.get(k).failure().isEmpty() && error < SMALL && error > floor) {
-                usable.add(k);
-            }
-        }
-        Collections.reverse(usable);
-        return usable;
-    }
-
-    private static SlopeFit fitted(List<Point> points, int first, int last, boolean byWork) {
-        List<Point> fit = points.subList(first, last + 1);
-        double[] x = fit.stream().mapToDouble(p -> byWork ? 1.0 / p.evaluations() : p.deltaT()).toArray();
-        return new SlopeFit(PowerLaw.exponent(x, fit.stream().mapToDouble(Point::error).toArray()), first, last, "");
     }
 
     private static SlopeFit none(String why) {

@@ -1,20 +1,23 @@
 package particles.experiments.work;
 
+import static java.util.stream.Collectors.groupingBy;
+import static java.util.stream.Collectors.joining;
+import static java.util.stream.Collectors.mapping;
+import static java.util.stream.Collectors.toList;
 import static particles.view.DataTable.column;
 
 import deSolvers.text.Digits;
-import java.math.BigDecimal;
-import java.math.MathContext;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.BiPredicate;
 import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
-import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.work.StiffGallery.Cost;
 import particles.experiments.work.StiffGallery.Sweep;
@@ -41,71 +44,47 @@ public final class StiffCharts {
      *         1 %, if there are any; evaluations needed to be stable; the rest of the vibration for stable runs
      */
     public static List<ChartData> charts(List<Sweep> sweeps) {
-        List<Series> precise = new ArrayList<>();
-        List<Series> stable = new ArrayList<>();
-        List<Series> left = new ArrayList<>();
-        for (Sweep sweep : sweeps) {
-            precise.add(series(sweep, Cost::toOnePercent));
-            if (!sweep.neverStable() && !sweep.solver().adaptive()) {
-                stable.add(series(sweep, Cost::toBeStable));
-            }
-            if (!sweep.neverStable() && (!sweep.solver().adaptive() || sweep.solver().implicit())) {
-                left.add(series(sweep, cost -> Math.max(GONE, cost.vibrationLeft())));
-            }
-        }
-        List<ChartData> charts = new ArrayList<>();
-        charts.add(new ChartData(drawn -> growth("Evaluations for 1 %", in(drawn, sweeps), Sweep::preciseExponent),
-                STIFFNESS, "evaluations for 1 %", true, true, precise));
-        List<String> rows = sweeps.stream().filter(sweep -> sweep.neverStable()
-                || sweep.costs().stream().anyMatch(cost ->
-                        Double.isNaN(cost.toOnePercent()))).map(StiffCharts::name).toList();
-        if (!rows.isEmpty()) {
-            charts.add(new ChartData("", STIFFNESS, "never", true, false, failures(sweeps, rows)).inRows(rows));
-        }
-        if (!stable.isEmpty()) {
-            charts.add(new ChartData(drawn -> growth("Evaluations for stability", in(drawn, sweeps),
-                    Sweep::stableExponent), STIFFNESS, "evaluations to be stable", true, true, stable));
-        }
-        if (!left.isEmpty()) {
-            charts.add(new ChartData(StiffCharts::vibration, STIFFNESS, "fast-mode energy, end / start", true, true,
-                    left));
-        }
-        return charts;
+        List<String> rows = sweeps.stream().filter(sweep -> sweep.neverStable() || sweep.costs().stream()
+                .anyMatch(cost -> Double.isNaN(cost.toOnePercent()))).map(StiffCharts::name).toList();
+        List<Series> never = Stream.of(
+                never("never stable, however short the step", Mark.FAILURES, sweeps, rows, (sweep, cost) ->
+                        sweep.neverStable()),
+                never("no 1 % with a million steps", Mark.GIVEN_UP, sweeps, rows, (sweep, cost) ->
+                        Double.isNaN(cost.toOnePercent()))).filter(series -> series.x().length > 0).toList();
+        return Stream.of(
+                chart("evaluations for 1 %", sweeps, Cost::toOnePercent, drawn ->
+                        growth("Evaluations for 1 %", in(drawn, sweeps), Sweep::preciseExponent)),
+                new ChartData("", STIFFNESS, "never", true, false, never).inRows(rows),
+                chart("evaluations to be stable", stable(sweeps, solver -> !solver.adaptive()), Cost::toBeStable,
+                        drawn -> growth("Evaluations for stability", in(drawn, sweeps), Sweep::stableExponent)),
+                chart("fast-mode energy, end / start", stable(sweeps, solver -> !solver.adaptive()
+                        || solver.implicit()), cost -> Math.max(GONE, cost.vibrationLeft()), StiffCharts::vibration))
+                .filter(chart -> !chart.series().isEmpty()).toList();
+    }
+
+    private static ChartData chart(String quantity, List<Sweep> sweeps, ToDoubleFunction<Cost> what,
+            ChartData.Finding finding) {
+        return new ChartData(finding, STIFFNESS, quantity, true, true, sweeps.stream().map(sweep ->
+                Series.of(name(sweep), Mark.LINE_AND_POINTS, sweep.costs(), Cost::stiffness, what)).toList());
     }
 
     private static List<Sweep> in(List<Series> drawn, List<Sweep> sweeps) {
         return sweeps.stream().filter(sweep -> sweep.solver().isIn(drawn)).toList();
     }
 
-    private static Series series(Sweep sweep, ToDoubleFunction<Cost> what) {
-        return Series.of(name(sweep), Mark.LINE_AND_POINTS, sweep.costs(), Cost::stiffness, what);
+    private static List<Sweep> stable(List<Sweep> sweeps, Predicate<SolverChoice> which) {
+        return sweeps.stream().filter(sweep -> !sweep.neverStable() && which.test(sweep.solver())).toList();
     }
 
     private static String name(Sweep sweep) {
         return sweep.solver().label();
     }
 
-    private static List<Series> failures(List<Sweep> sweeps, List<String> rows) {
-        List<Series> series = new ArrayList<>();
-        add(series, "never stable, however short the step", Mark.FAILURES, sweeps, rows, sweep -> cost ->
-                sweep.neverStable());
-        add(series, "no 1 % with a million steps", Mark.GIVEN_UP, sweeps, rows, sweep -> cost ->
-                Double.isNaN(cost.toOnePercent()));
-        return series;
-    }
-
-    private interface Which {
-        Predicate<Cost> of(Sweep sweep);
-    }
-
-    private static void add(List<Series> series, String name, Mark mark, List<Sweep> sweeps, List<String> rows,
-            Which which) {
-        List<double[]> points = new ArrayList<>();
-        sweeps.forEach(sweep -> sweep.costs().stream().filter(which.of(sweep))
-                .forEach(cost -> points.add(new double[] {cost.stiffness(), rows.indexOf(name(sweep))})));
-        if (!points.isEmpty()) {
-            series.add(Series.of(name, mark, points, point -> point[0], point -> point[1]));
-        }
+    private static Series never(String name, Mark mark, List<Sweep> sweeps, List<String> rows,
+            BiPredicate<Sweep, Cost> which) {
+        return Series.of(name, mark, sweeps.stream().flatMap(sweep -> sweep.costs().stream()
+                .filter(cost -> which.test(sweep, cost))
+                .map(cost -> new double[] {cost.stiffness(), rows.indexOf(name(sweep))})).toList());
     }
 
     /**
@@ -114,48 +93,48 @@ public final class StiffCharts {
      */
     public static String finding(List<Sweep> sweeps) {
         List<String> never = sweeps.stream().filter(Sweep::neverStable).map(StiffCharts::name).toList();
-        return growth("Evaluations for 1 %", sweeps, Sweep::preciseExponent) + (never.isEmpty() ? ""
-                : "; " + SolverChoice.few(never) + (never.size() == 1 ? " is" : " are") + " never stable");
+        return growth("Evaluations for 1 %", sweeps, Sweep::preciseExponent)
+                + (never.isEmpty() ? "" : "; " + SolverChoice.said(never, "is never stable"));
     }
 
     /** Solvers with equal exponents, to one decimal, share a place; the largest exponent comes first. */
     private static String growth(String what, List<Sweep> sweeps, ToDoubleFunction<Sweep> exponent) {
-        Map<Double, List<String>> powers = new TreeMap<>(Comparator.reverseOrder());
-        for (Sweep sweep : sweeps) {
-            double power = exponent.applyAsDouble(sweep);
-            if (!Double.isNaN(power)) {
-                powers.computeIfAbsent(Math.round(10 * power) / 10.0, same -> new ArrayList<>()).add(name(sweep));
-            }
-        }
-        List<String> flat = powers.getOrDefault(0.0, List.of());
-        powers.remove(0.0);
+        Map<Double, List<String>> powers = sweeps.stream()
+                .filter(sweep -> !Double.isNaN(exponent.applyAsDouble(sweep)))
+                .collect(groupingBy(sweep -> Math.round(10 * exponent.applyAsDouble(sweep)) / 10.0,
+                        () -> new TreeMap<Double, List<String>>(Comparator.reverseOrder()),
+                        mapping(StiffCharts::name, toList())));
+        String flat = Optional.ofNullable(powers.remove(0.0)).map(SolverChoice::few).orElse("");
         String growing = powers.entrySet().stream().map(power -> "k^" + Digits.few(power.getKey()) + " ("
-                + SolverChoice.few(power.getValue()) + ")").collect(Collectors.joining(", "));
-        return growing.isEmpty() ? flat.isEmpty() ? what : what + " stay the same at any stiffness with "
-                + SolverChoice.few(flat)
-                : what + " grow as " + growing + (flat.isEmpty() ? "" : ", not with " + SolverChoice.few(flat));
+                + SolverChoice.few(power.getValue()) + ")").collect(joining(", "));
+        return what + (growing.isEmpty() ? flat.isEmpty() ? "" : " stay the same at any stiffness with " + flat
+                : " grow as " + growing + (flat.isEmpty() ? "" : ", not with " + flat));
     }
 
     /** What becomes of the stiff vibration, by the last value of each solver and by the largest. */
     private static String vibration(List<Series> drawn) {
-        Map<String, List<String>> fates = new LinkedHashMap<>();
-        double most = 1;
-        for (Series series : drawn) {
-            double[] y = Arrays.stream(series.y()).filter(Double::isFinite).toArray();
-            double largest = Arrays.stream(y).max().orElse(Double.NaN);
-            double last = y.length == 0 ? Double.NaN : y[y.length - 1];
-            most = Math.max(most, largest);
-            fates.computeIfAbsent(largest > KEPT ? "is borrowed" : last >= 1 / KEPT ? "stays" : last <= LOST ? "is gone"
-                    : "fades", fate -> new ArrayList<>()).add(series.name());
-        }
-        String borrowed = "up to " + Digits.few(new BigDecimal(most).round(new MathContext(1)).doubleValue())
-                + " times is borrowed";
-        return "The stiff vibration " + fates.entrySet().stream().map(fate -> fate.getKey().replace("is borrowed",
-                borrowed) + " with " + SolverChoice.few(fate.getValue())).collect(Collectors.joining(", "));
+        String borrowed = "up to " + Digits.few(drawn.stream().mapToDouble(StiffCharts::largest)
+                .filter(Double::isFinite).max().orElse(1), 1) + " times is borrowed";
+        return "The stiff vibration " + drawn.stream().collect(groupingBy(series -> largest(series) > KEPT ? borrowed
+                : fate(finite(series)), LinkedHashMap::new, mapping(Series::name, toList()))).entrySet().stream()
+                .map(fate -> fate.getKey() + " with " + SolverChoice.few(fate.getValue())).collect(joining(", "));
+    }
+
+    private static String fate(double[] y) {
+        double last = y.length == 0 ? Double.NaN : y[y.length - 1];
+        return last >= 1 / KEPT ? "stays" : last <= LOST ? "is gone" : "fades";
+    }
+
+    private static double[] finite(Series series) {
+        return Arrays.stream(series.y()).filter(Double::isFinite).toArray();
+    }
+
+    private static double largest(Series series) {
+        return Arrays.stream(finite(series)).max().orElse(Double.NaN);
     }
 
     private static boolean unlimited(Sweep sweep) {
-        return sweep.solver().info().map(info -> info.imaginaryLimit() == Double.POSITIVE_INFINITY).orElse(false);
+        return sweep.solver().info().filter(info -> info.imaginaryLimit() == Double.POSITIVE_INFINITY).isPresent();
     }
 
     /**

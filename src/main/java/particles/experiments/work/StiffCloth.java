@@ -5,12 +5,11 @@ import static particles.view.DataTable.column;
 import deSolvers.DESolver;
 import deSolvers.RK4Solver;
 import deSolvers.implicit.BackwardEulerSolver;
-import deSolvers.implicit.ImplicitWork;
 import deSolvers.implicit.LinearisedEulerSolver;
+import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import particles.ParticleSystem;
 import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.ProgressListener;
@@ -74,9 +73,9 @@ public final class StiffCloth {
     }
 
     /** A cloth that hangs from two corners, slightly crumpled. */
-    private static ParticleSystem cloth(double stiffness) {
+    static ParticleSystem cloth(double stiffness) {
         ParticleSystem system = SceneRun.of("stiff cloth",
-                String.format(Locale.ROOT, CLOTH, FRAME, stiffness)).system();
+                Digits.format(CLOTH, FRAME, stiffness)).system();
         for (int n = 0; n < EDGE * EDGE; n++) {
             system.getOwnState()[Particles.STRIDE * n + 2] = 0.01 * ((7 * (n / EDGE) + 13 * (n % EDGE)) % 5);
         }
@@ -97,12 +96,6 @@ public final class StiffCloth {
     /** omega of the fastest vibration (1/s). */
     private static double fastest(double stiffness) {
         return Spectrum.of(cloth(stiffness)).modes().get(0).size();
-    }
-
-    static ImplicitWork linearisedWork(double stiffness) {
-        LinearisedEulerSolver solver = new LinearisedEulerSolver();
-        solver.stepState(cloth(stiffness), FRAME);
-        return solver.getWork();
     }
 
     private static double seconds(DESolver solver, ParticleSystem system, double deltaT, int steps) {
@@ -144,12 +137,7 @@ public final class StiffCloth {
         progress.reached(0, "warm-up");
         measure(stiffnessFor(2));
         measure(stiffnessFor(100));
-        List<Row> rows = new ArrayList<>();
-        for (long steps : sweep) {
-            progress.reached((rows.size() + 1.0) / (sweep.size() + 1), "rk4 with " + steps + " steps");
-            rows.add(measure(stiffnessFor(steps)));
-        }
-        return rows;
+        return progress.each(sweep, steps -> "rk4 with " + steps + " steps", steps -> measure(stiffnessFor(steps)));
     }
 
     /**

@@ -3,8 +3,11 @@ package particles.experiments.work;
 import deSolvers.DESolver;
 import deSolvers.DESolverException;
 import deSolvers.problems.StiffSpringPair;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Predicate;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
+import particles.experiments.runs.FewestSteps;
 import particles.experiments.runs.PowerLaw;
 import particles.experiments.runs.SolverChoice;
 
@@ -52,14 +55,25 @@ public final class StiffGallery {
     /**
      * The costs of one solver over all stiffnesses.
      *
-     * @param solver       the solver
-     * @param neverStable  whether the undamped vibration grows at any step
-     * @param costs        its costs, from soft to stiff
-     * @param stableExponent the exponent of the stiffness in the cost of stability; NaN if there is none
-     * @param preciseExponent the exponent of the stiffness in the cost of 1 %
+     * @param solver      the solver
+     * @param neverStable whether the undamped vibration grows at any step
+     * @param costs       its costs, from soft to stiff
      */
-    public record Sweep(SolverChoice solver, boolean neverStable, List<Cost> costs, double stableExponent,
-            double preciseExponent) {
+    public record Sweep(SolverChoice solver, boolean neverStable, List<Cost> costs) {
+        /** @return the exponent of the stiffness in the cost of stability; NaN if there is none */
+        public double stableExponent() {
+            return exponent(Cost::toBeStable);
+        }
+
+        /** @return the exponent of the stiffness in the cost of 1 % */
+        public double preciseExponent() {
+            return exponent(Cost::toOnePercent);
+        }
+
+        private double exponent(ToDoubleFunction<Cost> evaluations) {
+            return PowerLaw.exponent(costs.stream().filter(cost -> cost.stiffness() >= FIT_FROM
+                    && !Double.isNaN(evaluations.applyAsDouble(cost))).toList(), Cost::stiffness, evaluations);
+        }
     }
 
     /**
@@ -81,12 +95,9 @@ public final class StiffGallery {
      * @return its costs
      */
     public static Sweep sweep(SolverChoice solver, int decades) {
-        List<Cost> costs = new ArrayList<>();
         boolean never = grows(solver);
-        for (int d = 0; d <= decades; d++) {
-            costs.add(cost(solver, StrictMath.pow(10, d), never));
-        }
-        return new Sweep(solver, never, costs, exponent(costs, true), exponent(costs, false));
+        return new Sweep(solver, never, IntStream.rangeClosed(0, decades)
+                .mapToObj(d -> cost(solver, StrictMath.pow(10, d), never)).toList());
     }
 
     private static Cost cost(SolverChoice solver, double k, boolean never) {
@@ -98,71 +109,42 @@ public final class StiffGallery {
             return new Cost(k, Double.NaN, run.precise() ? run.evaluations() : Double.NaN, run.vibration());
         }
         int toGrow = never ? 0 : STEPS_TO_GROW;         // a solver that always grows only grows more
-        int stable = never ? 0 : fewest(solver, k, false, toGrow);
-        int precise = fewest(solver, k, true, toGrow);
+        int stable = never ? 0 : fewest(solver, k, toGrow, Run::stable);
+        int precise = fewest(solver, k, toGrow, Run::precise);
         Run best = run(solver, k, Math.max(1, precise), 0, 0);
         return new Cost(k, stable == 0 ? Double.NaN : run(solver, k, stable, 0, 0).evaluations(),
                 precise == 0 ? Double.NaN : best.evaluations(), precise == 0 ? Double.NaN : best.vibration());
     }
 
-    /** The fewest steps needed; 0 if even the most are not enough. */
-    private static int fewest(SolverChoice solver, double k, boolean precise, int toGrow) {
-        int few = 1;
-        int enough = 2;
-        while (!holds(run(solver, k, enough, 0, toGrow), precise)) {
-            few = enough;
-            enough *= 2;
-            if (enough > MOST_STEPS / (solver.implicit() ? 16 : 1)) {
-                return 0;
-            }
-        }
-        while (enough > NEAR * few + 1) {
-            int middle = (few + enough) / 2;
-            if (holds(run(solver, k, middle, 0, toGrow), precise)) {
-                enough = middle;
-            } else {
-                few = middle;
-            }
-        }
-        return enough;
-    }
-
-    private static boolean holds(Run run, boolean precise) {
-        return precise ? run.precise() : run.stable;
+    private static int fewest(SolverChoice solver, double k, int toGrow, Predicate<Run> enough) {
+        return FewestSteps.find(2, MOST_STEPS / (solver.implicit() ? 16 : 1), NEAR, steps ->
+                enough.test(run(solver, k, steps, 0, toGrow)));
     }
 
     private static Run run(SolverChoice choice, double k, int steps, double tolerance, int toGrow) {
         StiffSpringPair pair = new StiffSpringPair(k);
         DESolver solver = choice.create(tolerance);
+        double left = vibration(solver, pair, DURATION / steps, steps);
+        double error = Math.abs(pair.centre() - StrictMath.cos(DURATION));
+        long evaluations = pair.getEvaluations();
+        return new Run(error, left, left < UNSTABLE
+                && vibration(solver, pair, DURATION / steps, toGrow - steps) < UNSTABLE, evaluations);
+    }
+
+    /** The largest vibration in the last tenth of some steps; infinite, or that of a step where it is unstable. */
+    private static double vibration(DESolver solver, StiffSpringPair pair, double deltaT, int steps) {
         double left = 0;
         try {
             for (int n = 0; n < steps && left < UNSTABLE; n++) {
-                solver.stepState(pair, DURATION / steps);
+                solver.stepState(pair, deltaT);
                 double vibration = pair.vibration();
                 if (n >= 0.9 * (steps - 1) || !(vibration < UNSTABLE)) {
                     left = Math.max(left, vibration);
                 }
             }
+            return left;
         } catch (DESolverException e) {
-            return new Run(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, false, pair.getEvaluations());
-        }
-        double error = Math.abs(pair.centre() - StrictMath.cos(DURATION));
-        long evaluations = pair.getEvaluations();
-        boolean stable = left < UNSTABLE && staysBounded(solver, pair, DURATION / steps, toGrow - steps);
-        return new Run(error, left, stable, evaluations);
-    }
-
-    private static boolean staysBounded(DESolver solver, StiffSpringPair pair, double deltaT, int steps) {
-        try {
-            for (int n = 0; n < steps; n++) {
-                solver.stepState(pair, deltaT);
-                if (!(pair.vibration() < UNSTABLE)) {
-                    return false;
-                }
-            }
-            return true;
-        } catch (DESolverException e) {
-            return false;                               // it overflows
+            return Double.POSITIVE_INFINITY;            // it overflows
         }
     }
 
@@ -178,12 +160,5 @@ public final class StiffGallery {
             quarters[4 * n / LONG_RUN] += pair.vibration();
         }
         return quarters[3] > GROWTH * quarters[0];
-    }
-
-    private static double exponent(List<Cost> costs, boolean stable) {
-        List<Cost> fit = costs.stream().filter(c -> c.stiffness() >= FIT_FROM
-                && !Double.isNaN(stable ? c.toBeStable() : c.toOnePercent())).toList();
-        return PowerLaw.exponent(fit.stream().mapToDouble(Cost::stiffness).toArray(),
-                fit.stream().mapToDouble(c -> stable ? c.toBeStable() : c.toOnePercent()).toArray());
     }
 }

@@ -1,11 +1,12 @@
 package particles.experiments.work;
 
+import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.work.WorkPrecision.Curve;
 import particles.experiments.work.WorkPrecision.Failure;
@@ -25,125 +26,90 @@ public final class WorkCharts {
     }
 
     /**
-     * @param problem the problem
-     * @param curves  the curves of all solvers
+     * @param curves the curves of all solvers on one problem
      * @return error against evaluations, with fitted slopes in the legend; below, if there are any, the failures
      */
-    public static List<ChartData> byEvaluations(WorkProblem problem, List<Curve> curves) {
+    public static List<ChartData> byEvaluations(List<Curve> curves) {
         List<Series> series = new ArrayList<>();
         for (Curve curve : curves) {
-            String name = curve.solver().label() + slope(curve);
-            List<Point> open = new ArrayList<>();
-            List<Point> fitted = new ArrayList<>();
-            for (int k = 0; k < curve.points().size(); k++) {
-                if (isResult(curve.points().get(k))) {
-                    open.add(curve.points().get(k));
-                    if (curve.fit().contains(k)) {
-                        fitted.add(curve.points().get(k));
-                    }
-                }
+            List<Point> fitted = curve.points().subList(curve.fit().first(), curve.fit().last() + 1);
+            series.add(Series.of(curve.label() + slope(curve), Mark.LINE_AND_OPEN_POINTS, results(curve),
+                    Point::evaluations, Point::error));
+            series.add(Series.of(curve.label() + slope(curve), Mark.POINTS, fitted, Point::evaluations, Point::error));
+            if (isReduced(curve)) {                     // the errors that the full order would give
+                double order = curve.solver().order();
+                Point first = fitted.get(0);
+                series.add(Series.of(Digits.format("%s at order %.0f", curve.label(), order), Mark.LINE, fitted,
+                        Point::evaluations, p -> first.error() * Math.pow(p.deltaT() / first.deltaT(), order)));
             }
-            series.add(Series.of(name, Mark.LINE_AND_OPEN_POINTS, open, Point::evaluations, Point::error));
-            series.add(Series.of(name, Mark.POINTS, fitted, Point::evaluations, Point::error));
-            unreduced(curve, fitted).ifPresent(series::add);
         }
-        series.add(new Series("filled: fitted; in brackets: theory", Mark.POINTS, new double[0], new double[0]));
-        return charts(new ChartData(drawn -> problem.title() + ": " + reduction(in(drawn, curves)).orElseGet(() ->
-                first(in(drawn, curves), false)), "evaluations of the derivative", problem.errorLabel(), true, true,
-                series), curves, Point::evaluations);
+        series.add(Series.of("filled: fitted; in brackets: theory", Mark.POINTS, List.of()));
+        return charts(new ChartData(drawn -> title(curves) + reduction(in(drawn, curves)).orElseGet(() ->
+                first(in(drawn, curves), false)), "evaluations of the derivative",
+                curves.get(0).problem().errorLabel(), true, true, series), curves, Point::evaluations);
     }
 
     /**
-     * @param problem the problem
-     * @param curves  the curves of all solvers
+     * @param curves the curves of all solvers on one problem
      * @return error against CPU time, with bars from the lower to the upper quartile; below, if there are any, the
-     * failures
+     *         failures
      */
-    public static List<ChartData> byTime(WorkProblem problem, List<Curve> curves) {
+    public static List<ChartData> byTime(List<Curve> curves) {
         List<Series> series = new ArrayList<>();
         for (Curve curve : curves) {
-            List<Point> good = curve.points().stream().filter(WorkCharts::isResult).toList();
-            series.add(Series.of(curve.solver().label(), Mark.LINE_AND_POINTS, good, Point::seconds, Point::error));
-            double[] x = new double[3 * good.size()];
-            double[] y = new double[3 * good.size()];
-            for (int k = 0; k < good.size(); k++) {             // a gap after each bar
-                x[3 * k] = good.get(k).lower();
-                x[3 * k + 1] = good.get(k).upper();
-                x[3 * k + 2] = Double.NaN;
-                y[3 * k] = y[3 * k + 1] = good.get(k).error();
-                y[3 * k + 2] = Double.NaN;
-            }
-            series.add(new Series(curve.solver().label(), Mark.BARS, x, y));
+            series.add(Series.of(curve.label(), Mark.LINE_AND_POINTS, results(curve), Point::seconds, Point::error));
+            series.add(Series.of(curve.label(), Mark.BARS, results(curve).stream().flatMap(p -> Stream.of(
+                    new double[] {p.lower(), p.error()}, new double[] {p.upper(), p.error()},
+                    new double[] {Double.NaN, Double.NaN})).toList()));         // a gap after each bar
         }
-        return charts(new ChartData(drawn -> problem.title() + ": " + first(in(drawn, curves), true),
-                "CPU time, median (s)", problem.errorLabel(), true, true, series), curves, Point::seconds);
+        return charts(new ChartData(drawn -> title(curves) + first(in(drawn, curves), true),
+                "CPU time, median (s)", curves.get(0).problem().errorLabel(), true, true, series), curves,
+                Point::seconds);
+    }
+
+    private static String title(List<Curve> curves) {
+        return curves.get(0).problem().title() + ": ";
     }
 
     private static List<Curve> in(List<Series> drawn, List<Curve> curves) {
         return curves.stream().filter(curve -> curve.solver().isIn(drawn)).toList();
     }
 
-    private static boolean isResult(Point point) {
-        return point.failure().isEmpty() && point.error() > 0;
+    private static List<Point> results(Curve curve) {
+        return curve.points().stream().filter(point -> point.failure().isEmpty() && point.error() > 0).toList();
     }
 
     /** Below the errors, over the same work: a row for each solver of which a run failed. */
     private static List<ChartData> charts(ChartData errors, List<Curve> curves, ToDoubleFunction<Point> work) {
-        List<String> rows = new ArrayList<>();
-        List<List<double[]>> failures = List.of(new ArrayList<>(), new ArrayList<>());
-        for (Curve curve : curves) {
-            for (Point point : curve.points()) {
-                point.failure().ifPresent(kind -> {
-                    if (!rows.contains(curve.solver().label())) {
-                        rows.add(curve.solver().label());
-                    }
-                    failures.get(kind.ordinal()).add(new double[] {work.applyAsDouble(point), rows.size() - 1});
-                });
-            }
-        }
-        if (rows.isEmpty()) {
-            return List.of(errors);
-        }
+        List<Curve> failing = curves.stream().filter(curve -> curve.points().stream().anyMatch(point ->
+                point.failure().isPresent())).toList();
         List<Series> series = new ArrayList<>();
         for (Failure kind : Failure.values()) {
-            List<double[]> of = failures.get(kind.ordinal());
-            if (!of.isEmpty()) {
-                boolean unstable = kind == Failure.UNSTABLE;
-                series.add(Series.of(unstable ? "unstable" : "did not converge",
-                        unstable ? Mark.FAILURES : Mark.GIVEN_UP, of, f -> f[0], f -> f[1]));
+            List<double[]> points = failing.stream().flatMap(curve -> curve.failures(kind).map(point ->
+                    new double[] {work.applyAsDouble(point), failing.indexOf(curve)})).toList();
+            if (!points.isEmpty()) {
+                series.add(Series.of(kind.words(), kind == Failure.UNSTABLE ? Mark.FAILURES : Mark.GIVEN_UP, points));
             }
         }
-        return List.of(errors, new ChartData("", errors.xLabel(), "no result", true, false, series).inRows(rows));
+        return failing.isEmpty() ? List.of(errors) : List.of(errors, new ChartData("", errors.xLabel(), "no result",
+                true, false, series).inRows(failing.stream().map(Curve::label).toList()));
     }
 
     /** @return the fitted slope and the theoretical one, as text for the legend */
     static String slope(Curve curve) {
-        String theory = Double.isNaN(curve.expected()) ? "" : String.format(Locale.ROOT, " (%.0f)", curve.expected());
-        return Double.isNaN(curve.fit().slope()) ? "" : String.format(Locale.ROOT, ", %.2f",
-                curve.fit().slope())
-                + theory;
+        return Double.isNaN(curve.fit().slope()) ? "" : Digits.format(", %.2f", curve.fit().slope())
+                + (Double.isNaN(curve.expected()) ? "" : Digits.format(" (%.0f)", curve.expected()));
     }
 
-    /** For a reduced order: the errors that the full order would give, from the first fitted one on. */
-    private static Optional<Series> unreduced(Curve curve, List<Point> fitted) {
-        if (!(curve.expected() < curve.solver().order()) || fitted.isEmpty()) {
-            return Optional.empty();
-        }
-        double first = fitted.get(0).error();
-        double[] y = fitted.stream().mapToDouble(p -> first * Math.pow(p.deltaT() / fitted.get(0).deltaT(),
-                curve.solver().order()))
-                .toArray();
-        return Optional.of(new Series(String.format(Locale.ROOT, "%s at order %.0f", curve.solver().label(),
-                curve.solver().order()), Mark.LINE,
-                fitted.stream().mapToDouble(Point::evaluations).toArray(), y));
+    /** Whether theory predicts order reduction and there is a slope to show it. */
+    private static boolean isReduced(Curve curve) {
+        return curve.expected() < curve.solver().order() && !Double.isNaN(curve.fit().slope());
     }
 
-    /** The order predicted by theory for solvers with order reduction, if one of them has a slope. */
     private static Optional<String> reduction(List<Curve> curves) {
-        return curves.stream().filter(curve -> curve.expected() < curve.solver().order()
-                && !Double.isNaN(curve.fit().slope()))
-                .findFirst().map(curve -> String.format(Locale.ROOT, "%s falls from order %.0f to %.2f (theory: %.0f)",
-                        curve.solver().label(), curve.solver().order(), curve.fit().slope(), curve.expected()));
+        return curves.stream().filter(WorkCharts::isReduced).findFirst().map(curve -> Digits.format(
+                "%s falls from order %.0f to %.2f (theory: %.0f)", curve.label(), curve.solver().order(),
+                curve.fit().slope(), curve.expected()));
     }
 
     /** Which solver gets to a rough and to a fine error first; all of them where several cannot be told apart. */
@@ -180,26 +146,23 @@ public final class WorkCharts {
     }
 
     private static Optional<Crossing> crossing(Curve curve, double error, boolean time) {
-        List<Point> points = curve.points().stream().filter(WorkCharts::isResult).toList();
+        List<Point> points = results(curve);
         List<Crossing> found = new ArrayList<>();
         for (int k = 0; k < points.size(); k++) {
             Point from = points.get(Math.max(0, k - 1));
             Point to = points.get(k);
             if (to.error() <= error && (k == 0 || from.error() > error)) {
-                double part = k == 0 ? 1 : Math.log(from.error() / error)
-                        / Math.log(from.error() / to.error());
-                double evaluations = between(from, to, part, Point::evaluations);
-                found.add(time ? new Crossing(curve.solver().label(), between(from, to, part, Point::lower),
-                        between(from, to, part, Point::seconds), between(from, to, part, Point::upper))
-                        : new Crossing(curve.solver().label(), evaluations * (1 - READ), evaluations,
+                double part = k == 0 ? 1 : Math.log(from.error() / error) / Math.log(from.error() / to.error());
+                // on a straight line between two points, on logarithmic axes
+                ToDoubleFunction<ToDoubleFunction<Point>> at = work -> Math.pow(work.applyAsDouble(from), 1 - part)
+                        * Math.pow(work.applyAsDouble(to), part);
+                double evaluations = at.applyAsDouble(Point::evaluations);
+                found.add(time ? new Crossing(curve.label(), at.applyAsDouble(Point::lower),
+                        at.applyAsDouble(Point::seconds), at.applyAsDouble(Point::upper))
+                        : new Crossing(curve.label(), evaluations * (1 - READ), evaluations,
                         evaluations * (1 + READ)));
             }
         }
         return found.stream().min(Comparator.comparingDouble(Crossing::middle));
-    }
-
-    /** On a straight line between two points, on logarithmic axes. */
-    private static double between(Point from, Point to, double part, ToDoubleFunction<Point> work) {
-        return Math.pow(work.applyAsDouble(from), 1 - part) * Math.pow(work.applyAsDouble(to), part);
     }
 }

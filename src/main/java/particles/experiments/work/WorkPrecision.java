@@ -6,6 +6,7 @@ import deSolvers.DEStateSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.SolverChoice;
 
@@ -34,9 +35,20 @@ public final class WorkPrecision {
     /** The ways in which a run can fail. */
     public enum Failure {
         /** Its error grew beyond any use, or beyond all numbers. */
-        UNSTABLE,
+        UNSTABLE("unstable"),
         /** An iteration within the step did not converge, or the sub-steps became too short. */
-        NOT_CONVERGED,
+        NOT_CONVERGED("did not converge");
+
+        private final String words;
+
+        Failure(String words) {
+            this.words = words;
+        }
+
+        /** @return its name in charts and tables */
+        public String words() {
+            return words;
+        }
     }
 
     /**
@@ -59,6 +71,7 @@ public final class WorkPrecision {
     /**
      * The work-precision curve of one solver.
      *
+     * @param problem  the problem
      * @param solver   the solver
      * @param byStep   whether the step varies, by a factor of 2 from run to run; otherwise the tolerance varies, by a
      *                 factor of 10
@@ -66,14 +79,28 @@ public final class WorkPrecision {
      * @param fit      the exponent of the error as a power of the step, or of the evaluations with the sign changed
      * @param expected the theoretical slope; NaN if the method has no fixed order
      */
-    public record Curve(SolverChoice solver, boolean byStep, List<Point> points, SlopeFit fit, double expected) {
-        /** @return what was varied from run to run: deltaT (s) or the tolerance */
-        double varied(Point point) {
-            return byStep ? point.deltaT() : point.tolerance();
+    public record Curve(WorkProblem problem, SolverChoice solver, boolean byStep, List<Point> points, SlopeFit fit,
+                        double expected) {
+        /** @return the solver's name in charts */
+        public String label() {
+            return solver.label();
+        }
+
+        Stream<Point> failures(Failure kind) {
+            return points.stream().filter(point -> point.failure().equals(Optional.of(kind)));
         }
     }
 
-    private WorkPrecision() {
+    private final WorkProblem problem;
+    private final SolverChoice solver;
+    private final int timed;
+    private final boolean byStep;
+
+    private WorkPrecision(WorkProblem problem, SolverChoice solver, int timed) {
+        this.problem = problem;
+        this.solver = solver;
+        this.timed = timed;
+        byStep = !solver.adaptive() || isStiff();
     }
 
     /**
@@ -87,32 +114,44 @@ public final class WorkPrecision {
 
     /** @param timed the smallest number of timed runs, odd; 0 for none, which gives times of NaN */
     static Curve measure(WorkProblem problem, SolverChoice solver, int timed) {
-        boolean inStiff = solver.implicit() && problem.stiff().isPresent();
-        boolean byStep = !solver.adaptive() || inStiff;
+        return new WorkPrecision(problem, solver, timed).curve();
+    }
+
+    private Curve curve() {
         if (timed > 0) {
-            warmUp(problem, solver, byStep);
+            warmUp();
         }
-        List<Point> points = byStep ? overSteps(problem, solver, timed) : overTolerances(problem, solver, timed);
-        double expected = expected(problem, solver);
-        SlopeFit fit = byStep ? SlopeFit.byStep(points, problem, inStiff, expected)
-                : SlopeFit.byWork(points, problem, expected);
-        return new Curve(solver, byStep, points, fit, expected);
+        List<Point> points = byStep ? overSteps() : overTolerances();
+        double expected = expected();
+        double shortest = isStiff() ? problem.stiff().orElseThrow().deltaT() : 0;
+        return new Curve(problem, solver, byStep, points,
+                SlopeFit.of(points, problem.floor(), byStep, shortest, expected), expected);
+    }
+
+    private boolean isStiff() {
+        return solver.implicit() && problem.stiff().isPresent();
+    }
+
+    private long budget() {
+        return solver.implicit() ? problem.budget().implicit() : problem.budget().explicit();
+    }
+
+    private double tightest() {
+        return solver.implicit() ? problem.budget().tightestTolerance() : TIGHTEST;
     }
 
     /** The theoretical slope; an extrapolation method has none, since it varies its order. */
-    private static double expected(WorkProblem problem, SolverChoice solver) {
+    private double expected() {
         double order = solver.info().filter(info -> info.family().equals("extrapolation")).isPresent() ? Double.NaN
                 : solver.order();
         return problem.stiff().map(stiff -> stiff.reduced().getOrDefault(solver.name(), order)).orElse(order);
     }
 
-    private static List<Point> overSteps(WorkProblem problem, SolverChoice solver, int timed) {
+    private List<Point> overSteps() {
         List<Point> points = new ArrayList<>();
-        double tolerance = solver.adaptive() ? WHOLE_STEPS : Double.NaN;
-        long budget = solver.implicit() ? problem.budget().implicit() : problem.budget().explicit();
         int steps = solver.implicit() ? FEWEST_WHOLE_STEPS : FEWEST_STEPS;
-        for (long next = steps; next <= budget; steps *= 2) {
-            Point point = point(problem, solver, steps, tolerance, timed);
+        for (long next = steps; next <= budget(); steps *= 2) {
+            Point point = point(steps, solver.adaptive() ? WHOLE_STEPS : Double.NaN);
             points.add(point);
             // half the step doubles the work; a run that fails early says little about it
             next = 2 * (point.failure().isPresent() ? Math.max(next, point.evaluations()) : point.evaluations());
@@ -120,51 +159,45 @@ public final class WorkPrecision {
         return points;
     }
 
-    private static List<Point> overTolerances(WorkProblem problem, SolverChoice solver, int timed) {
+    private List<Point> overTolerances() {
         List<Point> points = new ArrayList<>();
-        double tightest = solver.implicit() ? problem.budget().tightestTolerance() : TIGHTEST;
-        for (double tolerance = LOOSEST; tolerance > 0.5 * tightest; tolerance /= 10) {
-            points.add(point(problem, solver, 1, tolerance, timed));
+        for (double tolerance = LOOSEST; tolerance > 0.5 * tightest(); tolerance /= 10) {
+            points.add(point(1, tolerance));
         }
         return points;
     }
 
     /** Warms up with a run that is neither so coarse that it fails at once nor long. */
-    private static void warmUp(WorkProblem problem, SolverChoice solver, boolean byStep) {
-        long budget = solver.implicit() ? problem.budget().implicit() : problem.budget().explicit();
-        int steps = byStep ? (int) Math.max(FEWEST_STEPS, budget / WARM_PART) : 1;
-        double tolerance = byStep ? WHOLE_STEPS
-                : Math.max(WARM_TOLERANCE, solver.implicit() ? problem.budget().tightestTolerance() : 0);
+    private void warmUp() {
+        int steps = byStep ? (int) Math.max(FEWEST_STEPS, budget() / WARM_PART) : 1;
+        double tolerance = byStep ? WHOLE_STEPS : Math.max(WARM_TOLERANCE, tightest());
         double begin = CpuClock.seconds();
         while (CpuClock.seconds() - begin < WARM) {
-            solve(problem.start().get(), solver.create(tolerance), problem.duration() / steps, steps);
+            solve(problem.start().get(), steps, tolerance);
         }
     }
 
-    private static Point point(WorkProblem problem, SolverChoice solver, int steps, double tolerance, int timed) {
+    private Point point(int steps, double tolerance) {
         List<Double> seconds = new ArrayList<>();
-        DEStateSource source = problem.start().get();
-        double start = CpuClock.seconds();
-        Optional<DESolverException> thrown = solve(source, solver.create(tolerance), problem.duration() / steps, steps);
-        double all = CpuClock.seconds() - start;
-        seconds.add(all);
-        while (seconds.size() < timed || timed > 0 && all < ENOUGH && seconds.size() < MOST_TIMED) {
-            DEStateSource again = problem.start().get();
-            DESolver fresh = solver.create(tolerance);
+        double all = 0;
+        DEStateSource source;
+        Optional<DESolverException> thrown;
+        do {
+            source = problem.start().get();
             double begin = CpuClock.seconds();
-            solve(again, fresh, problem.duration() / steps, steps);
+            thrown = solve(source, steps, tolerance);
             seconds.add(CpuClock.seconds() - begin);
             all += seconds.get(seconds.size() - 1);
-        }
+        } while (seconds.size() < timed || timed > 0 && all < ENOUGH && seconds.size() < MOST_TIMED);
         double[] sorted = timed == 0 ? new double[] {Double.NaN}
                 : seconds.stream().mapToDouble(Double::doubleValue).sorted().toArray();
         int quarter = (sorted.length - 1) / 4;
         double error = problem.error(source);
-        Optional<Failure> failure = thrown.map(e -> kind(e, solver)).or(() -> error < USELESS ? Optional.empty()
+        Optional<Failure> failure = thrown.map(this::kind).or(() -> error < USELESS ? Optional.empty()
                 : Optional.of(Failure.UNSTABLE));
         String why = thrown.map(DESolverException::getMessage).orElse(failure.isPresent() ? "the error is " + error
                 : "");
-        return new Point(problem.duration() / steps, tolerance, problem.evaluations().applyAsLong(source),
+        return new Point(problem.duration() / steps, tolerance, WorkProblem.evaluations(source),
                 failure.isPresent() ? Double.NaN : error, sorted[sorted.length / 2], sorted[quarter],
                 sorted[sorted.length - 1 - quarter], failure, why);
     }
@@ -173,14 +206,15 @@ public final class WorkPrecision {
      * Finds the way of failing: an overflow has an entry of the state, an iteration that does not converge has none,
      * and sub-steps become too short.
      */
-    private static Failure kind(DESolverException thrown, SolverChoice solver) {
+    private Failure kind(DESolverException thrown) {
         return thrown.getEntry() < 0 || solver.adaptive() ? Failure.NOT_CONVERGED : Failure.UNSTABLE;
     }
 
-    private static Optional<DESolverException> solve(DEStateSource source, DESolver solver, double deltaT, int steps) {
+    private Optional<DESolverException> solve(DEStateSource source, int steps, double tolerance) {
+        DESolver fresh = solver.create(tolerance);
         try {
             for (int n = 0; n < steps; n++) {
-                solver.stepState(source, deltaT);
+                fresh.stepState(source, problem.duration() / steps);
             }
             return Optional.empty();
         } catch (DESolverException e) {

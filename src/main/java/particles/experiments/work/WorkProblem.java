@@ -2,10 +2,11 @@ package particles.experiments.work;
 
 import deSolvers.DEStateSource;
 import deSolvers.SecondOrderStateSource;
+import deSolvers.problems.ReferenceProblem;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
-import java.util.function.ToLongFunction;
+import particles.ParticleSystem;
 
 /**
  * A test problem of the work-precision experiment.
@@ -14,7 +15,6 @@ import java.util.function.ToLongFunction;
  * @param title         a short description
  * @param duration      the time over which it is solved (s)
  * @param start         creates a source in its initial state
- * @param evaluations   returns the number of evaluations of such a source
  * @param reference     the state at the end
  * @param origin        the origin of the reference, in words
  * @param onlyPositions whether errors are of positions alone (m); else of the whole state
@@ -23,8 +23,8 @@ import java.util.function.ToLongFunction;
  * @param stiff         the range of steps in which it is stiff, if it is
  */
 public record WorkProblem(String name, String title, double duration, Supplier<? extends DEStateSource> start,
-                          ToLongFunction<DEStateSource> evaluations, double[] reference, String origin,
-                          boolean onlyPositions, double floor, Budget budget, Optional<Stiff> stiff) {
+                          double[] reference, String origin, boolean onlyPositions, double floor, Budget budget,
+                          Optional<Stiff> stiff) {
 
     /**
      * The limits of a solver's work.
@@ -64,6 +64,12 @@ public record WorkProblem(String name, String title, double duration, Supplier<?
             }
         }
         return onlyPositions ? largest : Math.sqrt(squares);
+    }
+
+    /** @return the number of evaluations of a problem's source */
+    static long evaluations(DEStateSource source) {
+        return source instanceof ParticleSystem system ? system.getEvaluations()
+                : ((ReferenceProblem) source).getEvaluations();
     }
 
     /** @return the kind of error, with its unit */

@@ -1,6 +1,5 @@
 package particles.experiments.work;
 
-import deSolvers.DEStateSource;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.Kepler;
 import deSolvers.problems.Oscillator;
@@ -58,7 +57,7 @@ public final class WorkProblems {
             case "network" -> computed(name, "A damped spring network", 2, WorkProblems::network,
                     new Budget(70_000, 10_000, 1e-8));
             case "stiff-chain" -> new WorkProblem(name, "A stiff chain, shaken", SHAKEN_SECONDS, ShakenChain::new,
-                    WorkProblems::evaluations, new ShakenChain().exactState(SHAKEN_SECONDS), "exact", true, 1e-14,
+                    new ShakenChain().exactState(SHAKEN_SECONDS), "exact", true, 1e-14,
                     new Budget(1_200_000, 80_000, TIGHTEST),
                     Optional.of(new Stiff(ShakenChain.STIFF_DELTA_T, Map.of("radau", 3.0))));
             case "cloth" -> computed(name, "A cloth of 36 particles that falls", 0.5, WorkProblems::cloth,
@@ -69,27 +68,17 @@ public final class WorkProblems {
     }
 
     private static WorkProblem exact(String name, String title, double duration, Supplier<ReferenceProblem> start,
-                                     Budget budget) {
-        return new WorkProblem(name, title, duration, start, WorkProblems::evaluations,
-                start.get().exactState(duration),
-                "exact", false, FLOOR, budget, Optional.empty());
+            Budget budget) {
+        return new WorkProblem(name, title, duration, start, start.get().exactState(duration), "exact", false, FLOOR,
+                budget, Optional.empty());
     }
 
-    private static WorkProblem computed(String name, String title, double duration,
-            Supplier<? extends DEStateSource> start,
-                                        Budget budget) {
-        DEStateSource source = start.get();
+    private static WorkProblem computed(String name, String title, double duration, Supplier<ParticleSystem> start,
+            Budget budget) {
+        ParticleSystem source = start.get();
         SolverCatalog.create(REFERENCE, TIGHT, TIGHT).stepState(source, duration);
-        double[] reference = new double[source.getStateSize()];
-        source.getState(reference);
-        return new WorkProblem(name, title, duration, start, WorkProblems::evaluations, reference,
-                REFERENCE + " with tolerance " + TIGHT, source instanceof ParticleSystem, FLOOR, budget,
-                Optional.empty());
-    }
-
-    private static long evaluations(DEStateSource source) {
-        return source instanceof ParticleSystem system ? system.getEvaluations()
-                : ((ReferenceProblem) source).getEvaluations();
+        return new WorkProblem(name, title, duration, start, source.getStateArray(),
+                REFERENCE + " with tolerance " + TIGHT, true, FLOOR, budget, Optional.empty());
     }
 
     /**

@@ -2,10 +2,8 @@ package particles.experiments.work;
 
 import static particles.view.DataTable.column;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
+import java.util.stream.IntStream;
 import particles.experiments.work.WorkPrecision.Curve;
 import particles.experiments.work.WorkPrecision.Failure;
 import particles.experiments.work.WorkPrecision.Point;
@@ -17,58 +15,49 @@ public final class WorkTables {
     }
 
     /**
-     * @param all the curves of each problem
+     * @param curves the curves on all problems
      * @return the fitted slopes, the theoretical ones, and the runs that were fitted
      */
-    public static DataTable slopes(Map<WorkProblem, List<Curve>> all) {
-        record Row(WorkProblem problem, Curve curve, SlopeFit fit) {
-            Object varied(int run) {
-                return Double.isNaN(fit.slope()) ? Double.NaN : curve.varied(curve.points().get(run));
-            }
-        }
-        List<Row> rows = new ArrayList<>();
-        all.forEach((problem, curves) -> curves.forEach(curve -> rows.add(new Row(problem, curve, curve.fit()))));
+    public static DataTable slopes(List<Curve> curves) {
         return DataTable.of("slopes",
-                "Fitted slopes beside theory; a fit is of the runs from the coarsest to the finest fitted", rows,
-                column("problem", row -> row.problem.name()), column("solver", row -> row.curve.solver().label()),
-                column("slope", 3, row -> row.fit.slope()), column("theory", row -> row.curve.expected()),
-                column("order", row -> row.curve.solver().order()),
-                column("varied", row -> row.curve.byStep() ? "deltaT (s)" : "tolerance"),
-                column("coarsest fitted", 3, row -> row.varied(row.fit.first())),
-                column("finest fitted", 3, row -> row.varied(row.fit.last())),
-                column("fitted", row -> row.fit.last() - row.fit.first() + 1),
-                column("runs", row -> row.curve.points().size()),
-                column("unstable", row -> failed(row.curve, Failure.UNSTABLE)),
-                column("not converged", row -> failed(row.curve, Failure.NOT_CONVERGED)),
-                column("why no slope", row -> row.fit.whyNot()));
+                "Fitted slopes beside theory; a fit is of the runs from the coarsest to the finest fitted", curves,
+                column("problem", curve -> curve.problem().name()), column("solver", Curve::label),
+                column("slope", 3, curve -> curve.fit().slope()), column("theory", Curve::expected),
+                column("order", curve -> curve.solver().order()),
+                column("varied", curve -> curve.byStep() ? "deltaT (s)" : "tolerance"),
+                column("coarsest fitted", 3, curve -> varied(curve, curve.fit().first())),
+                column("finest fitted", 3, curve -> varied(curve, curve.fit().last())),
+                column("fitted", curve -> curve.fit().last() - curve.fit().first() + 1),
+                column("runs", curve -> curve.points().size()),
+                column("unstable", curve -> curve.failures(Failure.UNSTABLE).count()),
+                column("not converged", curve -> curve.failures(Failure.NOT_CONVERGED).count()),
+                column("why no slope", curve -> curve.fit().whyNot()));
     }
 
-    private static long failed(Curve curve, Failure kind) {
-        return curve.points().stream().filter(point -> point.failure().equals(Optional.of(kind))).count();
+    /** What was varied from run to run, deltaT (s) or the tolerance; NaN where there is no fit. */
+    private static double varied(Curve curve, int run) {
+        return Double.isNaN(curve.fit().slope()) ? Double.NaN : curve.byStep() ? curve.points().get(run).deltaT()
+                : curve.points().get(run).tolerance();
     }
 
     /**
-     * @param all the curves of each problem
+     * @param curves the curves on all problems
      * @return every run
      */
-    public static DataTable runs(Map<WorkProblem, List<Curve>> all) {
-        record Row(WorkProblem problem, Curve curve, int k, Point point) {
+    public static DataTable runs(List<Curve> curves) {
+        record Row(Curve curve, int k, Point point) {
         }
-        List<Row> rows = new ArrayList<>();
-        all.forEach((problem, curves) -> curves.forEach(curve -> {
-            for (int k = 0; k < curve.points().size(); k++) {
-                rows.add(new Row(problem, curve, k, curve.points().get(k)));
-            }
-        }));
-        return DataTable.of("runs", "Every run; times are medians of five or more runs that were warmed up", rows,
-                column("problem", row -> row.problem.name()), column("solver", row -> row.curve.solver().label()),
+        return DataTable.of("runs", "Every run; times are medians of five or more runs that were warmed up",
+                curves.stream().flatMap(curve -> IntStream.range(0, curve.points().size()).mapToObj(k ->
+                        new Row(curve, k, curve.points().get(k)))).toList(),
+                column("problem", row -> row.curve.problem().name()), column("solver", row -> row.curve.label()),
                 column("deltaT (s)", row -> row.point.deltaT()), column("tolerance", 2, row -> row.point.tolerance()),
                 column("evaluations", row -> row.point.evaluations()), column("error", 3, row -> row.point.error()),
                 column("fitted", row -> row.curve.fit().contains(row.k) ? "yes" : ""),
                 column("time (s)", 2, row -> row.point.seconds()),
                 column("lower quartile (s)", 2, row -> row.point.lower()),
                 column("upper quartile (s)", 2, row -> row.point.upper()),
-                column("no result", row -> row.point.failure().map(kind -> kind == Failure.UNSTABLE ? "unstable"
-                        : "did not converge").orElse("")), column("why", row -> row.point.why()));
+                column("no result", row -> row.point.failure().map(Failure::words).orElse("")),
+                column("why", row -> row.point.why()));
     }
 }

@@ -7,9 +7,10 @@ import deSolvers.problems.StepMatrix;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.teaching.StudentFailure;
 import particles.teaching.solvers.OrderMeasurement;
 import particles.teaching.solvers.SolverVerdict;
@@ -68,7 +69,7 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         work.add(series(name, builtIn ? Mark.LINE_AND_POINTS : Mark.LINE_AND_OPEN_POINTS, work(maker)));
         return new SolverFigures(facts(maker, verdict, order, energy, stability),
                 new ChartData(Double.isNaN(order.order()) ? "The error does not follow a power of deltaT"
-                        : String.format(Locale.ROOT, "The error falls as deltaT^%.2f", order.order()), "deltaT (s)",
+                        : Digits.format("The error falls as deltaT^%.2f", order.order()), "deltaT (s)",
                         "error after 2 s", true, true,
                         List.of(series(name, Mark.LINE_AND_POINTS, order.points()))), stability.region(),
                 stability.growth(),
@@ -80,9 +81,7 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
     }
 
     private static Series series(String name, Mark mark, List<double[]> points) {
-        List<double[]> shown = points.stream().filter(p -> p[1] > 0 && p[1] < BLOWN_UP).toList();
-        return new Series(name, mark, shown.stream().mapToDouble(p -> p[0]).toArray(),
-                shown.stream().mapToDouble(p -> p[1]).toArray());
+        return Series.of(name, mark, points.stream().filter(p -> p[1] > 0 && p[1] < BLOWN_UP).toList());
     }
 
     /** Makes a step, unless the solver refuses it. */
@@ -103,10 +102,8 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         DESolver solver = maker.get();
         double first = springs.energy();
         List<double[]> points = new ArrayList<>();
-        for (int step = 1; step <= ENERGY_STEPS && springs.energy() < BLOWN_UP; step++) {
-            if (!accepts(solver, springs, ENERGY_STEP)) {
-                break;
-            }
+        for (int step = 1; step <= ENERGY_STEPS && springs.energy() < BLOWN_UP
+                && accepts(solver, springs, ENERGY_STEP); step++) {
             if (step % 7 == 0 || step == ENERGY_STEPS) {
                 points.add(new double[] {step * ENERGY_STEP, Math.abs(springs.energy() / first - 1)});
             }
@@ -164,8 +161,8 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         WindyOscillators there = new WindyOscillators(1);
         rows.add(accepts(maker.get(), there, BACK) && accepts(maker.get(), there, -BACK) ? back(there)
                 : List.of(THERE_AND_BACK, "-", "it refuses a step back"));
-        return new DataTable("facts", "What it does", List.of(DataTable.column("property"), DataTable.column("value"),
-                DataTable.column("meaning")), rows);
+        return new DataTable("facts", "What it does", Stream.of("property", "value", "meaning")
+                .map(DataTable::column).toList(), rows);
     }
 
     private static String amplitude(double factor) {
@@ -173,15 +170,15 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
             return "kept";
         }
         if (factor > 1.995) {
-            return factor < 2.005 ? "doubles in every step" : String.format(Locale.ROOT,
-                    "becomes %.3g times as large in every step", factor);
+            return factor < 2.005 ? "doubles in every step"
+                    : Digits.format("becomes %.3g times as large in every step", factor);
         }
-        return String.format(Locale.ROOT, "%s by %.2g %% in every step", factor > 1 ? "grows" : "shrinks",
+        return Digits.format("%s by %.2g %% in every step", factor > 1 ? "grows" : "shrinks",
                 100 * Math.abs(factor - 1));
     }
 
     private static String text(double x) {
-        return String.format(Locale.ROOT, "%.8g", x);
+        return Digits.format("%.8g", x);
     }
 
     private static double largest(List<double[]> energy) {
@@ -205,10 +202,8 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
     private static List<Object> back(WindyOscillators there) {
         double[] before = new WindyOscillators(1).getState();
         double[] after = there.getState();
-        double distance = 0;
-        for (int k = 0; k < before.length; k++) {
-            distance = Math.max(distance, Math.abs(after[k] - before[k]));
-        }
+        double distance = IntStream.range(0, before.length).mapToDouble(k -> Math.abs(after[k] - before[k])).max()
+                .orElse(0);
         return List.of(THERE_AND_BACK, text(distance), distance < 1e-12 ? "reversible: it ends where it began"
                 : "not reversible");
     }

@@ -2,9 +2,13 @@ package particles.teaching.figures;
 
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
+import deSolvers.text.Digits;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.DoubleBinaryOperator;
 import java.util.function.DoubleUnaryOperator;
@@ -108,7 +112,7 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
 
     private static String text(StabilityLimit limit) {
         return limit.value() == Double.POSITIVE_INFINITY ? "unbounded" : limit.value() == 0 ? "0"
-                : String.format(Locale.ROOT, "%.8g", limit.value());
+                : Digits.format("%.8g", limit.value());
     }
 
     private static DoubleBinaryOperator builtIn(String other, Plane like) {
@@ -139,22 +143,16 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
                 places.add(new double[] {x, y, plane.growth(x, y)});
             }
         }
-        String nearest = "";
-        double least = Double.POSITIVE_INFINITY;
+        Map<String, Double> distances = new LinkedHashMap<>();
         for (String other : others) {
             DoubleBinaryOperator growth = builtIn(other, plane);
-            double distance = 0;
             for (double[] place : places) {
                 double theirs = growth.applyAsDouble(place[0], place[1]);
-                distance += place[2] <= STABLE == theirs <= STABLE ? 0 : 1;
-                distance += LITTLE * Math.abs(Math.min(2, place[2]) - Math.min(2, theirs));
-            }
-            if (distance < least) {
-                least = distance;
-                nearest = other;
+                distances.merge(other, (place[2] <= STABLE == theirs <= STABLE ? 0 : 1)
+                        + LITTLE * Math.abs(Math.min(2, place[2]) - Math.min(2, theirs)), Double::sum);
             }
         }
-        return nearest;
+        return Collections.min(others, Comparator.comparing(distances::get));
     }
 
     private static ChartData chart(String name, Plane plane, String nearest, StabilityLimit damping,
@@ -180,7 +178,7 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
 
     private static String most(StabilityLimit limit) {
         return limit.value() == 0 ? "never" : limit.value() == Double.POSITIVE_INFINITY ? "always"
-                : String.format(Locale.ROOT, "to %.4g", limit.value());
+                : Digits.format("to %.4g", limit.value());
     }
 
     private static DataTable table(String name, Plane plane, String nearest) {
@@ -189,14 +187,10 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         if (!others.contains(nearest)) {
             others.add(nearest);
         }
-        List<DataTable.Column> columns = new ArrayList<>(List.of(DataTable.column(plane.springs ? "deltaT omega"
-                : "deltaT lambda")));
-        if (plane.springs) {
-            columns.add(DataTable.column("deltaT c/m"));
-        }
-        columns.add(DataTable.column("exactly"));
-        columns.add(DataTable.column(name));
-        others.forEach(other -> columns.add(DataTable.column(other)));
+        List<String> columns = new ArrayList<>(plane.springs ? List.of("deltaT omega", "deltaT c/m")
+                : List.of("deltaT lambda"));
+        columns.addAll(List.of("exactly", name));
+        columns.addAll(others);
         List<List<Object>> rows = new ArrayList<>();
         for (double[] at : plane.springs ? DAMPED_PLACES : PLACES) {
             List<Object> row = new ArrayList<>();
@@ -212,8 +206,8 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
             rows.add(row);
         }
         return new DataTable("growth", plane.springs ? "By how much a step multiplies the amplitude of a damped spring"
-                : "By how much a step multiplies the size of y in y' = lambda y; exactly |exp(deltaT lambda)|", columns,
-                rows);
+                : "By how much a step multiplies the size of y in y' = lambda y; exactly |exp(deltaT lambda)|",
+                columns.stream().map(DataTable::column).toList(), rows);
     }
 
     private static double damped(double omega, double damping) {
@@ -226,6 +220,6 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     }
 
     private static String digits(double x) {
-        return x == Double.POSITIVE_INFINITY ? "refused" : String.format(Locale.ROOT, "%.6f", x);
+        return x == Double.POSITIVE_INFINITY ? "refused" : Digits.format("%.6f", x);
     }
 }

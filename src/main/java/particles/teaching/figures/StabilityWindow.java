@@ -1,5 +1,6 @@
 package particles.teaching.figures;
 
+import java.util.List;
 import java.util.function.DoubleBinaryOperator;
 import java.util.function.LongSupplier;
 import particles.experiments.stability.StabilityRegion.Window;
@@ -38,18 +39,17 @@ final class StabilityWindow {
         for (int k = 0; k <= directions; k++) {
             double cos = StrictMath.cos(Math.PI * k / 12);
             double sin = StrictMath.sin(Math.PI * k / 12);
-            boolean stable = growth.applyAsDouble(NEAREST * cos, NEAREST * sin) <= STABLE;
-            boolean otherStable = beside.applyAsDouble(NEAREST * cos, NEAREST * sin) <= STABLE;
-            for (double size = NEAREST; size < FARTHEST; size *= FACTOR) {
-                looks++;
-                boolean was = stable;
-                boolean otherWas = otherStable;
-                stable = growth.applyAsDouble(size * cos, size * sin) <= STABLE;
-                otherStable = beside.applyAsDouble(size * cos, size * sin) <= STABLE;
-                if (stable != was || otherStable != otherWas) {
-                    left = Math.min(left, size * cos);
-                    right = Math.max(right, size * cos);
-                    top = Math.max(top, size * sin);
+            for (DoubleBinaryOperator one : List.of(growth, beside)) {
+                boolean stable = one.applyAsDouble(NEAREST * cos, NEAREST * sin) <= STABLE;
+                for (double size = NEAREST; size < FARTHEST; size *= FACTOR) {
+                    looks++;
+                    boolean was = stable;
+                    stable = one.applyAsDouble(size * cos, size * sin) <= STABLE;
+                    if (stable != was) {
+                        left = Math.min(left, size * cos);
+                        right = Math.max(right, size * cos);
+                        top = Math.max(top, size * sin);
+                    }
                 }
             }
         }
@@ -63,7 +63,7 @@ final class StabilityWindow {
         left = both ? Math.min(left - margin, -0.4 * size) : 0;
         right = Math.max(right, left + size / 2) + margin;
         top = Math.max(top, size / 2) + margin;
-        double each = Math.max(1, (double) (evaluations.getAsLong() - before) / looks);
+        double each = Math.max(1, 2.0 * (evaluations.getAsLong() - before) / looks);
         double largest = Math.max(right - left, top);
         double cells = Math.sqrt(BUDGET / each * largest * largest / ((right - left) * top));
         double cell = largest / Math.max(FEWEST_CELLS, Math.min(MOST_CELLS, Math.floor(cells)));

@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import particles.experiments.runs.PowerLaw;
 
 /**
  * What the CSV file beside a picture says of one of its quantities: for each series the points, in the order of the
@@ -66,13 +67,7 @@ record Drawn(String title, String quantity, Map<String, List<double[]>> series) 
 
     /** @return the exponent of y as a power of x by least squares of logarithms, from an x on */
     double exponent(String solver, double from) {
-        List<double[]> points = of(solver).stream().filter(point -> point[0] >= from).toList();
-        double n = points.size();
-        double sx = points.stream().mapToDouble(p -> Math.log(p[0])).sum();
-        double sy = points.stream().mapToDouble(p -> Math.log(p[1])).sum();
-        double sxx = points.stream().mapToDouble(p -> Math.log(p[0]) * Math.log(p[0])).sum();
-        double sxy = points.stream().mapToDouble(p -> Math.log(p[0]) * Math.log(p[1])).sum();
-        return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+        return PowerLaw.exponent(of(solver).stream().filter(point -> point[0] >= from).toList(), p -> p[0], p -> p[1]);
     }
 
     /** @return the least x at which the line through the points comes down to y, on logarithmic axes */

@@ -54,7 +54,7 @@ class DriftHeadlineTest {
         assertFalse(columns.contains("tolerance"), "a column that would be empty");
         boolean failed = Stream.of(drifts).anyMatch(drift -> drift.kind() == Kind.FAILED);
         assertEquals(failed, columns.contains("why it ended"));
-        return DriftCharts.finding(comparison);
+        return DriftHeadline.of(comparison);
     }
 
     static Stream<Arguments> cases() {
@@ -133,6 +133,6 @@ class DriftHeadlineTest {
         Comparison comparison = EnergyDrift.compare(TestScenes.named("03-damped-spring"),
                 SolverChoice.list("rk4,verlet"), false, (part, what) -> { });
         assertEquals("A damped spring, numerical energy error: verlet \u22120.17 %; rk4 +0.00018 %",
-                DriftCharts.finding(comparison));
+                DriftHeadline.of(comparison));
     }
 }

@@ -124,7 +124,7 @@ class EnergyDriftTest {
         ChartData.Series crosses = logarithmic.series().get(2);
         assertEquals(ChartData.Mark.FAILURES, crosses.mark());
         assertEquals(failed.outcome().endTime(), crosses.x()[0], 3);
-        assertTrue(DriftCharts.finding(comparison).contains("euler blows up at t = "), DriftCharts.finding(comparison));
+        assertTrue(DriftHeadline.of(comparison).contains("euler blows up at t = "), DriftHeadline.of(comparison));
     }
 
     @ParameterizedTest

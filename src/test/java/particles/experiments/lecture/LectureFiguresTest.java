@@ -38,9 +38,9 @@ class LectureFiguresTest {
         assertEquals(phase, result.phaseError(), 0.5e-6);
         assertEquals(evaluations, result.evaluations());
         // measured 2.2e-13
-        assertEquals(result.theory().orElseThrow().amplitude(), result.amplitude(), 2e-12);
+        assertEquals(result.theory().amplitude(), result.amplitude(), 2e-12);
         // measured 7.7e-12
-        assertEquals(result.theory().orElseThrow().phaseError(), result.phaseError(), 3e-11);
+        assertEquals(result.theory().phaseError(), result.phaseError(), 3e-11);
     }
 
     /**
@@ -99,13 +99,13 @@ class LectureFiguresTest {
     void implicitSolversHaveTheirStabilityFunctions(String solver, double deltaT, double amplitude) {
         Result result = LectureFigures.run(new Figure(solver, deltaT, 1));
         assertEquals(amplitude, result.amplitude(), 1e-8);
-        assertEquals(result.theory().orElseThrow().phaseError(), result.phaseError(), 1e-9);    // Newton stops at 1e-10
+        assertEquals(result.theory().phaseError(), result.phaseError(), 1e-9);    // Newton stops at 1e-10
     }
 
     @Test
     void solversWithoutAWrittenStabilityFunctionHaveNoTheory() {
         Result result = LectureFigures.run(new Figure("verlet", 0.1, 63));
-        assertTrue(result.theory().isEmpty());
+        assertTrue(Double.isNaN(result.theory().amplitude()));
         assertEquals(Double.NaN, LectureFigures.table(List.of(result)).rows().get(0).get(5));
         assertNotEquals(0, result.phaseError());
     }

@@ -4,10 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
-import particles.experiments.phase.PhasePortraits.Portrait;
 import particles.experiments.phase.PhasePortraits.Portraits;
 import particles.experiments.runs.SolverChoice;
 import particles.scene.TestScenes;
@@ -81,11 +82,11 @@ class PhasePortraitsTest {
         SceneDescription ball = TestScenes.named("06-bouncing-ball");
         Portraits portraits = PhasePortraits.compare(ball.withSolver("rk4").withDuration(0.5),
                 SolverChoice.list("rk4"), List.of("ball"), List.of(), Optional.empty(), (part, what) -> { });
-        assertEquals(List.of(Axis.Y), portraits.portraits().stream().map(Portrait::axis).toList());
+        assertEquals(List.of(Axis.Y), axes(portraits));
         Portraits both = PhasePortraits.compare(ball.withSolver("rk4").withDuration(0.5),
                 SolverChoice.list("rk4,verlet"), List.of("ball"), List.of(Axis.Z, Axis.Y), Optional.empty(),
                 (part, what) -> { });
-        assertEquals(List.of(Axis.Z, Axis.Z, Axis.Y, Axis.Y), both.portraits().stream().map(Portrait::axis).toList());
+        assertEquals(List.of(Axis.Z, Axis.Z, Axis.Y, Axis.Y), axes(both));
         assertTrue(Double.isNaN(both.portraits().get(0).off()), "nothing moves along z, and there is no curve");
         assertEquals("'ball', rk4: at rest along z", both.portraits().get(0).chart().title());
         assertTrue(PhasePortraits.finding("Ball",
@@ -96,12 +97,21 @@ class PhasePortraitsTest {
     /** A square of side 2, and points in it, on it and off it, half its width being 1. */
     @Test
     void distancesAreFromTheNearestLine() {
-        CurveDistance square = new CurveDistance(new double[] {-1, 1, 1, -1, -1}, new double[] {-10, -10, 10, 10, -10});
-        assertEquals(0.5, square.largest(new double[] {0.5}, new double[] {0}), 1e-15);
-        assertEquals(0, square.largest(new double[] {1}, new double[] {3}), 1e-15);
-        assertEquals(5, square.largest(new double[] {4, 0.5}, new double[] {50, 0}), 1e-15);    // 3 and 4 from a corner
+        CurveDistance square = new CurveDistance(path(-1, -10, 1, -10, 1, 10, -1, 10, -1, -10));
+        assertEquals(0.5, square.largest(path(0.5, 0)), 1e-15);
+        assertEquals(0, square.largest(path(1, 3)), 1e-15);
+        assertEquals(5, square.largest(path(4, 50, 0.5, 0)), 1e-15);            // 3 and 4 from a corner
         assertEquals(4, square.outwards(4, 20), 1e-15);
-        assertTrue(new CurveDistance(new double[] {1, 1}, new double[] {0, 0}).isDegenerate());
+        assertTrue(new CurveDistance(path(1, 0, 1, 0)).isDegenerate());
+    }
+
+    private static List<Axis> axes(Portraits portraits) {
+        return portraits.portraits().stream().map(portrait -> portrait.subject().axis()).toList();
+    }
+
+    private static ChartData.Series path(double... points) {
+        return ChartData.Series.of("", Mark.LINE, IntStream.range(0, points.length / 2).mapToObj(k ->
+                Arrays.copyOfRange(points, 2 * k, 2 * k + 2)).toList());
     }
 
     @Test

@@ -44,7 +44,7 @@ class RaceTest {
             long evaluations = lane.drift().outcome().evaluations();
             assertEquals(lane.match().evaluations(), evaluations, "what was measured is what ran");
             assertTrue(Math.abs(evaluations - 300) < lane.match().aStep(),
-                    lane.match().setting().solver().label() + ": " + evaluations + ", a step has "
+                    lane.label() + ": " + evaluations + ", a step has "
                     + lane.match().aStep());
         }
         assertTrue(RaceCharts.title(race).contains("equal work, 300 evaluations each"), RaceCharts.title(race));
@@ -58,7 +58,7 @@ class RaceTest {
             assertEquals(k * 3 / 37.0, race.times()[k], 1e-15 * 3);
         }
         assertEquals(38, race.reference().size());
-        race.lanes().forEach(lane -> assertEquals(38, lane.states().size(), lane.match().setting().solver().label()));
+        race.lanes().forEach(lane -> assertEquals(38, lane.states().size(), lane.label()));
     }
 
     /** x = cos t, v = -sin t. */
@@ -159,7 +159,7 @@ class RaceTest {
         assertEquals(450e-6, result.shares().work(), 1e-18, "rk4: 75 steps of 4 + 2");
         for (Lane lane : result.lanes()) {
             assertEquals(450e-6, lane.match().seconds().orElseThrow(), EqualTime.CLOSE * 450e-6,
-                    lane.match().setting().solver().label());
+                    lane.label());
         }
         assertEquals(150, Math.round(3 / result.lanes().get(2).match().setting().deltaT()), 1.5,
                 "verlet: steps of 1 + 2");
@@ -181,7 +181,7 @@ class RaceTest {
                 "more than rk4 at the scene's step: " + result.shares().work());
         for (Lane lane : result.lanes()) {
             assertEquals(result.shares().work(), 1e-6 * lane.drift().outcome().evaluations(),
-                    EqualTime.CLOSE * result.shares().work(), lane.match().setting().solver().label());
+                    EqualTime.CLOSE * result.shares().work(), lane.label());
         }
         assertTrue(RaceCharts.finding(result).contains(" stays nearest") && !RaceCharts.finding(result)
                 .contains("cannot"), RaceCharts.finding(result));
@@ -242,7 +242,7 @@ class RaceTest {
         for (Lane lane : race.lanes()) {
             assertTrue(Math.abs(lane.drift().outcome().evaluations() - race.shares().work()) < lane.match().aStep()
                     || lane.left().isPresent(),
-                    lane.match().setting().solver().label() + ": " + lane.match().evaluations());
+                    lane.label() + ": " + lane.match().evaluations());
         }
     }
 

@@ -8,10 +8,14 @@ import deSolvers.RK4Solver;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
 import particles.experiments.work.EffectCost.Cost;
 import particles.scene.Scene;
+import particles.scene.format.SceneFormat;
 import particles.view.ChartData;
 
 /** The measurement by a clock of the test's own, and the hand-written springs against the system's. */
@@ -39,6 +43,18 @@ class EffectCostTest {
         assertEquals(17, EffectCost.table(costs).rows().size());
         assertEquals(1.0, (double) EffectCost.table(costs).rows().get(1).get(2));
         assertEquals("2.00", EffectCost.overBound(costs));
+    }
+
+    /** The scene format lists all effects; wind acts through drag, and turbulence too. */
+    @Test
+    void everyEffectOfTheSceneFormatIsMeasured() {
+        Matcher list = Pattern.compile("(?m)^\\| `effects` \\| a list of: ([^|]*?), or the full name")
+                .matcher(SceneFormat.reference("###"));
+        assertTrue(list.find());
+        String measured = EffectCost.names().toString().replace(" ", "").toLowerCase(Locale.ROOT);
+        for (String effect : list.group(1).replace("`", "").toLowerCase(Locale.ROOT).split(", ")) {
+            assertTrue(measured.contains(effect), effect);
+        }
     }
 
     /** Sorted whatever the order of measurement, on a logarithmic axis, from 1, with the value in the row's name. */

@@ -138,8 +138,8 @@ class WorkPrecisionTest {
                 verlet.points().get(0).why());
         Curve implicit = curve(chain, "backward-euler");
         assertTrue(implicit.points().stream().allMatch(point -> point.failure().isEmpty()));
-        for (List<ChartData> charts : List.of(WorkCharts.byEvaluations(chain, List.of(rk4, implicit, verlet)),
-                WorkCharts.byTime(chain, List.of(rk4, implicit, verlet)))) {
+        for (List<ChartData> charts : List.of(WorkCharts.byEvaluations(List.of(rk4, implicit, verlet)),
+                WorkCharts.byTime(List.of(rk4, implicit, verlet)))) {
             ChartData below = charts.get(1);
             assertEquals(List.of("rk4", "verlet"), below.rows());
             assertEquals(List.of(Mark.FAILURES, Mark.GIVEN_UP),
@@ -147,7 +147,7 @@ class WorkPrecisionTest {
             assertEquals(failed(rk4) + failed(verlet),
                     below.series().stream().mapToLong(series -> series.x().length).sum());
         }
-        assertEquals(1, WorkCharts.byEvaluations(chain, List.of(implicit)).size(), "nothing failed");
+        assertEquals(1, WorkCharts.byEvaluations(List.of(implicit)).size(), "nothing failed");
     }
 
     private static long failed(Curve curve) {
@@ -159,7 +159,7 @@ class WorkPrecisionTest {
     void fittedPointsAreMarked() {
         WorkProblem network = WorkProblems.of("network");
         Curve rk4 = curve(network, "rk4");
-        List<ChartData.Series> series = WorkCharts.byEvaluations(network, List.of(rk4)).get(0).series();
+        List<ChartData.Series> series = WorkCharts.byEvaluations(List.of(rk4)).get(0).series();
         assertEquals(List.of(Mark.LINE_AND_OPEN_POINTS, Mark.POINTS), series.subList(0,
                 2).stream().map(ChartData.Series::mark).toList());
         assertEquals(rk4.fit().last() - rk4.fit().first() + 1, series.get(1).x().length);
@@ -170,19 +170,18 @@ class WorkPrecisionTest {
     /** A line of slope 2 that rounding bends at its fine end, and one that is nowhere straight. */
     @Test
     void slopesAreOfStraightPiecesOrNone() {
-        WorkProblem problem = WorkProblems.of("oscillator");
-        SlopeFit bent = SlopeFit.byStep(points(0.5, 0.3, 1e-2, 2.5e-3, 6.25e-4, 1.5625e-4, 1.4e-4), problem, false, 2);
+        SlopeFit bent = fit(2, 0.5, 0.3, 1e-2, 2.5e-3, 6.25e-4, 1.5625e-4, 1.4e-4);
         assertEquals(2, bent.slope(), 1e-12);
         assertEquals(2, bent.first());
         assertEquals(5, bent.last());
-        SlopeFit none = SlopeFit.byStep(points(1e-2, 5e-3, 1e-3, 4e-4, 0.2e-4), problem, false, 2);
+        SlopeFit none = fit(2, 1e-2, 5e-3, 1e-3, 4e-4, 0.2e-4);
         assertTrue(Double.isNaN(none.slope()) && !none.contains(0) && none.whyNot().contains("straight"),
                 none.whyNot());
-        SlopeFit other = SlopeFit.byStep(points(1e-2, 2.5e-3, 6.25e-4, 1.5625e-4), problem, false, 4);
+        SlopeFit other = fit(4, 1e-2, 2.5e-3, 6.25e-4, 1.5625e-4);
         assertTrue(Double.isNaN(other.slope()) && !other.contains(1), other.toString());
         assertEquals("a straight piece of slope 2.00, which is not the method's", other.whyNot());
-        assertEquals(2, SlopeFit.byStep(points(1e-2, 2.5e-3, 6.25e-4), problem, false, Double.NaN).slope(), 1e-12);
-        SlopeFit few = SlopeFit.byStep(points(1e-2, 2.5e-3, 1e-14), problem, false, 2);
+        assertEquals(2, fit(Double.NaN, 1e-2, 2.5e-3, 6.25e-4).slope(), 1e-12);
+        SlopeFit few = fit(2, 1e-2, 2.5e-3, 1e-14);
         assertTrue(Double.isNaN(few.slope()) && few.whyNot().startsWith("2 errors"), few.whyNot());
     }
 
@@ -196,11 +195,10 @@ class WorkPrecisionTest {
                 IntStream.range(0, curve.points().size()).filter(curve.fit()::contains).boxed().toList());
     }
 
-    private static List<Point> points(double... errors) {
-        return IntStream.range(0, errors.length).mapToObj(k -> new Point(Math.pow(2, -k), Double.NaN, 1L << k,
-                errors[k], 1,
-                1, 1,
-                Optional.empty(), "")).toList();
+    private static SlopeFit fit(double theory, double... errors) {
+        List<Point> points = IntStream.range(0, errors.length).mapToObj(k -> new Point(Math.pow(2, -k), Double.NaN,
+                1L << k, errors[k], 1, 1, 1, Optional.empty(), "")).toList();
+        return SlopeFit.of(points, WorkProblems.of("oscillator").floor(), true, 0, theory);
     }
 
     /** The counts of the reference are good to about 1 %. */
@@ -217,8 +215,8 @@ class WorkPrecisionTest {
 
     @Test
     void fitIsAPowerLaw() {
-        assertEquals(3, PowerLaw.exponent(new double[] {1, 2, 4, 8}, new double[] {5, 40, 320, 2560}), 1e-12);
-        assertTrue(Double.isNaN(PowerLaw.exponent(new double[] {1, 2}, new double[] {1, 2})));
+        assertEquals(3, PowerLaw.exponent(List.of(1, 2, 4, 8), x -> x, x -> 5 * x * x * x), 1e-12);
+        assertTrue(Double.isNaN(PowerLaw.exponent(List.of(1, 2), x -> x, x -> x)));
     }
 
     @Test
