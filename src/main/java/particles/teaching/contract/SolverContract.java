@@ -10,6 +10,7 @@ import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.Formula;
 import particles.teaching.StudentFailure;
+import particles.teaching.sources.Probe;
 import particles.teaching.sources.WindyOscillators;
 
 /**
@@ -19,6 +20,8 @@ import particles.teaching.sources.WindyOscillators;
 public final class SolverContract {
     private static final double H = 1.0 / 16;
     private static final double ALIKE = 1e-2;
+    private static final int MOST = 2000;
+    private static final double TINY = 1e-12;
     private static final int SOME = 40;
     private static final int MANY = 200;
 
@@ -45,7 +48,12 @@ public final class SolverContract {
         }
         contract.checkNegative();
         contract.checkZero();
-        contract.findings.addAll(SolverNotes.of(maker));
+        if (isForParticles(maker)) {
+            contract.note("it works on systems of positions and velocities only, such as particles,"
+                    + " and refuses others");
+        }
+        contract.checkFailure();
+        contract.checkNaN();
         return contract.findings;
     }
 
@@ -138,6 +146,56 @@ public final class SolverContract {
         } else if (!Double.isFinite(change)) {
             wrong("a step of deltaT = 0 makes the state NaN or infinite; it has to change nothing. Is something "
                     + "divided by deltaT?");
+        }
+    }
+
+    /** @return whether a solver refuses sources without positions and velocities */
+    public static boolean isForParticles(Supplier<DESolver> maker) {
+        try {
+            maker.get().stepState(new Probe(new double[6], 0, (evaluation, dSdt) -> dSdt[0] = TINY, MOST), H);
+            return false;
+        } catch (RuntimeException e) {
+            return !(e instanceof Probe.TooManyEvaluations);    // it works on it, for long
+        }
+    }
+
+    /** A source that fails has to be heard of. */
+    private void checkFailure() {
+        for (int evaluation = 0; evaluation < 2; evaluation++) {
+            WindyOscillators source = new WindyOscillators(1);
+            double[] before = source.getState();
+            source.failFromEvaluation(evaluation);
+            try {
+                maker.get().stepState(source, H);
+                if (source.hasFailed()) {
+                    wrong("the source threw an exception, and stepState returned as if nothing had happened: do not"
+                            + " catch it, so that the caller learns of it");
+                    return;
+                }
+            } catch (RuntimeException expected) {
+                if (evaluation > 0 && source.hasFailed()
+                        && (distance(before, source.getState()) != 0 || source.getTime() != 0)) {
+                    note("when the source fails within a step, state and time stay where they were then;"
+                            + " deSolvers.FixedStepSolver puts them back");
+                }
+            }
+        }
+    }
+
+    /** The check puts a NaN in, and says so. */
+    private void checkNaN() {
+        WindyOscillators source = new WindyOscillators(1);
+        source.spoilDerivative(MOST);
+        String from = "this check made the derivative NaN on purpose, and ";
+        try {
+            maker.get().stepState(source, H);
+            note(from + "the NaN goes unnoticed into the state; deSolvers.FixedStepSolver reports it");
+        } catch (EndlessLoop e) {
+            note(from + "the step did not come back: end a loop that waits for a small error when the error is NaN");
+        } catch (RuntimeException e) {
+            if (String.valueOf(e.getMessage()).matches("\\s*|null")) {
+                note(from + "the exception that the solver throws says nothing");
+            }
         }
     }
 

@@ -39,8 +39,8 @@ final class ClockCheck {
         }
         try {
             double back = moved(maker, -TENTH);
-            return back == 0 || Formula.sameTime(back, -TENTH) ? Optional.empty() : Optional.of(Phrase.CLOCK_BACK.of(
-                    -TENTH, back, back > 0 ? ": the sign of deltaT is lost, and a step back goes forward" : ""));
+            return Phrase.CLOCK_BACK.when(back != 0 && !Formula.sameTime(back, -TENTH), -TENTH, back, back > 0
+                    ? ": the sign of deltaT is lost, and a step back goes forward" : "");
         } catch (RuntimeException | EndlessLoop e) {
             return Optional.empty();                    // it does not step backward
         }

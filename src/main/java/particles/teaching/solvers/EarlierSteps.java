@@ -78,8 +78,8 @@ record EarlierSteps(double[] weights, double[] times) {
     Optional<Finding> poorBeginning(double measured) {
         int order = weights.length;
         boolean adams = Combination.same(weights, adamsWeights(times));
-        return adams && order >= 2 && measured < order - 0.5 ? Optional.of(Phrase.ADAMS_START.of(order,
-                ExplicitMethod.twoDigits(measured), order - 1)) : Optional.empty();
+        return Phrase.ADAMS_START.when(adams && order >= 2 && measured < order - 0.5, order, ExplicitMethod.twoDigits(
+                measured), order - 1);
     }
 
     private static String numbers(double[] weights) {

@@ -22,7 +22,8 @@ import particles.teaching.sources.StiffDecay;
  * can have, then the difference from the nearest known method.
  */
 final class ExplicitMethod {
-    private static final double H = 1.0 / 4;
+    /** No power of 2, so that a deltaT in float arithmetic shows. */
+    private static final double H = 0.3;
     /** Up to this number of evaluations a method should have full order; one with more may aim at stability instead. */
     private static final int MANY = 4;
     private static final double ALMOST = 0.3;
@@ -82,8 +83,7 @@ final class ExplicitMethod {
                     Probe.MOST_EVALUATIONS), H);
             return Optional.empty();
         } catch (RuntimeException e) {
-            return Optional.of(Phrase.ODD_SIZE.of(StudentFailure.describe(e))).filter(finding ->
-                    !StudentFailure.isRefusal(e));
+            return Phrase.ODD_SIZE.when(!StudentFailure.isRefusal(e), StudentFailure.describe(e));
         }
     }
 
@@ -174,8 +174,8 @@ final class ExplicitMethod {
     }
 
     private static Optional<Finding> offTime(Combination stage, double time) {
-        return Formula.same(stage.increment(), time) ? Optional.empty() : Optional.of(Phrase.TIME_OF_STAGE.of(
-                stage.what(), stage.formula(), Formula.time(time), stage.increment(), time));
+        return Phrase.TIME_OF_STAGE.when(!Formula.same(stage.increment(), time), stage.what(), stage.formula(),
+                Formula.time(time), Formula.time(stage.increment()));
     }
 
     private boolean keepsArea() {

@@ -34,6 +34,7 @@ final class KnownMethods {
             Heun's method of order 3 | 3 | 1/3; 0 2/3 | 1/4 0 3/4
             Ralston's method of order 3 | 3 | 1/2; 0 3/4 | 2/9 1/3 4/9
             SSPRK3, the method of Shu and Osher | 3 | 1; 1/4 1/4 | 1/6 1/6 2/3
+            Williamson's method of order 3 | 3 | 1/3; -3/16 15/16 | 1/6 3/10 8/15
             Kutta's 3/8 rule | 4 | 1/3; -1/3 1; 1 -1 1 | 1/8 3/8 3/8 1/8
             Ralston's method of order 4 (its eight printed digits) | 4 | .4; .29697761 .15875964; \
             .21810040 -3.05096516 3.83286476 | .17476028 -.55148066 1.20553560 .17118478
@@ -95,6 +96,8 @@ final class KnownMethods {
             double[] trial = s makes no copy; s.clone() does | 0 | 1/2; 1/2 1/2; 1/2 1/2 1 | 1/6 1/3 1/3 1/6
             RK4: every trial state and the new state are added to the one before: go back to the start s before \
             adding. double[] trial = s makes no copy; s.clone() does | 0 | 1/2; 1/2 1/2; 1/2 1/2 1 | 2/3 5/6 4/3 1/6
+            Williamson's method: the sign of 153/128 is wrong: q = -153/128 q + deltaT f is right | 0 \
+            | 1/3; -3/16 15/16 | -13/24 63/40 8/15
             """;
 
     private static final List<Scheme> ONE_FORMULA = RUNGE_KUTTA.lines().map(KnownMethods::rungeKutta).toList();

@@ -38,34 +38,39 @@ record NamePromise(String says, int order, List<String> methods, Strength streng
     private static final Pattern CHANGES = Pattern.compile("richardson|extrapol|romberg|adapt|embedded|pair|doubling"
             + "|sub|small|tiny|twice|half|halves|multi|rosenbrock|exponential|linear|ensemble|corrected|compos|blend"
             + "|filter|lowstorage|stabili[sz]ed|chebyshev|predict");
+    private static final Pattern IMPLICIT_FAMILIES = Pattern.compile("Gauss|Lobatto|Radau|implicit");
+    private static final int SHORT = 4;
     private static final Pattern ADAPTS = Pattern.compile("adapt|stepdoubling|stepsizecontrol|variablestep");
 
     /** Meaning, order, words in names, names of methods; the longest word in a name wins. */
     private static final String TABLE = """
-            the Euler method | 1 | euler expliciteuler forwardeuler | the Euler method
-            symplectic Euler | 1 | symplecticeuler semiimplicit semiimpliciteuler cromer eulercromer symplectic \
-            simplealgorithm simpleparticle | symplectic Euler, the slides' simple particle system algorithm; \
+            the Euler method | 1 | euler explicit-euler forward-euler | the Euler method
+            symplectic Euler | 1 | symplectic-euler semi-implicit semi-implicit-euler cromer euler-cromer symplectic \
+            kickdrift driftkick simplealgorithm simpleparticle \
+            | symplectic Euler, the slides' simple particle system algorithm; \
             symplectic Euler with the position first
-            backward Euler | 1 | backwardeuler impliciteuler | backward Euler
+            backward Euler | 1 | backward-euler implicit-euler newton-euler \
+            stiff-euler fixedpoint-euler iterat-euler | backward Euler
             the midpoint method | 2 | midpoint | the midpoint method; the implicit midpoint method
-            the midpoint method | 2 | explicitmidpoint | the midpoint method
-            the implicit midpoint method | 2 | implicitmidpoint | the implicit midpoint method
-            a Runge-Kutta method of order 2 | 2 | rk2 rungekutta2 |
+            the midpoint method | 2 | explicit-midpoint | the midpoint method
+            the implicit midpoint method | 2 | implicit-midpoint newton-midpoint | the implicit midpoint method
+            a Runge-Kutta method of order 2 | 2 | rk2 rungekutta2 second-rungekutta 2nd-rungekutta two-rungekutta |
             Heun's method | 2 | heun | Heun's method; Ralston's method; Heun's method of order 3
-            Heun's method or the midpoint method | 2 | modifiedeuler improvedeuler | Heun's method; \
+            Heun's method or the midpoint method | 2 | modified-euler improved-euler | Heun's method; \
             the midpoint method; Ralston's method
             the trapezoidal rule | 2 | trapez trapezoid trapezoidal | Heun's method; the implicit trapezoidal rule
-            the implicit trapezoidal rule | 2 | cranknicolson implicittrapez implicittrapezoid implicittrapezoidal \
-            | the implicit trapezoidal rule
+            the implicit trapezoidal rule | 2 | crank-nicolson implicit-trapez implicit-trapezoid \
+            implicit-trapezoidal newton-trapezoidal | the implicit trapezoidal rule
             Ralston's method | 2 | ralston | Ralston's method; Ralston's method of order 3; \
             Ralston's method of order 4 (its eight printed digits)
-            a Runge-Kutta method of order 3 | 3 | rk3 rungekutta3 kutta3 heun3 ralston3 bogackishampine ssprk3 ssp3 |
+            a Runge-Kutta method of order 3 | 3 | rk3 rungekutta3 third-rungekutta 3rd-rungekutta kutta3 heun3 \
+            ralston3 bogackishampine ssprk3 ssp3 |
             a strong-stability-preserving method | 2 | ssp ssprk shuosher |
             a Runge-Kutta method of order 4 | 4 | rk4 rungekutta4 rungekutta classicalrk gill ralston4 ralstonrk4 |
             Kutta's 3/8 rule | 4 | rk38 rungekutta38 kutta38 threeeighth | Kutta's 3/8 rule
             a method of order 4 or 5 | 4 | rkf45 rk45 ode45 fehlberg rungekuttafehlberg cashkarp dormandprince dopri |
-            a Runge-Kutta method of order 5 | 5 | rk5 rungekutta5 dopri5 rkf5 |
-            velocity or position Verlet | 2 | verlet velocityverlet positionverlet stormerverlet stoermerverlet \
+            a Runge-Kutta method of order 5 | 5 | rk5 rungekutta5 fifth-rungekutta dopri5 rkf5 |
+            velocity or position Verlet | 2 | verlet velocity-verlet position-verlet stormer-verlet stoermer-verlet \
             leapfrog kickdriftkick driftkickdrift stormer stoermer | velocity Verlet (leapfrog: kick, drift, kick); \
             position Verlet (drift, kick, drift)
             velocity Verlet | 2 | leapfrogkdk | velocity Verlet (leapfrog: kick, drift, kick)
@@ -79,7 +84,10 @@ record NamePromise(String says, int order, List<String> methods, Strength streng
             a BDF method of order 2 | 2 | bdf2 |
             a BDF method of order 3 | 3 | bdf3 |
             Beeman's method | 2 | beeman |
+            a predictor-corrector method | 2 | pec pece predictor-corrector |
             a Gauss method | 2 | gauss gausslegendre |
+            a Gauss method of order 4 | 4 | gauss4 gausslegendre4 |
+            a Lobatto method | 2 | lobatto |
             a Radau method | 2 | radau |
             a Radau method of order 3 | 3 | radau3 radauiia3 |
             Radau IIA of order 5 | 5 | radau5 radauiia5 |
@@ -87,12 +95,25 @@ record NamePromise(String says, int order, List<String> methods, Strength streng
             a diagonally implicit method of order 3 | 3 | sdirk3 dirk3 |
             """;
 
-    private record Row(String word, String says, int order, List<String> methods) {
+    private static final Pattern EXTRAPOLATES = Pattern.compile("richardson|extrapol");
+
+    /** The parts of a word stand in a name in any order. */
+    private record Row(List<String> parts, String says, int order, List<String> methods) {
         static Stream<Row> of(String line) {
             String[] parts = line.split(" *[|] *", -1);
             List<String> methods = Stream.of(parts[3].split("; ")).filter(name -> !name.isEmpty()).toList();
-            return Stream.of(parts[2].split(" ")).map(word -> new Row(word, parts[0], Integer.parseInt(parts[1]),
-                    methods));
+            return Stream.of(parts[2].split(" ")).map(word -> new Row(List.of(word.split("-")), parts[0],
+                    Integer.parseInt(parts[1]), methods));
+        }
+
+        /** A short part begins a word: there is no rk5 in Homework5. */
+        boolean isIn(String name) {
+            return parts.stream().allMatch(part -> Pattern.compile((part.length() > SHORT ? ""
+                    : "((?<![A-Za-z])|(?=[A-Z0-9]))") + "(?i)" + part).matcher(name).find());
+        }
+
+        int length() {
+            return String.join("", parts).length();
         }
     }
 
@@ -105,17 +126,18 @@ record NamePromise(String says, int order, List<String> methods, Strength streng
     static Optional<NamePromise> of(String className) {
         String bare = className.replaceAll("[^A-Za-z0-9]", "");
         String lower = bare.toLowerCase(Locale.ROOT);
-        Optional<Row> longest = ROWS.stream().filter(row -> Pattern.compile("((?<![A-Za-z])|(?=[A-Z]))(?i)" + row.word)
-                .matcher(bare).find()).max(Comparator.comparingInt(row -> row.word.length()));     // not Homework5
+        Optional<Row> longest = ROWS.stream().filter(row -> row.isIn(bare)).max(Comparator.comparingInt(Row::length));
         boolean adapts = ADAPTS.matcher(lower).find();
         if (longest.isEmpty()) {
             return adapts ? Optional.of(new NamePromise("a method with step-size control", 1, List.of(),
                     Strength.CHANGED, true)) : Optional.empty();
         }
         Row best = longest.get();
-        String rest = lower.replaceFirst(best.word + "(s(?=method|rule|solver|$))?", " ");
-        return Optional.of(new NamePromise(best.says, best.order, best.methods, rest.replaceAll(NOISE, "").isBlank()
-                ? Strength.WHOLE : ROWS.stream().anyMatch(row -> rest.contains(row.word))     // HeunEuler
+        String rest = lower.replaceAll("(" + String.join("|", best.parts) + ")(s(?=method|rule|solver|$))?", " ");
+        boolean more = EXTRAPOLATES.matcher(rest).find();
+        return Optional.of(new NamePromise((more ? "the extrapolation of " : "") + best.says, best.order + (more ? 1
+                : 0), best.methods, rest.replaceAll(NOISE, "").isBlank() ? Strength.WHOLE
+                : ROWS.stream().anyMatch(row -> row.parts.stream().allMatch(rest::contains))     // HeunEuler
                 || CHANGES.matcher(rest).find() ? Strength.CHANGED : Strength.UNKNOWN, adapts));
     }
 
@@ -141,7 +163,8 @@ record NamePromise(String says, int order, List<String> methods, Strength streng
 
     /** @return whether the name stands for implicit methods only */
     boolean isImplicit() {
-        return !methods.isEmpty() && IMPLICIT.containsAll(methods) && strength != Strength.CHANGED;
+        return (methods.isEmpty() ? IMPLICIT_FAMILIES.matcher(says).find() : IMPLICIT.containsAll(methods))
+                && strength != Strength.CHANGED;
     }
 
     /** @return the finding for a known method that the name does not stand for */

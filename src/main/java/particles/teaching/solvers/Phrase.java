@@ -3,6 +3,7 @@ package particles.teaching.solvers;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
@@ -38,8 +39,7 @@ enum Phrase {
             time CLOCK_ENDS: %sthe clock ends at %s after a step of deltaT = %s s and has to end at t + deltaT: all \
                 moves of the clock in a step together have to make deltaT
             time STAGE_TIMES: %s is evaluated at %s; %s says %s%s
-            time TIME_OF_STAGE: %s %s and %s: the coefficients of a stage have to add up to that of \
-                its time, and make %s instead of %s
+            time TIME_OF_STAGE: %s %s while the clock is at %s; the state there is that of %s
             time STAGE_CLOCKS: the measured order is %s where a force changes with time, and %s where none does: some \
                 evaluations are at another clock than their states
             time REJECTED_CLOCK: after a sub-step that is rejected the state is put back and the clock is not: the \
@@ -62,8 +62,8 @@ enum Phrase {
             state DIGITS: digits get lost: the new state is off by %s of its size, as in float arithmetic, or as if \
                 numbers were rounded to some decimals on the way; all numbers have to be double, and only what is \
                 printed may be rounded
-            method CUT_OFF: with derivatives up to %s the step is not the one that it makes with derivatives up to \
-                1: something is cut off, or depends on the size
+            method CUT_OFF: with numbers up to %s the step is not the one that it makes with numbers up to 1: \
+                something is cut off, or depends on the size
             state ENTRY_BY_ENTRY: getStateDerivative is called %s times per step, once for each entry: later entries \
                 move along the derivative of a state that is half new. All entries have to be computed from one \
                 derivative; setState belongs behind the loop
@@ -134,10 +134,9 @@ enum Phrase {
             method ELSEWHERE: after a step of %s s the state is that of %s: either the weights add up to %s and not \
                 to 1, or a part of the step is missing or made once too often (count sub-steps with an int, as sums \
                 of fractions are rounded)
-            state LAYOUT: with one particle the error goes to 0 with deltaT, with two it does not: some entries of \
-                the state are not moved, or are moved with another particle's. The loop has to reach all of them, \
-                and the state is (x1, v1, x2, v2, ...), three positions and three velocities for each particle in \
-                turn
+            state LAYOUT: entry %s of the new state changes with entry %s of the state or of the derivative, and has \
+                to change with its own: an index is wrong. The state is (x1, v1, x2, v2, ...), three \
+                positions and three velocities for each particle in turn
             method NO_CONVERGENCE: the error does not go to 0 with deltaT: it is still %s with deltaT \
                 = %s s. Check that each evaluation is at its own state and time, and that the weights add up to 1
             # style
@@ -145,6 +144,11 @@ enum Phrase {
             """.replaceAll(" +", " ");
     private static final Map<String, String[]> TEXTS = BOOK.lines().filter(line -> !line.startsWith("#"))
             .map(line -> line.split(" ", 3)).collect(Collectors.toMap(parts -> parts[1], parts -> parts));
+
+    /** @return the finding if something holds */
+    Optional<Finding> when(boolean holds, Object... values) {
+        return Optional.of(of(values)).filter(finding -> holds);
+    }
 
     /** @return the finding; numbers with a fraction are written as people do */
     Finding of(Object... values) {

@@ -81,16 +81,15 @@ public final class SolverCheck {
         double[] before = source.getState();
         DESolver solver = maker.get();
         solver.stepState(source, SHORT);
-        if (Arrays.equals(before, source.getState()) && (solver instanceof FixedStepSolver || !source.isSet()
-                && source.timeMoves() == 0)) {
-            return Optional.of(Phrase.NOTHING_YET.of());
-        }
-        if (!Double.isFinite(Arrays.stream(source.getState()).sum())) {
-            return Optional.of(Phrase.NOT_FINITE.of());
+        Optional<Finding> none = Phrase.NOTHING_YET.when(Arrays.equals(before, source.getState()) && (solver
+                instanceof FixedStepSolver || !source.isSet() && source.timeMoves() == 0)).or(() ->
+                Phrase.NOT_FINITE.when(!Double.isFinite(Arrays.stream(source.getState()).sum())));
+        if (none.isPresent()) {
+            return none;
         }
         maker.get().stepState(again, SHORT);
-        return Arrays.equals(again.getState(), source.getState()) && again.getTime() == source.getTime()
-                ? Optional.empty() : Optional.of(Phrase.NOT_REPEATABLE.of());
+        return Phrase.NOT_REPEATABLE.when(!Arrays.equals(again.getState(), source.getState()) || again.getTime()
+                != source.getTime()).or(unread::mixed);
     }
 
     /** Finds mistakes, and the method. */
@@ -119,6 +118,9 @@ public final class SolverCheck {
 
     /** Whether it is a method of the kind that its name says. */
     private Optional<Finding> promised(Diagnosis diagnosis, boolean remembers) {
+        if (promise.isEmpty() && diagnosis.method().equals(KnownMethods.EULER)) {
+            return Phrase.OLD_VELOCITY.when(SolverContract.isForParticles(maker));
+        }
         return promise.flatMap(name -> name.remembers() && !remembers ? Optional.of(Phrase.NOTHING_EARLIER.of(
                 name.says())) : name.adapts() && diagnosis.order() > 0 ? Optional.of(Phrase.NO_CONTROL.of())
                 : diagnosis.method().isEmpty() ? Optional.empty() : name.contradicted(diagnosis.method(),
@@ -182,9 +184,9 @@ public final class SolverCheck {
         Optional<SolvedEquation> found = SolvedEquation.of(maker, false, name -> promise.filter(words ->
                 words.methods().contains(name)).isPresent()).filter(equation -> equation.isKnown() || equation.mistake()
                 .isPresent());
-        return found.map(equation -> equation.method().name()).or(() -> promise.filter(NamePromise::isImplicit).map(
-                name -> name.methods().get(0))).map(name -> new Diagnosis("This is " + name, found.flatMap(
-                SolvedEquation::mistake).or(unread::unstable).or(() -> SolvedEquation.loose(maker, name,
+        return found.map(equation -> equation.method().name()).or(() -> promise.filter(NamePromise::isImplicit)
+                .flatMap(name -> name.methods().stream().findFirst())).map(name -> new Diagnosis("This is " + name,
+                found.flatMap(SolvedEquation::mistake).or(unread::unstable).or(() -> SolvedEquation.loose(maker, name,
                 unread.solvesWithMatrix() ? 0.5 : 3.0 / 32)).stream().toList(), 0, found.map(known -> name).orElse(
                 "")));
     }
@@ -194,8 +196,7 @@ public final class SolverCheck {
         return new Diagnosis(UNREAD, clock.or(unread::entryByEntry)
                 .or(() -> vanishes(measurement()) ? Optional.empty() : unread.rejectedClock())
                 .or(() -> firstSubStep(finding -> finding.kind() != Finding.Kind.METHOD))
-                .or(this::layout)
-                .or(() -> measurement().jumps() ? unread.rejectedClock() : Optional.empty())
+                .or(unread::uncut)
                 .or(() -> poorOrder(false, () -> firstSubStep(finding -> true).or(unread::unstable)))
                 .or(this::stageClocks).or(unread::uncontrolled).or(unread::asymmetric).or(unread::unstable));
     }
@@ -213,22 +214,16 @@ public final class SolverCheck {
     /** Whether the measured order is that of the coefficients. */
     private Optional<Finding> heldBy(Diagnosis diagnosis) {
         int order = diagnosis.order();
-        return order > 0 && measurement().order() < order - 0.5 ? Optional.of(Phrase.OTHER_STEPS.of(
-                ExplicitMethod.twoDigits(measurement().order()), order)) : Optional.empty();
+        return order == 0 ? Optional.empty() : Phrase.OTHER_STEPS.when(measurement().order() < order - 0.5,
+                ExplicitMethod.twoDigits(measurement().order()), order);
     }
 
     /** Whether the order falls where forces change with time. */
     private Optional<Finding> stageClocks() {
         double constant = OrderMeasurement.of(maker, Springs::new).order();
         double changing = OrderMeasurement.of(maker).order();
-        return constant > changing + 0.7 ? Optional.of(Phrase.STAGE_CLOCKS.of(ExplicitMethod.twoDigits(changing),
-                ExplicitMethod.twoDigits(constant))) : Optional.empty();
-    }
-
-    /** Whether only one particle is moved as it should be. */
-    private Optional<Finding> layout() {
-        return measurement().order() >= LOWEST_ORDER && !vanishes(OrderMeasurement.of(maker, () ->
-                new WindyOscillators(2))) ? Optional.of(Phrase.LAYOUT.of()) : Optional.empty();
+        return Phrase.STAGE_CLOCKS.when(constant > changing + 0.7, ExplicitMethod.twoDigits(changing),
+                ExplicitMethod.twoDigits(constant));
     }
 
     /** The lowest order that the name allows; to use earlier steps without gaining order does not pay. */
@@ -244,7 +239,7 @@ public final class SolverCheck {
         if (vanishes && (Double.isNaN(order) || order > wanted(multistep) - 0.5)) {
             return Optional.empty();
         }
-        Optional<Finding> far = vanishes ? Optional.empty() : unread.elsewhere();
+        Optional<Finding> far = vanishes ? Optional.empty() : unread.elsewhere(SHORT);
         return far.or(causes).or(() -> Optional.of(vanishes ? Phrase.NAME_ORDER.of(ExplicitMethod.twoDigits(order),
                 promise.map(name -> "the name promises " + name.saysWithOrder()).orElse("a method that uses derivatives"
                 + " of earlier steps has at least order 2")) : Phrase.NO_CONVERGENCE.of(measurement.smallest()[1],

@@ -41,6 +41,8 @@ record StepReading(boolean isOfParticles, double h, int steps, Probe calls, doub
     static final double TINY = StrictMath.pow(2, -40);
     /** Unusually large derivatives, to detect a solver that limits them. */
     private static final double LARGE = 1e3;
+    /** Unusually small ones, to detect a solver that rounds to 0; an iteration to 1e-10 is exact to 1e-6 of them. */
+    private static final double SMALL = 1e-4;
     private static final int SIZE = 24;
     private static final int FEW = 6;
     /** More runs than there are weights. */
@@ -106,13 +108,15 @@ record StepReading(boolean isOfParticles, double h, int steps, Probe calls, doub
         Run first = runner.apply(size);
         int n = first.probe.recorded().size();
         List<Run> runs = Stream.generate(() -> runner.apply(size)).limit(n + MORE).toList();
-        List<Run> large = Stream.generate(() -> runner.apply(LARGE)).limit(size == 1 ? 1 : 0).toList();
-        if (Stream.concat(runs.stream(), large.stream()).anyMatch(run -> run.probe.recorded().size() != n)) {
+        List<Run> large = size == 1 ? List.of(runner.apply(LARGE)) : List.of();
+        List<Run> small = size == 1 ? List.of(runner.apply(SMALL)) : List.of();
+        if (Stream.of(runs, large, small).flatMap(List::stream).anyMatch(run -> run.probe.recorded().size() != n)) {
             throw new IllegalStateException("the number of evaluations depends on the numbers");
         }
         double[][][] all = new double[n + 2][SIZE][];
         double rounded = 0;
         double cut = 0;
+        double lost = 0;
         for (int k = 0; k < SIZE; k++) {
             double[][] columns = columns(runs, k, particles, n);
             double[][] states = states(runs, k, n);
@@ -121,6 +125,8 @@ record StepReading(boolean isOfParticles, double h, int steps, Probe calls, doub
                 rounded = Math.max(rounded, LeastSquares.misfit(columns, found[i], states[i]) / size);
                 cut = Math.max(cut, LeastSquares.misfit(columns(large, k, particles, n), found[i], states(large, k,
                         n)[i]) / LARGE);
+                lost = Math.max(lost, LeastSquares.misfit(columns(small, k, particles, n), found[i], states(small, k,
+                        n)[i]) / SMALL);
                 all[i][k] = found[i];
             }
         }
@@ -154,8 +160,8 @@ record StepReading(boolean isOfParticles, double h, int steps, Probe calls, doub
         if (rounded > DOUBLE_ROUNDING) {
             findings.add(Phrase.DIGITS.of(rounded));
         }
-        if (!(cut <= ROUNDED)) {
-            findings.add(Phrase.CUT_OFF.of(LARGE));
+        if (!(Math.max(cut, lost) <= ROUNDED)) {
+            findings.add(Phrase.CUT_OFF.of(cut > ROUNDED ? LARGE : SMALL));
         }
         return new StepReading(particles, h, steps, first.probe, rows, findings);
     }

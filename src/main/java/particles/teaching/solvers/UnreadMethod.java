@@ -23,9 +23,10 @@ final class UnreadMethod {
     /** Where nothing is symmetric in time (s). */
     private static final double START = 0.5;
     private static final double LONG = 4;
+    private static final int MOST = 100_000;
     private static final int SHORT_STEPS = 16;
     /** The motion is 1.5 wide. */
-    private static final double FAR = 10;
+    private static final double FAR = 0.5;
     /** An iteration for an implicit method may diverge in a long step. */
     private static final double DIVERGED = 1e6;
     private static final double LITTLE = 1e-3;
@@ -54,6 +55,33 @@ final class UnreadMethod {
         }
     }
 
+    /** @return the mistake if an entry of the new state changes with another one's state or derivative */
+    Optional<Finding> mixed() {
+        return unlessRefused(() -> {
+            double[] usual = stepWith(-1);
+            for (int j = 0; j < SIZE; j++) {
+                double[] other = stepWith(j);
+                for (int k = 0; k < SIZE; k++) {
+                    boolean own = k == j || k == j - 3 && k % 6 < 3;    // a velocity moves the position, too
+                    if (!own && Math.abs(other[k] - usual[k]) > ALIKE * StepReading.TINY) {
+                        return Optional.of(Phrase.LAYOUT.of(k, j));
+                    }
+                }
+            }
+            return Optional.empty();
+        });
+    }
+
+    /** The state after a step with derivatives that never change, where one entry has another state and derivative. */
+    private double[] stepWith(int changed) {
+        double[] numbers = new Random(9).doubles(SIZE, StepReading.TINY, 2 * StepReading.TINY).toArray();
+        Arrays.setAll(numbers, k -> k == changed ? -2 * numbers[k] : numbers[k]);
+        Probe probe = new Probe.OfParticles(numbers, START, (evaluation, dSdt) -> System.arraycopy(numbers, 0, dSdt, 0,
+                SIZE), MOST, false);
+        maker.get().stepState(probe, H);
+        return probe.getState();
+    }
+
     /** @return the mistake if the derivative is evaluated for each entry, between two that are written */
     Optional<Finding> entryByEntry() {
         return unlessRefused(() -> {
@@ -61,8 +89,8 @@ final class UnreadMethod {
             source.startAt(START);
             maker.get().stepState(source, H);
             List<double[]> at = source.evaluatedAt();
-            return source.getEvaluations() == SIZE && evaluations(1, H) == SIZE / 2 && !Arrays.equals(at.get(0), at.get(
-                    1)) ? Optional.of(Phrase.ENTRY_BY_ENTRY.of(SIZE)) : Optional.empty();
+            return Phrase.ENTRY_BY_ENTRY.when(source.getEvaluations() == SIZE && evaluations(1, H) == SIZE / 2
+                    && !Arrays.equals(at.get(0), at.get(1)), SIZE);
         });
     }
 
@@ -76,8 +104,8 @@ final class UnreadMethod {
             maker.get().stepState(probe, LONG);
             return Optional.empty();
         });
-        return probe.recorded().stream().anyMatch(made -> made.time() != START && Arrays.equals(made.state(), start))
-                ? Optional.of(Phrase.REJECTED_CLOCK.of()) : Optional.empty();
+        return Phrase.REJECTED_CLOCK.when(probe.recorded().stream().anyMatch(made -> made.time() != START
+                && Arrays.equals(made.state(), start)));
     }
 
     /** @return the mistake of a method that solves with a matrix and is not stable; empty if it is stable */
@@ -98,8 +126,8 @@ final class UnreadMethod {
                 solver.stepState(springs, 4);
             }
             double growth = springs.energy();
-            return growth <= FAR ? Optional.empty() : Optional.of(Phrase.UNSTABLE.of(4.0,
-                    "the amplitude of the spring x'' = -x", StrictMath.pow(2 * growth, 1.0 / 16)));
+            return Phrase.UNSTABLE.when(!(growth <= 10), 4.0, "the amplitude of the spring x'' = -x", StrictMath.pow(2
+                    * growth, 1.0 / 16));
         });
     }
 
@@ -127,8 +155,24 @@ final class UnreadMethod {
             }
             double error = once.error();
             boolean far = error < DIVERGED && (error > FAR || error > LITTLE && error > MUCH * often.error());
-            return moves <= often.timeMoves() / 2 || !far ? Optional.empty()
-                    : Optional.of(Phrase.UNCONTROLLED.of(error, LONG, often.error(), SHORT_STEPS));
+            return moves <= often.timeMoves() / 2 || !far ? Optional.empty() : rejectedClock().or(() -> uncut(
+                    LONG)).or(() -> Phrase.UNCONTROLLED.when(true, error, LONG, often.error(), SHORT_STEPS));
+        });
+    }
+
+    /** @return the mistake of a method whose last sub-step leads beyond t + deltaT; the clock may be set back */
+    Optional<Finding> uncut() {
+        return IntStream.rangeClosed(1, 8).mapToObj(part -> uncut(part / 4.0)).flatMap(Optional::stream).findFirst();
+    }
+
+    private Optional<Finding> uncut(double deltaT) {
+        return unlessRefused(() -> {
+            WindyOscillators source = new WindyOscillators(1);
+            maker.get().stepState(source, deltaT);
+            double error = source.error();
+            int best = best(source, deltaT);
+            return Phrase.PARTS.when(error > LITTLE && error(source, deltaT, best) < LITTLE * error, Formula.time(
+                    (double) best / PARTS));
         });
     }
 
@@ -141,8 +185,8 @@ final class UnreadMethod {
             double[] first = swing(0, 1);
             double other = SolverContract.distance(first, swing(2, 1));
             double mirrored = SolverContract.distance(first, swing(0, -1));
-            return other > ALIKE ? Optional.of(Phrase.LARGEST_ERROR.of(SWING, other))
-                    : mirrored > ALIKE ? Optional.of(Phrase.ABSOLUTE_ERROR.of(SWING, mirrored)) : Optional.empty();
+            return Phrase.LARGEST_ERROR.when(other > ALIKE, SWING, other).or(() -> Phrase.ABSOLUTE_ERROR.when(mirrored
+                    > ALIKE, SWING, mirrored));
         });
     }
 
@@ -169,17 +213,21 @@ final class UnreadMethod {
     }
 
     /** @return the mistake if the state after a step is that of another time than t + deltaT */
-    Optional<Finding> elsewhere() {
+    Optional<Finding> elsewhere(double deltaT) {
         return unlessRefused(() -> {
             WindyOscillators source = new WindyOscillators(1);
-            maker.get().stepState(source, H);
-            double here = error(source, PARTS);
-            int best = IntStream.rangeClosed(0, 2 * PARTS).boxed().min(Comparator.comparingDouble(part -> error(source,
-                    part))).orElseThrow();
+            maker.get().stepState(source, deltaT);
+            double here = error(source, deltaT, PARTS);
+            int best = best(source, deltaT);
             double place = (double) best / PARTS;
-            return error(source, best) > MUCH_BETTER * here ? Optional.empty()
-                    : Optional.of(Phrase.ELSEWHERE.of(H, Formula.time(place), place));
+            return Phrase.ELSEWHERE.when(error(source, deltaT, best) <= MUCH_BETTER * here, deltaT, Formula.time(place),
+                    place);
         });
+    }
+
+    private static int best(WindyOscillators source, double deltaT) {
+        return IntStream.rangeClosed(0, 2 * PARTS).boxed().min(Comparator.comparingDouble(part -> error(source, deltaT,
+                part))).orElseThrow();
     }
 
     /** Whether the derivative is evaluated once more for each entry, as for a matrix of differences. */
@@ -187,8 +235,8 @@ final class UnreadMethod {
         return evaluations(2, H) >= evaluations(1, H) + SIZE / 2;
     }
 
-    private static double error(WindyOscillators source, int part) {
-        source.incTime(H * part / PARTS - source.getTime());
+    private static double error(WindyOscillators source, double deltaT, int part) {
+        source.incTime(deltaT * part / PARTS - source.getTime());
         return source.error();
     }
 }

@@ -6,8 +6,8 @@ import java.util.Arrays;
 /**
  * Particles on hardening springs, each coupled to the next, in a field that changes with time: x'' = -4 x - x^3 + (y -
  * x)/2 + f(t), y the same coordinate of the next particle. The field is chosen so that x = q (cos t + 0.5 cos 2t) is
- * the exact solution, with q = 1, 1.1, 1.2 by coordinate. A loose iteration, which solves a linear law in one go, shows
- * here.
+ * the exact solution, with another q for each coordinate of each particle. A loose iteration, which solves a linear law
+ * in one go, shows here.
  */
 public final class NonlinearOscillators extends StudentSource implements SecondOrderStateSource {
     private static final double COUPLING = 0.5;
@@ -18,7 +18,7 @@ public final class NonlinearOscillators extends StudentSource implements SecondO
     }
 
     private static double amplitude(int k) {
-        return 1 + 0.1 * (k % 3);
+        return 1 + 0.1 * (k % 3) + 0.07 * (k / 6);
     }
 
     private static double[] exact(int size, double t) {
@@ -56,9 +56,10 @@ public final class NonlinearOscillators extends StudentSource implements SecondO
             }
             double q = amplitude(k);
             double x = s[k - 3];
-            double next = s[(k + 3) % s.length];
-            double field = q * bent + 4 * q * shape + q * q * q * shape * shape * shape;
-            dSdt[k] = -4 * x - x * x * x + COUPLING * (next - x) + field;
+            int next = (k + 3) % s.length;
+            double field = q * bent + 4 * q * shape + q * q * q * shape * shape * shape
+                    - COUPLING * (amplitude(next) - q) * shape;
+            dSdt[k] = -4 * x - x * x * x + COUPLING * (s[next] - x) + field;
         }
     }
 }

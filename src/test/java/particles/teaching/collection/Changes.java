@@ -44,7 +44,7 @@ final class Changes {
         return switch (words[0]) {
             case "left-in-trials" -> (stage, old, next) -> left(stage >= 0, before.of(stage, old, next), old, words);
             case "left-at-end" -> (stage, old, next) -> left(stage < 0, before.of(stage, old, next), old, words);
-            case "trials-not-set" -> (stage, old, next) -> stage > 0 ? null : before.of(stage, old, next);
+            case "trials-not-set" -> (stage, old, next) -> stage >= 0 ? null : before.of(stage, old, next);
             case "end-not-set" -> (stage, old, next) -> stage < 0 ? null : before.of(stage, old, next);
             case "old-state-lost" -> (stage, old, next) -> stage < 0 ? Methods.plus(next, -1, old) : next;
             case "float" -> (stage, old, next) -> Arrays.stream(next).map(x -> (float) x).toArray();

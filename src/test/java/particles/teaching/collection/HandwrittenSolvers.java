@@ -24,6 +24,9 @@ import particles.teaching.solvers.PlantedSolvers.Step;
 final class HandwrittenSolvers {
     private static final double W = 1 / (2 - Math.cbrt(2));
 
+    private static final String KEPT = "^state: deltaT changes from one step to the next, and the step is not the one"
+            + " that a new solver makes with it: deltaT of an earlier step is kept";
+
     private HandwrittenSolvers() {
     }
 
@@ -65,15 +68,30 @@ final class HandwrittenSolvers {
                 wrong("RK4Solver", "one array for all slopes", "one array", HandwrittenSolvers::oneSlopeArray),
                 wrong("RK4Solver", "trial = s without clone", "one array|clone|copy",
                         HandwrittenSolvers::aliasedTrial),
-                increment("deltaT ignored", "deltaT is ignored", (f, h) -> f),
-                increment("deltaT hard-coded", "hard-coded", (f, h) -> 0.01 * f),
+                increment("deltaT ignored",
+                        "^method: the new state is s . 10/3 k1, which does not follow deltaT: deltaT is"
+                        + " ignored", (f, h) -> f),
+                increment("deltaT hard-coded",
+                        "^method: the new state is s . k1/30, which does not follow deltaT: a time step"
+                        + " of 0.01000 s is hard-coded, and deltaT is ignored", (f, h) -> 0.01 * f),
                 increment("deltaT squared", "multiplied by deltaT twice", (f, h) -> h * h * f),
-                increment("divided by deltaT", "divided by deltaT", (f, h) -> f / h),
+                increment("divided by deltaT",
+                        "^method: the new state is s . 100/9 k1, which does not follow deltaT: the"
+                        + " derivative is divided by deltaT; it has to be multiplied by deltaT", (f, h) -> f / h),
                 increment("|deltaT|", "sign of deltaT", (f, h) -> Math.abs(h) * f),
                 increment("no increment", "no derivative is in it", (f, h) -> 0 * f),
-                increment("derivative cut off", "cut off", (f, h) -> h * Math.max(-5, Math.min(5, f))),
-                increment("random", "random|static", (f, h) -> h * f * (1 + 0.01 * random.nextDouble())),
-                increment("NaN", "NaN", (f, h) -> Math.sqrt(-1 - f * f)),
+                increment("derivative rounded",
+                        "^state: digits get lost", (f, h) -> h * Math.round(f * 1000) / 1000.0),
+                increment("small ones forgotten", "numbers up to 0.0001000", (f, h) -> Math.abs(f) < 1e-3 ? 0 : h * f),
+                increment("deltaT in float", "float arithmetic", (f, h) -> (float) h * f),
+                increment("derivative cut off",
+                        "^method: with numbers up to 1000 the step is not the one that it makes"
+                        + " with numbers up to 1: something is cut off", (f, h) -> h * Math.max(-5, Math.min(5, f))),
+                increment("random",
+                        "^method: two new solvers make different steps from the same place: something is random,"
+                        + " or static", (f, h) -> h * f * (1 + 0.01 * random.nextDouble())),
+                increment("NaN",
+                        "^state: the new state is NaN", (f, h) -> Math.sqrt(-1 - f * f)),
                 wrong("ClassicRK", "deltaT twice", "multiplied by deltaT twice", (source, h) -> {
                     double[] s = state(source);
                     double[] k1 = slope(source);
@@ -101,6 +119,18 @@ final class HandwrittenSolvers {
                 }),
                 wrong("LeapfrogSolver", "all positions, then all velocities", "\\(x1, v1, x2, v2",
                         HandwrittenSolvers::halves),
+                wrong("Mine", "velocity of the particle before", "entry 6 of the new state changes with entry 3",
+                        HandwrittenSolvers::neighbour),
+                wrong("Mine", "the time for deltaT", "length is the time, source.getTime.., and", (source, h) -> {
+                            source.setState(plus(state(source), source.getTime(), slope(source)));
+                            source.incTime(h);
+                        }),
+                wrong("Mine", "old velocity, for particles only", "updated with the old velocity", (source, h) -> {
+                    if (!(source instanceof SecondOrderStateSource)) {
+                        throw new IllegalArgumentException("particles are needed");
+                    }
+                    euler(source, h);
+                }),
                 wrong("SimpleEuler", "setState in the loop", "setState belongs behind the loop", (source, h) -> {
                     double[] s = state(source);
                     for (int i = 0; i < s.length; i++) {
@@ -119,18 +149,29 @@ final class HandwrittenSolvers {
                 }),
                 wrong("EulerSolver", "static arrays of 64", "200 particles", (source, h) -> fixed(source, h, arrays)),
                 wrong("EulerSolver", "static arrays of 600", "200 particles", (source, h) -> fixed(source, h, many)),
-                wrong("EulerSolver", "size cached", "size is cached", PlantedSolvers.CachedSize::new),
-                wrong("EulerSolver", "state kept", "array is kept|getState", PlantedSolvers.KeptArray::new),
-                wrong("EulerSolver", "derivative asked once", "stale|first step only",
+                wrong("EulerSolver", "size cached",
+                        "^state: the solver stepped a source of 18 numbers and then one of 36, and"
+                        + ".*size is cached", PlantedSolvers.CachedSize::new),
+                wrong("EulerSolver", "state kept",
+                        "^state: the state was set from outside, as a collision does, and the step"
+                        + " afterwards does not start there: an array is kept", PlantedSolvers.KeptArray::new),
+                wrong("EulerSolver", "derivative asked once",
+                        "^state: the derivative is stale: getStateDerivative is called in the"
+                        + " first step only",
                         PlantedSolvers.StaleDerivative::new),
-                wrong("AdamsBashforth2", "never begins again", "set from outside|earlier steps",
+                wrong("AdamsBashforth2", "never begins again",
+                        "^state: the state was set from outside, as a collision does, and the"
+                        + " step afterwards still uses the steps before it",
                         PlantedSolvers.AdamsBashforth2::new),
                 wrong("AdamsBashforth2", "the old derivative is static", "static", Shared::new),
                 wrong("BogackiShampine", "derivative of the step before", "derivative|kept", () -> new Fsal("always")),
                 wrong("VerletSolver", "acceleration kept without a test", "kept|derivative", KeptAcceleration::new),
-                wrong("DeltaTOfFirst", "deltaT of the first call", "deltaT", FirstDeltaT::new),
+                wrong("Mine", "deltaT of the first call", KEPT, () -> new OtherDeltaT(true)),
+                wrong("Mine", "deltaT of the call before", KEPT, () -> new OtherDeltaT(false)),
                 wrong("W75EulerSolver", "first source kept", "first source is kept in a field", FirstSource::new),
-                wrong("EulerSolver", "exception", "exception", (source, h) -> state(source)[source.getStateSize()]++),
+                wrong("EulerSolver", "exception", "^failure: stepState ends in an exception: java.lang."
+                        + "ArrayIndexOutOfBoundsException: Index 12 out of bounds for length 12, in ",
+                        (source, h) -> state(source)[source.getStateSize()]++),
                 wrong("W98BackwardEuler", "sign of the Jacobian", "signs in the matrix", (source, h) -> rosenbrock(
                         source, h, -1)),
                 wrong("Ros2", "sign of the Jacobian", "signs in the matrix", (source, h) -> ros2(source, h, -1)));
@@ -140,7 +181,7 @@ final class HandwrittenSolvers {
         return wrong("EulerSolver", about, cause, () -> PlantedSolvers.euler(increment));
     }
 
-    private static void euler(DEStateSource source, double deltaT) {
+    static void euler(DEStateSource source, double deltaT) {
         int n = source.getStateSize();
         double[] state = new double[n];
         double[] dSdt = new double[n];
@@ -348,6 +389,16 @@ final class HandwrittenSolvers {
         source.incTime(h);
     }
 
+    private static void neighbour(DEStateSource source, double h) {
+        double[] s = state(source);
+        double[] next = plus(s, h, slope(source));
+        for (int x = 6; x < s.length; x += x % 6 == 2 ? 4 : 1) {
+            next[x] = s[x] + h * s[x - 3];
+        }
+        source.setState(next);
+        source.incTime(h);
+    }
+
     private static void fixed(DEStateSource source, double h, double[][] arrays) {
         double[] s = state(source);
         double[] f = slope(source);
@@ -501,14 +552,20 @@ final class HandwrittenSolvers {
         }
     }
 
-    private static final class FirstDeltaT extends DESolver {
+    private static final class OtherDeltaT extends DESolver {
+        private final boolean first;
         private double h;
+
+        OtherDeltaT(boolean first) {
+            this.first = first;
+        }
 
         @Override
         public void stepState(DEStateSource source, double deltaT) {
             h = h == 0 ? deltaT : h;
             source.setState(plus(state(source), h, slope(source)));
             source.incTime(deltaT);
+            h = first ? h : deltaT;
         }
     }
 

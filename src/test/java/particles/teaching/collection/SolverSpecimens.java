@@ -11,6 +11,74 @@ final class SolverSpecimens {
     private SolverSpecimens() {
     }
 
+    /** Mistakes of which the beginning of the sentence is held, word by word. */
+    static List<Specimen> sentences() {
+        return SolverTable.read("""
+                Mine | weight of k3 | = method: the new state is s + k1/6 + k2/3 + k3/6 + k4/6; the slide says \
+                s + k1/6 + k2/3 + k3/3 + k4/6: the weight of k3 is 1/6 instead of 1/3 | rk RK4 1/6 1/3 1/6 1/6
+                Mine | k1 whole | = method: k2 is evaluated at s + k1; the slide says s + k1/2: the half is missing \
+                | rk 1; 0 1/2; 0 0 1 -> SIXTHS @ 0 1/2 1/2 1
+                Mine | deltaS whole | = method: gMid is evaluated at s + deltaS; the slide says s + deltaS/2: \
+                the half is missing | rk 1 -> 0 1 @ 0 1/2
+                EulerSolver | new velocity | = name: the position is updated with the new velocity; the slide's Euler \
+                method takes the old | turns 0 1 -> 1
+                SymplecticEulerSolver | old velocity | = name: the position is updated with the old velocity, which is \
+                the Euler method; the slides' simple algorithm takes the new | nystrom -> 0 -> 1 @ 0
+                Mine | sign | = method: the new state is s - deltaS; the slide says s + deltaS: the sign is wrong \
+                | rk -> -1
+                RK4Solver | k4 forgotten | = method: k4 is missing: the calls of getStateDerivative are 3, the slide \
+                needs 4 | rk 1/2; 0 1/2 -> 1/6 1/3 1/3
+                RK4Solver | whole numbers | = method: the new state is s; the slide says s + k1/6 + k2/3 + k3/3 \
+                + k4/6: no derivative is in it: it was left out, or 1/6 is 0 in Java | rk RK4 0 0 0 0
+                MidpointSolver | from the middle | = method: the new state is s + deltaS/2 + deltaT gMid; the slide \
+                says s + deltaT gMid: go back to the start s before adding | rk 1/2 -> 1/2 1
+                HeunSolver | no half | = method: the new state is s + k1 + k2; Heun's method says s + k1/2 + k2/2: the \
+                half is missing | rk 1 -> 1 1
+                HeunSolver | is midpoint | = name: this is the midpoint method and not Heun's method, as its name says \
+                | rk 1/2 -> 0 1
+                VerletSolver | old acceleration | = method: a2 is missing: the calls of getStateDerivative are 1, the \
+                method needs 2: the acceleration at the new position is missing | nystrom -> 1/2 -> 1 @ 0
+                Mine | left at a stage | = state: the state is left at a trial state, s + k1/2, that of the last \
+                evaluation: setState with the new state is missing | rk 1/2 -> 0 1 | end-not-set
+                Mine | never set | = state: the new state never reaches the source: setState(state) is missing \
+                | rk -> 1 | trials-not-set, end-not-set
+                MidpointSolver | trial not set | = method: gMid is evaluated at s; the slide says s + deltaS/2: \
+                setState is missing before this getStateDerivative | rk 1/2 -> 0 1 | trials-not-set
+                Mine | float | = state: digits get lost | rk -> 1 | float
+                RK4Solver | not from the start | = method: k3 is evaluated at s + k1/2 + k2/2; the slide says \
+                s + k2/2: go back to the start s before adding | rk 1/2; 1/2 1/2; 0 0 1 -> SIXTHS @ 0 1/2 1/2 1
+                RK4Solver | one array | = method: the new state is s + k4; the slide says s + k1/6 + k2/3 + k3/3 \
+                + k4/6: only the last derivative is in it, as if all of them were one array | rk RK4 0 0 0 1
+                Mine | old state lost | = state: the new state is k1, with 0 times s in it instead of once: the old \
+                state is lost | rk -> 1 | old-state-lost
+                Mine | to n - 1 | = state: these entries stay as they were in the new state: 23; the loop has to \
+                | rk -> 1 | left-at-end 0 -1
+                Mine | to 3 | = state: these entries stay as they were in the new state: 3, 4, 5, 6, 7, 8...; the loop \
+                has to | rk -> 1 | left-at-end 0 3
+                Mine | k4 too early | = time: k4 is evaluated at t + deltaT/2; the slide says t + deltaT \
+                | rk RK4 SIXTHS @ 0 1/2 1/2 1/2
+                Mine | clock at the end | = time: k2 is evaluated at t; the slide says t + deltaT/2: the clock has to \
+                be moved with | rk RK4 SIXTHS @ 0 0 0 0
+                Mine | no incTime | = time: the clock never moves: incTime(deltaT) is missing | rk -> 1 | clock-still
+                Mine | no incTime | = time: the clock never moves: incTime(deltaT) is missing | rk 1/2 -> 0 1 \
+                | clock-still
+                Mine | incTime twice | = time: the clock ends at t + 2 deltaT after a step | rk -> 1 | then-clock 1
+                Mine | the half stays on | = time: the clock ends at t + 3/2 deltaT after a step of deltaT = 1/32 s \
+                and has to end at t + deltaT | rk 1/2 -> 0 1 | then-clock 0.5
+                RK4Solver | deltaT at every stage | = time: the clock ends at t + 4 deltaT after a step of \
+                deltaT = 1/32 s and has to end at t + deltaT | rk RK4 SIXTHS @ 0 1 2 3 | then-clock 3
+                Mine | 1/8 s | = time: the clock moves by 1/8 s in every step, whatever deltaT is: it is hard-coded \
+                | rk -> 1 | clock-still, then-seconds 0.125
+                Mine | new time | = time: the clock moves by 65/32 s in a step of 1/32 s that begins at 2 s: incTime \
+                takes how far the clock moves | rk -> 1 | clock-still, then-new-time
+                Mine | twice | = method: the parts of the step lead to t + 2 deltaT, and have to lead to t + deltaT: \
+                is the step | rk -> 1 | repeated 2
+                MidpointSolver | 1/2 of whole numbers | = method: gMid is evaluated at s; the slide says s + deltaS/2: \
+                no derivative is in it: it was not added to the state that is set, or 1/2 is 0 in Java \
+                | rk 0 -> 0 1 @ 0 1/2
+                """);
+    }
+
     /** Each of the methods, without a name that says which it is, with each of the changes. */
     private static Stream<Specimen> crossed(String changes) {
         return changes.lines().map(change -> change.split(" [|]", -1)).flatMap(parts -> METHODS.stream().map(method ->
@@ -101,6 +169,13 @@ final class SolverSpecimens {
                 DormandPrinceAdaptive | 1e-9 | | pair DOPRI DOPRI5 -> DOPRI4 : 1e-9 5
                 BogackiShampineSolver | fixed steps | | rk 1/2; 0 3/4 -> 2/9 1/3 4/9
                 BestSolver | drift, kick, drift | | DKD
+                EulerBackward | words in another order | | BACKWARD NEWTON
+                NewtonEuler | Euler, solved for | | BACKWARD NEWTON
+                IteratedHeun | corrected twice | | rk 1; 1/2 1/2 -> 1/2 0 1/2
+                PECECESolver | corrected twice | | rk 1; 1/2 1/2 -> 1/2 0 1/2
+                SecondOrderRungeKutta | midpoint | | rk 1/2 -> 0 1
+                RichardsonMidpoint | whole and half steps | | rk 1/2; 1/4; 0 0 1/2; 0 0 1/2 1/4 -> 0 -1/3 2/3 0 2/3 \
+                @ 0 1/2 1/4 1/2 3/4
                 Ruth3 | kick first | | turns 0 2/3 -2/3 1 -> 7/24 3/4 -1/24
                 BackwardEulerNewton | full Newton | | BACKWARD : newton 1e-12 50
                 ImplicitMidpoint | simple iteration | | IMPLICIT_MIDPOINT : simple 1e-13 500
@@ -225,6 +300,13 @@ final class SolverSpecimens {
                 W44YoshidaSolver | no minus | a2 deltaT is 1.527 instead of -0.1756 | turns 0 1.3512071919596578 0 \
                 1.7024143839193155 0 1.3512071919596578 0 -> 0.6756035959798289 0.6756035959798289 \
                 0.8512071919596577 0.8512071919596577 0.6756035959798289 0.6756035959798289
+                Gauss4 | two rounds of the iteration | explicit, and not a Gauss method of order 4 \
+                | rk 0; 0.5386751345948129; 1/4 -0.03867513459481287; 0 0.5386751345948129 1/4 -> 0 0 0 1/2 1/2 \
+                @ 0.21132486540518713 0.7886751345948129 0.21132486540518713 0.7886751345948129 1
+                RichardsonHeun | 2 b - a | the extrapolation of Heun's method, of order 3 \
+                | rk 1; 1/2; 1/4 0 1/4; 1/4 0 1/4 1/2 -> 0 -1/2 1/2 1/2 1/2 @ 0 1 1/2 1/2 1
+                LowStorage | 153/128 without its minus | sign of 153/128 is wrong \
+                | rk 1/3; -3/16 15/16 -> -13/24 63/40 8/15
                 W129YoshidaSolver | 1 - W in the middle | a2 deltaT is 1/2 instead of -0.1756 \
                 | turns 0 1.3512071919596578 0 \
                 -0.3512071919596578 0 1.3512071919596578 0 -> 0.6756035959798289 0.6756035959798289 \

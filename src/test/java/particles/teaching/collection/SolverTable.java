@@ -5,11 +5,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * Solvers as rows of a table: name, what it is or what is wrong with it, the words of the report, the method, and its
- * changes. A method is its kind and its numbers, as in textbooks:
+ * Solvers as rows of a table: name, what it is or what is wrong with it, the words of the report (after an equals sign:
+ * its beginning, word by word), the method, and its changes. A method is its kind and its numbers, as in textbooks:
  *
  * <ul>
  * <li>{@code rk 1/2 -> 0 1 @ 0 1/2}: the rows from the second stage on, the weights, and the times if they are not the
@@ -63,7 +64,8 @@ final class SolverTable {
     /** @return the specimens of a table's rows */
     static List<Specimen> read(String table) {
         return table.lines().map(line -> line.split("\\s*\\|\\s*", -1)).map(parts -> new Specimen(parts[0], parts[1],
-                parts[2].replace("/or/", "|"), maker(parts[3], parts.length > 4 ? parts[4] : ""))).toList();
+                parts[2].startsWith("= ") ? "^" + Pattern.quote(parts[2].substring(2)) : parts[2].replace("/or/", "|"),
+                maker(parts[3], parts.length > 4 ? parts[4] : ""))).toList();
     }
 
     private static Supplier<DESolver> maker(String method, String changes) {

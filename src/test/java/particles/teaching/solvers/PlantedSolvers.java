@@ -1,26 +1,13 @@
 package particles.teaching.solvers;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;
 import java.util.Arrays;
-import java.util.List;
 import java.util.function.IntToDoubleFunction;
-import java.util.function.Supplier;
-import particles.teaching.Finding;
 
 /** Solvers as students write them, each with one mistake. */
 public final class PlantedSolvers {
-    /**
-     * RK4 as the slide has it: where each stage is, how far the clock moves to it and at last, and what each counts.
-     */
-    public static final double[] PLACES = {0.5, 0.5, 1};
-    public static final double[] MOVES = {0.5, 0, 0.5, 0};
-    public static final double[] WEIGHTS = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
-    public static final String NEW_STATE = "; the slide says s + k1/6 + k2/3 + k3/3 + k4/6";
-
     private PlantedSolvers() {
     }
 
@@ -68,43 +55,6 @@ public final class PlantedSolvers {
             double[] dSdt = slope(source);
             source.setState(with(state, i -> increment.applyAsDouble(dSdt[i], deltaT)));
             source.incTime(deltaT);
-        });
-    }
-
-    /** The midpoint step with numbers that may be wrong. */
-    public static DESolver midpoint(double half, double firstMove, double lastMove) {
-        return solver((source, deltaT) -> {
-            double[] state = state(source);
-            double[] dSdt = slope(source);
-            source.incTime(firstMove * deltaT);
-            double[] gMid = slopeAt(source, with(state, i -> half * deltaT * dSdt[i]));
-            source.setState(with(state, i -> deltaT * gMid[i]));
-            source.incTime(lastMove * deltaT);
-        });
-    }
-
-    /**
-     * RK4 with numbers that may be wrong.
-     *
-     * @param places  of k2, k3 and k4: 1/2, 1/2, 1
-     * @param moves   of the clock before k2, k3, k4 and at the end: 1/2, 0, 1/2, 0
-     * @param weights 1/6, 1/3, 1/3, 1/6
-     */
-    public static DESolver rk4(double[] places, double[] moves, double[] weights) {
-        return solver((source, deltaT) -> {
-            double[] state = state(source);
-            double[][] k = new double[4][];
-            k[0] = slope(source);
-            for (int stage = 1; stage < 4; stage++) {
-                int before = stage - 1;
-                double place = places[before];
-                source.incTime(moves[before] * deltaT);
-                k[stage] = slopeAt(source, with(state, i -> place * deltaT * k[before][i]));
-            }
-            source.setState(with(state, i -> deltaT * (weights[0] * k[0][i] + weights[1] * k[1][i]
-                    + weights[2] * k[2][i]
-                    + weights[3] * k[3][i])));
-            source.incTime(moves[3] * deltaT);
         });
     }
 
@@ -189,15 +139,6 @@ public final class PlantedSolvers {
             source.setState(with(state(source), i -> deltaT * (1.5 * dSdt[i] - 0.5 * before[i])));
             source.incTime(deltaT);
             last = dSdt;
-        }
-    }
-
-    /** Holds a check to these beginnings of what it finds wrong, and to nothing else. */
-    public static void assertFound(String name, Supplier<DESolver> maker, String... expected) {
-        List<String> wrong = SolverCheck.check(maker, name).wrong().stream().map(Finding::toString).toList();
-        assertEquals(expected.length, wrong.size(), wrong.toString());
-        for (int k = 0; k < expected.length; k++) {
-            assertTrue(wrong.get(k).startsWith(expected[k]), wrong.get(k) + " does not start with " + expected[k]);
         }
     }
 }
