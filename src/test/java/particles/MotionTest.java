@@ -4,23 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static particles.Systems.GRAVITY;
-import static particles.Systems.oneParticle;
 
-import deSolvers.DESolver;
-import deSolvers.EulerSolver;
-import deSolvers.adaptive.DormandPrinceSolver;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
-import particles.effects.Gravity;
-import particles.law.Plane;
 import particles.law.Vector3;
-import particles.reactions.RestingContacts;
-import particles.reactions.contact.ContactSurface;
-import particles.reactions.contact.Friction;
-import particles.rules.ExactImpacts;
+import particles.scene.ShortRun;
 
 /** A motion and its pieces, the sub-steps of adaptive solvers. */
 class MotionTest {
@@ -51,24 +40,21 @@ class MotionTest {
     }
 
     /** A ball that falls from 10 m, and bounces, in steps of 4 s. */
-    private static Pieces fall(Supplier<DESolver> solver) {
-        ParticleSystem system = oneParticle(new Vector3(0, 10, 0), Vector3.ZERO);
-        system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-        RestingContacts contacts = new RestingContacts(system,
-                List.of(new ContactSurface("ground", Plane.ground(0), 1, Friction.NONE, 1e-3)));
-        system.addReaction(contacts);
-        Simulation simulation = new Simulation(system, solver, 4, 4);
-        simulation.addRule(new ExactImpacts(contacts));
+    private static Pieces fall(String solver) {
+        ShortRun run = new ShortRun(solver + " exact 4 4", """
+                particles: [{id: p, position: [0, 10, 0]}]
+                rules: [ground: {restitution: 1}]
+                """);
         Pieces pieces = new Pieces();
-        simulation.addObserver(pieces);
-        simulation.run();
+        run.getScene().simulation().addObserver(pieces);
+        run.run();
         return pieces;
     }
 
     /** The path is a parabola, before the bounce and after; a tolerance of 1e-12 follows it in sub-steps. */
     @Test
     void thePiecesOfAMotionAreTheSubStepsUpToItsEnd() {
-        Pieces pieces = fall(() -> new DormandPrinceSolver(1e-12, 1e-12));
+        Pieces pieces = fall("{'name':'dormand-prince','relativeTolerance':1e-12,'absoluteTolerance':1e-12}");
         double bounce = Math.sqrt(2 * 10 / 9.81);
         assertEquals(2, pieces.motions, "one bounce at " + bounce + " s");
         assertTrue(pieces.adaptive && pieces.ends.size() > 2, pieces.ends.size() + " pieces");
@@ -80,7 +66,7 @@ class MotionTest {
 
     @Test
     void otherStepsAreOnePiece() {
-        Pieces pieces = fall(EulerSolver::new);
+        Pieces pieces = fall("euler");
         assertFalse(pieces.adaptive);
         assertEquals(pieces.motions, pieces.ends.size());
     }

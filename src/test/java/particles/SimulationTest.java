@@ -11,28 +11,32 @@ import static particles.Systems.run;
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;
 import deSolvers.EulerSolver;
-import deSolvers.RK4Solver;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.effects.Gravity;
-import particles.effects.springs.SpringForce;
 import particles.law.Vector3;
+import particles.scene.Scene;
+import particles.scene.ShortRun;
+import particles.scene.TestScenes;
 
 /** The simulation loop: its end, its calls of observers and rules, and when it gives up. */
 class SimulationTest {
 
-    private static ParticleSystem swinging() {
-        ParticleSystem system = new ParticleSystem();
-        int pivot = system.addParticle("pivot", 1, Vector3.ZERO, Vector3.ZERO, true);
-        int bob = system.addParticle("bob", 2, new Vector3(1.2, 0, 0.3), Vector3.ZERO, false);
-        SpringForce spring = new SpringForce(system.getParticles());
-        spring.addSpring(pivot, bob, 50, 1, 0);
-        system.addEffect(spring);
-        system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-        return system;
+    private static Scene swinging() {
+        return TestScenes.build("""
+                title: A swing
+                teaches: The loop.
+                solver: rk4
+                deltaT: 0.01
+                duration: 2.005
+                particles: [{id: pivot, position: [0, 0, 0], fixed: true}, {id: bob, position: [1.2, 0, 0.3], mass: 2}]
+                springs: [{from: pivot, to: bob, stiffness: 50, restLength: 1}]
+                effects: [gravity]
+                """);
     }
 
     @ParameterizedTest
@@ -56,10 +60,10 @@ class SimulationTest {
     /** Observers of all steps, of rare times and of none: the same bits, and each is called when it asked to be. */
     @Test
     void observersSeeWhatTheyAskForAndChangeNothing() {
-        ParticleSystem alone = swinging();
-        run(alone, new RK4Solver(), 0.01, 2.005);
-        ParticleSystem observed = swinging();
-        Simulation simulation = new Simulation(observed, RK4Solver::new, 0.01, 2.005);
+        Scene alone = swinging();
+        alone.simulation().run();
+        Scene observed = swinging();
+        Simulation simulation = observed.simulation();
         List<Double> every = new ArrayList<>();
         List<Double> rare = new ArrayList<>();
         simulation.addObserver(new Observer() {
@@ -81,8 +85,8 @@ class SimulationTest {
             }
         });
         simulation.run();
-        assertArrayEquals(alone.getOwnState(), observed.getOwnState());
-        assertEquals(alone.getEvaluations(), observed.getEvaluations());
+        assertArrayEquals(alone.system().getOwnState(), observed.system().getOwnState());
+        assertEquals(alone.system().getEvaluations(), observed.system().getEvaluations());
         assertEquals(201, every.size());
         assertEquals(0.005, every.get(200), 1e-12, "the last step is shortened");
         assertEquals(4, rare.size());
@@ -91,9 +95,8 @@ class SimulationTest {
     /** Free fall is a parabola, which the cubic through positions and velocities meets exactly. */
     @Test
     void interpolatedFramesLieOnTheParabola() {
-        ParticleSystem system = oneParticle(new Vector3(1, 2, 3), new Vector3(4, 5, 6));
-        system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-        Simulation simulation = new Simulation(system, RK4Solver::new, 0.25, 1);
+        Simulation simulation = new ShortRun("rk4 clamp 0.25 1",
+                "particles: [{id: p, position: [1, 2, 3], velocity: [4, 5, 6]}]").getScene().simulation();
         simulation.addObserver(new Observer() {
             @Override
             public void moved(Motion motion) {
@@ -151,18 +154,16 @@ class SimulationTest {
     /** h omega = 3 with Euler: the energy grows tenfold a step, and the run stops above the limit, not before. */
     @Test
     void blowUpEndsTheRun() {
-        ParticleSystem system = new ParticleSystem();
-        int a = system.addParticle("a", 1, Vector3.ZERO, Vector3.ZERO, true);
-        int b = system.addParticle("b", 1, new Vector3(1.1, 0, 0), Vector3.ZERO, false);
-        SpringForce spring = new SpringForce(system.getParticles());
-        spring.addSpring(a, b, 9, 0, 0);
-        system.addEffect(spring);
-        Simulation simulation = new Simulation(system, EulerSolver::new, 1, 100);
-        simulation.addRule(new EnergyLimit(1e6));
+        Simulation simulation = new ShortRun("euler clamp 1 100", """
+                particles: [{id: a, position: [0, 0, 0], fixed: true}, {id: b, position: [1.1, 0, 0]}]
+                springs: [{from: a, to: b, stiffness: 9, restLength: 0}]
+                effects: []
+                """).getScene().simulation();
+        simulation.addRule(new EnergyLimit(1e5));
         SimulationException e = assertThrows(SimulationException.class, simulation::run);
         assertEquals(1, e.getParticle());
         assertTrue(e.getMessage()
-                .matches("the kinetic energy is [\\d.e]+ J, above the limit of 1000000 J;"
+                .matches("the kinetic energy is [\\d.e]+ J, above the limit of 100000 J;"
                 + " the fastest particle is 'b'"), e.getMessage());
         assertTrue(simulation.getSteps() >= 5 && simulation.getSteps() <= 8, "steps: " + simulation.getSteps());
     }
@@ -180,21 +181,19 @@ class SimulationTest {
     @Test
     void invalidParticlesAndRunsAreRefused() {
         ParticleSystem system = new ParticleSystem();
-        for (double mass : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY, 1e-320}) {
-            assertThrows(IllegalArgumentException.class, () -> system.addParticle("p", mass, Vector3.ZERO, Vector3.ZERO,
-                    false));
-        }
         Vector3 nowhere = new Vector3(Double.NaN, 0, 0);
-        assertThrows(IllegalArgumentException.class, () -> system.addParticle("p", 1, nowhere, Vector3.ZERO, false));
-        assertThrows(IllegalArgumentException.class, () -> system.addParticle("p", 1, Vector3.ZERO, nowhere, false));
-        assertThrows(IllegalArgumentException.class, () -> system.addParticle("p", 1, Vector3.ZERO,
-                new Vector3(1, 0, 0), true));
-        assertEquals(0, system.getStateSize());
-        for (double bad : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
-            assertThrows(IllegalArgumentException.class, () -> new Simulation(system, EulerSolver::new, bad, 1));
+        List<Executable> bad = new ArrayList<>(List.of(
+                () -> system.addParticle("p", 1, nowhere, Vector3.ZERO, false),
+                () -> system.addParticle("p", 1, Vector3.ZERO, nowhere, false),
+                () -> system.addParticle("p", 1, Vector3.ZERO, new Vector3(1, 0, 0), true),
+                () -> new Simulation(system, EulerSolver::new, 1, -1), () -> new EnergyLimit(Double.NaN)));
+        for (double number : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
+            bad.add(() -> system.addParticle("p", number, Vector3.ZERO, Vector3.ZERO, false));
+            bad.add(() -> new Simulation(system, EulerSolver::new, number, 1));
         }
-        assertThrows(IllegalArgumentException.class, () -> new Simulation(system, EulerSolver::new, 1, -1));
-        assertThrows(IllegalArgumentException.class, () -> new EnergyLimit(Double.NaN));
+        bad.add(() -> system.addParticle("p", 1e-320, Vector3.ZERO, Vector3.ZERO, false));
+        bad.forEach(call -> assertThrows(IllegalArgumentException.class, call));
+        assertEquals(0, system.getStateSize());
     }
 
     @Test

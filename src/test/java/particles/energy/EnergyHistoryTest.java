@@ -5,21 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static particles.Systems.rk4;
 
-import deSolvers.DESolver;
-import deSolvers.EulerSolver;
-import deSolvers.RK4Solver;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.Simulation;
-import particles.effects.Gravity;
-import particles.effects.PointAttraction;
-import particles.effects.springs.SpringForce;
-import particles.law.Vector3;
+import particles.scene.ShortRun;
 import particles.view.ChartData;
 import particles.view.ChartData.Series;
 
@@ -28,14 +21,17 @@ class EnergyHistoryTest {
     private static final double G = 9.81;
 
     /** m = k = 1, stretched by 1 at the start: E = 1/2, kinetic sin^2(t)/2, potential cos^2(t)/2. */
-    private static Simulation spring(DESolver solver, double deltaT, double duration) {
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("anchor", 1, Vector3.ZERO, Vector3.ZERO, true);
-        system.addParticle("bob", 1, new Vector3(4, 0, 0), Vector3.ZERO, false);
-        SpringForce springs = new SpringForce(system.getParticles());
-        springs.addSpring(0, 1, 1, 3, 0);
-        system.addEffect(springs);
-        return new Simulation(system, () -> solver, deltaT, duration);
+    private static Simulation spring(String solver, double deltaT, double duration) {
+        return simulation(solver, deltaT, duration, """
+                particles: [{id: anchor, position: [0, 0, 0], fixed: true}, {id: bob, position: [4, 0, 0]}]
+                springs: [{from: anchor, to: bob, stiffness: 1, restLength: 3}]
+                effects: []
+                blowUpFactor: 1e30
+                """);
+    }
+
+    private static Simulation simulation(String solver, double deltaT, double duration, String text) {
+        return new ShortRun(solver + " clamp " + deltaT + " " + duration, text).getScene().simulation();
     }
 
     /**
@@ -43,10 +39,8 @@ class EnergyHistoryTest {
      * all.
      */
     private static Simulation falling(double height) {
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("ball", 2, new Vector3(0, height, 0), Vector3.ZERO, false);
-        system.addEffect(new Gravity(system.getParticles(), new Vector3(0, -G, 0)));
-        Simulation simulation = rk4(system, 0.125, 1);
+        Simulation simulation = simulation("rk4", 0.125, 1,
+                "particles: [{id: ball, position: [0, " + height + ", 0], mass: 2}]");
         simulation.addRule(new Rule() {
             @Override
             public String getName() {
@@ -78,7 +72,7 @@ class EnergyHistoryTest {
 
     @Test
     void aSpringsEnergiesAreSquaresOfSineAndCosine() {
-        EnergyHistory energy = observe(spring(new RK4Solver(), 0.01, 10), 1);
+        EnergyHistory energy = observe(spring("rk4", 0.01, 10), 1);
         ChartData chart = energy.chart("spring");
         assertEquals(List.of("total", "kinetic", "potential: springs"),
                 chart.series().stream().map(Series::name).toList());
@@ -98,7 +92,7 @@ class EnergyHistoryTest {
 
     @Test
     void euler_sDriftIsItsGrowth() {
-        EnergyHistory energy = observe(spring(new EulerSolver(), 0.125, 1), 1);
+        EnergyHistory energy = observe(spring("euler", 0.125, 1), 1);
         double growth = StrictMath.pow(1 + 0.125 * 0.125, 8);       // of the energy, in each of 8 steps
         assertEquals(0.5 * growth, energy.getEnd(), 1e-15);         // measured 0, as the next
         assertEquals(0.5 * (growth - 1), energy.getLargestDrift(), 1e-15);
@@ -136,10 +130,10 @@ class EnergyHistoryTest {
     /** On a circle of radius 1 about a centre with mu = 1: kinetic 1/2, potential -1, total -1/2. */
     @Test
     void boundOrbitKeepsItsNegativeEnergy() {
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("planet", 1, new Vector3(1, 0, 0), new Vector3(0, 1, 0), false);
-        system.addEffect(new PointAttraction(system.getParticles(), Vector3.ZERO, 1, 0));
-        EnergyHistory energy = observe(rk4(system, 0.01, 1), 1);
+        EnergyHistory energy = observe(simulation("rk4", 0.01, 1, """
+                particles: [{id: planet, position: [1, 0, 0], velocity: [0, 1, 0]}]
+                effects: [attraction: {strength: 1}]
+                """), 1);
         assertEquals(-0.5, energy.getStart(), 1e-15);
         Series total = series(energy.chart(""), "total");
         assertEquals(-0.5, total.y()[total.y().length - 1], 1e-8);
@@ -149,18 +143,16 @@ class EnergyHistoryTest {
     /** Nothing moves: the scale is weight times height, 2 kg on 9.81 m/s^2 over the 3 m between the two particles. */
     @Test
     void aSceneAtRestHasAScale() {
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("low", 2, Vector3.ZERO, Vector3.ZERO, false);
-        system.addParticle("high", 1, new Vector3(5, 3, 0), Vector3.ZERO, true);
-        system.addEffect(new Gravity(system.getParticles(), new Vector3(0, -G, 0)));
-        EnergyHistory energy = observe(rk4(system, 0.1, 0), 1);
+        EnergyHistory energy = observe(simulation("rk4", 0.1, 0, """
+                particles: [{id: low, position: [0, 0, 0], mass: 2}, {id: high, position: [5, 3, 0], fixed: true}]
+                """), 1);
         assertEquals(2 * G * 3, energy.getScale(), 1e-14);          // measured 0
         assertEquals(0, energy.getLargestDrift());
     }
 
     @Test
     void everySoManySteps() {
-        Series total = observe(spring(new RK4Solver(), 0.125, 1.25), 4).chart("").series().get(0);
+        Series total = observe(spring("rk4", 0.125, 1.25), 4).chart("").series().get(0);
         assertArrayEquals(new double[] {0, 0.5, 1, 1.25}, total.x());
         assertThrows(IllegalArgumentException.class, () -> new EnergyHistory(0));
         assertThrows(IllegalStateException.class, () -> new EnergyHistory().chart(""));
@@ -176,7 +168,7 @@ class EnergyHistoryTest {
     /** Undamped, so that all that Euler adds is his error: the energy grows by 1 + h^2 in each of 8 steps. */
     @Test
     void withoutWorkTheNumericalErrorIsTheDrift() {
-        EnergyLedgerRecorder books = keepBooks(spring(new EulerSolver(), 0.125, 1));
+        EnergyLedgerRecorder books = keepBooks(spring("euler", 0.125, 1));
         double growth = StrictMath.pow(1 + 0.125 * 0.125, 8);
         assertEquals(0.5 * (growth - 1), books.getNumericalError(), 1e-15);             // measured 0, as the others
         assertEquals(0.5 * (growth - 1), books.getLargestNumericalError(), 1e-15);
@@ -208,32 +200,26 @@ class EnergyHistoryTest {
     /** Euler with omega deltaT = 1 doubles the energy at every step: 1024 times at the tenth. */
     @Test
     void onlyGrowthByMoreThanAThousandMakesTheAxisLogarithmic() {
-        assertFalse(observe(spring(new EulerSolver(), 1, 9), 1).chart("512 times").yLog());
-        EnergyHistory grown = observe(spring(new EulerSolver(), 1, 30), 1);     // less than 1e9: the spring turns over
+        assertFalse(observe(spring("euler", 1, 9), 1).chart("512 times").yLog());
+        EnergyHistory grown = observe(spring("euler", 1, 30), 1);     // less than 1e9: the spring turns over
         assertTrue(grown.chart("a million times and more").yLog());
         double[] total = grown.chart("the values stay those of the run").series().get(0).y();
         assertEquals(grown.getStart(), total[0]);
         assertEquals(grown.getEnd(), total[total.length - 1]);
-        assertFalse(observe(spring(new RK4Solver(), 0.1, 30), 1).chart("bounded").yLog());
+        assertFalse(observe(spring("rk4", 0.1, 30), 1).chart("bounded").yLog());
         assertFalse(observe(falling(0), 1).chart("from rest").yLog());
     }
 
     /** A falling ball's kinetic energy begins at 0 and grows as t^2; that is no blow-up. */
     @Test
     void aRunThatBeginsAtRestKeepsItsLinearAxis() {
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("ball", 1, Vector3.ZERO, Vector3.ZERO, false);
-        system.addEffect(new Gravity(system.getParticles(), new Vector3(0, -G, 0)));
-        assertFalse(observe(rk4(system, 1e-4, 1), 1)
+        assertFalse(observe(simulation("rk4", 1e-4, 1, "particles: [{id: ball, position: [0, 0, 0]}]"), 1)
                 .chart("falling").yLog());
     }
 
     @Test
     void sizesOfWorkAndErrorAreDrawnOnALogarithmicAxis() {
-        EnergyLedgerRecorder books = new EnergyLedgerRecorder(1);
-        Simulation simulation = spring(new EulerSolver(), 1, 20);
-        simulation.addObserver(books);
-        simulation.run();
+        EnergyLedgerRecorder books = keepBooks(spring("euler", 1, 20));
         ChartData error = books.charts(0.5, true).get(0);
         assertTrue(error.yLog());
         assertEquals("|numerical error| / scale", error.yLabel());

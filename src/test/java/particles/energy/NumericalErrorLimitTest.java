@@ -7,10 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import deSolvers.EulerSolver;
-import deSolvers.RK4Solver;
 import deSolvers.StepTransaction;
 import deSolvers.adaptive.AdaptiveSolver;
-import deSolvers.implicit.BackwardEulerSolver;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -18,13 +16,11 @@ import org.junit.jupiter.params.provider.ValueSource;
 import particles.NumericalErrorException;
 import particles.ParticleSystem;
 import particles.Simulation;
-import particles.effects.Gravity;
-import particles.effects.LinearDrag;
-import particles.effects.Wind;
 import particles.effects.springs.SpringForce;
 import particles.law.ParticleForce;
 import particles.law.Vector3;
 import particles.scene.Scene;
+import particles.scene.ShortRun;
 import particles.scene.TestScenes;
 
 /** Which numerical errors fail a run: gains without a cause, and no others. */
@@ -43,15 +39,17 @@ class NumericalErrorLimitTest {
         simulation.run();
     }
 
-    /** x'' = -x from (1, 0). */
-    private static ParticleSystem oscillator() {
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("wall", 1, Vector3.ZERO, Vector3.ZERO, true);
-        system.addParticle("block", 1, new Vector3(1, 0, 0), Vector3.ZERO, false);
-        SpringForce spring = new SpringForce(system.getParticles());
-        spring.addSpring(0, 1, 1, 0, 0);
-        system.addEffect(spring);
-        return system;
+    /** x'' = -x from (1, 0), with drag c. */
+    private static void swing(String steps, double drag) {
+        run(new ShortRun(steps, """
+                particles: [{id: wall, position: [0, 0, 0], fixed: true}, {id: block, position: [1, 0, 0]}]
+                springs: [{from: wall, to: block, stiffness: 1, restLength: 0}]
+                effects: [drag: {coefficient: %s}]
+                """.formatted(drag)).getScene().simulation(), 0.5);
+    }
+
+    private static NumericalErrorException failure(String steps, double drag) {
+        return assertThrows(NumericalErrorException.class, () -> swing(steps, drag));
     }
 
     private static Simulation of(ParticleSystem system, DESolver solver, double deltaT, double duration) {
@@ -64,9 +62,8 @@ class NumericalErrorLimitTest {
      */
     @Test
     void aGainOfAThousandEndsTheRunAtOnce() {
-        run(of(oscillator(), new EulerSolver(), 1, 10), 0.5);      // 511.5 J
-        NumericalErrorException e = assertThrows(NumericalErrorException.class,
-                () -> run(of(oscillator(), new EulerSolver(), 1, 100), 0.5));
+        swing("euler clamp 1 10", 0);                   // 511.5 J
+        NumericalErrorException e = failure("euler clamp 1 100", 0);
         assertTrue(e.isEarly());
         assertEquals(11, e.getTime());
         assertEquals(1, e.getParticle());
@@ -80,24 +77,13 @@ class NumericalErrorLimitTest {
      */
     @Test
     void anErrorAboveTheEnergyFailsTheRunAtItsEnd() {
-        assertEquals(10, failure(30).getTime(), 1);     // the work swings about its average; measured: 10.?
-        assertFalse(failure(30).isEarly());
-        assertTrue(failure(30).getMessage().matches(
-                "the numerical error of 1\\.\\d+ J is larger than the energy scale, 0\\.5\\d* J"),
-                failure(30).getMessage());
-        run(of(draggedOscillator(), new EulerSolver(), 0.1, 8), 0.5);
-        run(of(draggedOscillator(), new RK4Solver(), 0.1, 30), 0.5);
-    }
-
-    private static NumericalErrorException failure(double duration) {
-        return assertThrows(NumericalErrorException.class,
-                () -> run(of(draggedOscillator(), new EulerSolver(), 0.1, duration), 0.5));
-    }
-
-    private static ParticleSystem draggedOscillator() {
-        ParticleSystem system = oscillator();
-        system.addEffect(new LinearDrag(system.getParticles(), 0.1, Wind.STILL));
-        return system;
+        NumericalErrorException e = failure("euler clamp 0.1 30", 0.1);
+        assertEquals(10, e.getTime(), 1);               // the work swings about its average
+        assertFalse(e.isEarly());
+        assertTrue(e.getMessage().matches(
+                "the numerical error of 1\\.\\d+ J is larger than the energy scale, 0\\.5\\d* J"), e.getMessage());
+        swing("euler clamp 0.1 8", 0.1);
+        swing("rk4 clamp 0.1 30", 0.1);
     }
 
     /** A student's energy of sqrt(1 - x) is not a number beyond x = 1, where the particle is after five steps. */
@@ -145,6 +131,11 @@ class NumericalErrorLimitTest {
      */
     @Test
     void anAdaptiveSolverThatIsWrongFailsInALongStepToo() {
+        ParticleSystem oscillator = new ShortRun("rk4 clamp 1 1", """
+                particles: [{id: wall, position: [0, 0, 0], fixed: true}, {id: block, position: [1, 0, 0]}]
+                springs: [{from: wall, to: block, stiffness: 1, restLength: 0}]
+                effects: [drag: {coefficient: 0.1}]
+                """).getScene().system();
         DESolver wrong = new AdaptiveSolver(0, 1) {
             @Override
             protected void resize(int n) {
@@ -170,13 +161,13 @@ class NumericalErrorLimitTest {
             }
         };
         assertEquals(30, assertThrows(NumericalErrorException.class,
-                () -> run(of(draggedOscillator(), wrong, 10, 200), 0.5)).getTime());
+                () -> run(of(oscillator, wrong, 10, 200), 0.5)).getTime());
     }
 
     /** Backward Euler loses (1 + h^2) a step, all energy in the end: it damps, and invents nothing. */
     @Test
     void lossesNeverFail() {
-        run(of(oscillator(), new BackwardEulerSolver(), 0.5, 100), 0.5);
+        swing("backward-euler clamp 0.5 100", 0);
     }
 
     /**
@@ -207,7 +198,10 @@ class NumericalErrorLimitTest {
      */
     @Test
     void anErrorThatIsASmallPartOfWhatIsPutInDoesNotFail() {
-        Scene scene = TestScenes.build(DROPS);
+        Scene scene = new ShortRun("euler clamp 0.05 60", """
+                particles: [{id: nozzle, position: [0, 0, 0], fixed: true}]
+                rules: [emitter: {id: jet, position: [0, 0, 0], speed: 5, rate: 10, lifetime: 1}]
+                """).getScene();
         EnergyLedgerRecorder books = new EnergyLedgerRecorder(1);
         EnergyHistory energy = new EnergyHistory();
         scene.simulation().addObserver(energy);
@@ -223,25 +217,11 @@ class NumericalErrorLimitTest {
      */
     @Test
     void aLevelNetMayBeginToFallByEuler() {
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("a", 1, new Vector3(0, 0.3, 0), Vector3.ZERO, false);
-        system.addParticle("b", 1, new Vector3(1, Math.nextUp(0.3), 0), Vector3.ZERO, false);
-        system.addEffect(new Gravity(system.getParticles(), new Vector3(0, -10, 0)));
-        run(of(system, new EulerSolver(), 0.01, 1), 100);
-        assertEquals(-10, system.getOwnState()[4], 1e-12);
+        ShortRun run = new ShortRun("euler clamp 0.01 1", """
+                particles: [{id: a, position: [0, 0.3, 0]}, {id: b, position: [1, %s, 0]}]
+                effects: [gravity: {acceleration: [0, -10, 0]}]
+                """.formatted(Math.nextUp(0.3)));
+        run(run.getScene().simulation(), 100);
+        assertEquals(-10, run.at(4), 1e-12);
     }
-
-    private static final String DROPS = """
-            title: Drops
-            teaches: An error that adds up over births.
-            solver: euler
-            deltaT: 0.05
-            duration: 60
-            particles:
-              - {id: nozzle, position: [0, 0, 0], fixed: true}
-            effects:
-              - gravity
-            rules:
-              - emitter: {id: jet, position: [0, 0, 0], speed: 5, rate: 10, lifetime: 1}
-            """;
 }

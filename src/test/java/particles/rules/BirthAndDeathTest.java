@@ -4,87 +4,71 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static particles.Systems.GRAVITY;
 
 import deSolvers.RK4Solver;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
-import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
-import particles.Simulation;
+import particles.Systems;
 import particles.effects.Cohesion;
-import particles.effects.Gravity;
-import particles.effects.LinearDrag;
-import particles.effects.TurbulentWind;
 import particles.effects.springs.SpringForce;
-import particles.energy.EnergyLedger;
 import particles.law.Particles;
-import particles.law.Plane;
-import particles.law.SeededRandom;
 import particles.law.Vector3;
-import particles.reactions.RestingContacts;
-import particles.reactions.contact.ContactSurface;
-import particles.reactions.contact.Friction;
+import particles.scene.ShortRun;
 
 /** Births, deaths, tears, mergers and splits: their times, conserved quantities, and entries in the energy ledger. */
 class BirthAndDeathTest {
 
-    private static Emitter emitter(double rate, double lifetime, long seed) {
-        Emitter.Jet jet = new Emitter.Jet(new Vector3(0, 1, 0), 0.1, new Vector3(1, 2, 0), 0.4, 3);
-        return new Emitter(new Emitter.Nozzle("drop", jet, rate, 0.5, lifetime, seed));
+    /** A jet of drops, in a cone of 0.4 rad; a fixed particle is there from the start, far away. */
+    private static ShortRun jet(String steps, int rate, double lifetime, int seed, String effects, String... rules) {
+        return new ShortRun("rk4 " + steps, """
+                particles: [{id: source, position: [-9, 9, 0], fixed: true}]
+                effects: [%s]
+                rules:
+                  - emitter: {id: drop, position: [0, 1, 0], radius: 0.1, direction: [1, 2, 0], spread: %s, speed: 3,
+                              rate: %s, mass: 0.5, lifetime: %s, seed: %s}
+                """.formatted(effects, Math.toDegrees(0.4), rate, lifetime, seed) + String.join("\n", rules));
     }
 
-    private static Simulation simulation(ParticleSystem system, double deltaT, double duration, Rule... rules) {
-        Simulation simulation = new Simulation(system, RK4Solver::new, deltaT, duration);
-        for (Rule rule : rules) {
-            simulation.addRule(rule);
-        }
-        return simulation;
-    }
-
-    private static double[] state(ParticleSystem system) {
-        return Arrays.copyOf(system.getOwnState(), system.getStateSize());
+    private static Vector3 vector(ShortRun run, int k) {
+        return new Vector3(run.at(k), run.at(k + 1), run.at(k + 2));
     }
 
     /** Particle n is born at n/rate: 70 in 1 s for any deltaT, each in the nozzle and moving inside the cone. */
-    @Test
-    void particlesAreBornAtTheirTimesInTheCone() {
-        for (double deltaT : new double[] {0.25, 0.01, 0.001}) {
-            ParticleSystem system = new ParticleSystem();
-            simulation(system, deltaT, 1.005, emitter(70, 9, 1)).run();
-            Particles particles = system.getParticles();
-            assertEquals(70, particles.count());
-            double[] state = state(system);
-            for (int i = 0; i < 70; i++) {
-                assertEquals("drop[" + i + "]", particles.id(i));
-                assertEquals((i + 1) / 70.0, particles.birthTime(i), 1e-15);
-                assertEquals((i + 1) / 70.0 + 9, particles.deathTime(i), 1e-14);
-                Vector3 v = new Vector3(state[6 * i + 3], state[6 * i + 4], state[6 * i + 5]);
-                double age = 1.005 - particles.birthTime(i);
-                Vector3 from = new Vector3(state[6 * i], state[6 * i + 1], state[6 * i + 2]).minus(v.times(age));
-                assertEquals(3, v.length(), 1e-14);
-                assertTrue(v.normalized().dot(new Vector3(1, 2, 0).normalized()) >= Math.cos(0.4) - 1e-14);
-                assertTrue(from.minus(new Vector3(0, 1, 0)).length() <= 0.1 + 1e-12,
-                        "without forces it came straight from there");
-            }
+    @ParameterizedTest
+    @ValueSource(strings = {"0.25", "0.01", "0.001"})
+    void particlesAreBornAtTheirTimesInTheCone(String deltaT) {
+        ShortRun run = jet("clamp " + deltaT + " 1.005", 70, 9, 1, "").run();
+        Particles particles = run.getScene().system().getParticles();
+        assertEquals(71, particles.count());
+        for (int i = 1; i <= 70; i++) {
+            assertEquals("drop[" + (i - 1) + "]", particles.id(i));
+            assertEquals(i / 70.0, particles.birthTime(i), 1e-15);
+            assertEquals(i / 70.0 + 9, particles.deathTime(i), 1e-14);
+            Vector3 v = vector(run, 6 * i + 3);
+            Vector3 from = vector(run, 6 * i).minus(v.times(1.005 - particles.birthTime(i)));
+            assertEquals(3, v.length(), 1e-14);
+            assertTrue(v.normalized().dot(new Vector3(1, 2, 0).normalized()) >= Math.cos(0.4) - 1e-14);
+            assertTrue(from.minus(new Vector3(0, 1, 0)).length() <= 0.1 + 1e-12,
+                    "without forces it came straight from there");
         }
     }
 
     @Test
     void theSameSeedGivesTheSameRun() {
-        List<double[]> runs = new ArrayList<>();
-        for (long seed : new long[] {1, 1, 2}) {
-            ParticleSystem system = new ParticleSystem();
-            simulation(system, 0.01, 1, emitter(50, 0.3, seed), new Lifetimes()).run();
-            runs.add(state(system));
+        double[][] runs = new double[3][];
+        for (int k = 0; k < 3; k++) {
+            ParticleSystem system = jet("clamp 0.01 1", 50, 0.3, k / 2, "").run().getScene().system();
+            runs[k] = Arrays.copyOf(system.getOwnState(), system.getStateSize());
         }
-        assertArrayEquals(runs.get(0), runs.get(1));
-        assertFalse(Arrays.equals(runs.get(0), runs.get(2)));
+        assertArrayEquals(runs[0], runs[1]);
+        assertFalse(Arrays.equals(runs[0], runs[2]));
     }
 
     /**
@@ -92,13 +76,10 @@ class BirthAndDeathTest {
      */
     @Test
     void particlesDieAtTheEndOfTheirLifetime() {
-        ParticleSystem system = new ParticleSystem();
-        Emitter emitter = emitter(200, 0.5, 1);
         Set<String> seen = new HashSet<>();
         Set<String> before = new HashSet<>();
-        Simulation simulation = simulation(system, 0.01, 3, emitter, new Lifetimes(), new KillPlane(Plane.ground(0.5)));
-        system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-        simulation.addObserver(new Observer() {
+        ShortRun run = jet("clamp 0.01 3", 200, 0.5, 1, "gravity", "  - kill: {point: [0, 0.5, 0]}");
+        run.getScene().simulation().addObserver(new Observer() {
             @Override
             public void changed(ParticleSystem s, Rule rule) {
                 Set<String> now = new HashSet<>();
@@ -106,67 +87,48 @@ class BirthAndDeathTest {
                     String id = s.getParticles().id(i);
                     now.add(id);
                     assertTrue(before.contains(id) || seen.add(id), id + " was used before");
-                    assertTrue(rule != emitter || s.getParticles().deathTime(i) > s.getTime() - 0.01 - 1e-9);
+                    assertTrue(!(rule instanceof Emitter) || s.getParticles().deathTime(i) > s.getTime() - 0.01 - 1e-9);
                 }
                 before.clear();
                 before.addAll(now);
             }
         });
-        simulation.run();
-        assertEquals(600, emitter.getBorn());
-        assertEquals(600, seen.size());
-        assertTrue(system.getParticles().count() <= 101, "rate times lifetime, and one at the edge");
-        assertTrue(system.getParticles().count() > 40, "" + system.getParticles().count());
+        run.run();
+        assertEquals(601, seen.size());
+        int alive = run.getScene().system().getParticles().count();
+        assertTrue(alive <= 102 && alive > 41, "rate times lifetime, one at the edge and one fixed: " + alive);
     }
 
     /** The ledger books the energy of each birth and death once: after thousands only round-off remains unexplained. */
     @Test
     void birthsDeathsAndImpactsAreBookedOnce() {
-        ParticleSystem system = new ParticleSystem();
-        system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-        RestingContacts contacts = new RestingContacts(system,
-                List.of(new ContactSurface("ground", Plane.ground(0), 0.4, Friction.NONE, 1e-3)));
-        system.addReaction(contacts);
-        Simulation simulation = new Simulation(system, RK4Solver::new, 0.01, 4);
-        simulation.addRule(new ExactImpacts(contacts));
-        for (Rule rule : new Rule[] {emitter(100, 1.5, 3), new Lifetimes(),
-                new KillPlane(new Plane(new Vector3(3, 0, 0),
-                new Vector3(-1, 0, 0)))}) {
-            simulation.addRule(rule);
-        }
-        EnergyLedger ledger = new EnergyLedger();
-        simulation.addObserver(ledger);
-        simulation.run();
-        assertTrue(ledger.getWork().get("emitter") > 2000, ledger.getWork().toString());
-        assertTrue(ledger.getWork().get("age") < -100, ledger.getWork().toString());
-        assertTrue(ledger.getWork().get("impacts") < -100, ledger.getWork().toString());
-        assertTrue(ledger.getWork().get("kill") < -10, ledger.getWork().toString());
-        assertEquals(0, ledger.getNumericalError(), 1e-9 * ledger.getWork().get("emitter"));
+        ShortRun run = jet("exact 0.01 4", 100, 1.5, 3, "gravity", "  - ground: {restitution: 0.4, restSpeed: 1e-3}",
+                "  - kill: {point: [3, 0, 0], normal: [-1, 0, 0]}").run();
+        assertTrue(run.work("emitter") > 2000 && run.work("age") < -100 && run.work("impacts") < -100
+                && run.work("kill") < -10, "" + run.getLedger().getWork());
+        assertEquals(0, run.getLedger().getNumericalError(), 1e-9 * run.work("emitter"));
     }
 
     /** A slowly pulled spring tears at 1.5 times its length; the ledger books its k (l/2)&sup2;/2 = 12.5 J once. */
     @Test
     void aTornSpringsEnergyIsBookedOnce() {
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("hand", 1, Vector3.ZERO, Vector3.ZERO, true);
-        system.addParticle("wall", 1, new Vector3(1, 0, 0), Vector3.ZERO, true);
-        system.addParticle("bob", 1, new Vector3(1, 1, 0), Vector3.ZERO, false);
-        SpringForce springs = new SpringForce(system.getParticles());
-        springs.addSpring(0, 1, 100, 1, 0);
-        springs.addSpring(1, 2, 100, 1, 0);
-        springs.addSpring(0, 2, 0, 0, 0);
-        system.addEffect(springs);
-        system.moveAnchor(0, new GlideMotion(Vector3.ZERO, new Vector3(-1, 0, 0), 2));
-        EnergyLedger ledger = new EnergyLedger();
-        Simulation simulation = simulation(system, 0.001, 2, new SpringTear(springs, 0.5));
-        simulation.addObserver(ledger);
-        simulation.run();
-        assertEquals(2, springs.springCount(), "the spring of rest length 0 never tears");
-        assertEquals(-12.5, ledger.getWork().get("tear"), 0.05);
-        assertEquals(-ledger.getWork().get("tear"), ledger.getWork().get("moving anchors"), 1e-6,
-                "the hand did the work");
-        assertEquals(0, ledger.getNumericalError(), 1e-6);
-        assertEquals(0, ledger.getEnergy(), 1e-12);
+        ShortRun run = ShortRun.of("rk4 clamp 0.001 2", """
+                particles:
+                  - {id: hand, position: [0, 0, 0], fixed: true}
+                  - {id: wall, position: [1, 0, 0], fixed: true}
+                  - {id: bob, position: [1, 1, 0]}
+                springs:
+                  - {from: hand, to: wall, stiffness: 100, restLength: 1}
+                  - {from: wall, to: bob, stiffness: 100, restLength: 1}
+                  - {from: hand, to: bob, stiffness: 1e-30, restLength: 0}
+                effects: []
+                rules: [tear: {strain: 0.5}, glide: {particle: hand, to: [-1, 0, 0], duration: 2}]
+                """);
+        assertEquals(2, run.getScene().springs().springCount(), "the spring of rest length 0 never tears");
+        assertEquals(-12.5, run.work("tear"), 0.05);
+        assertEquals(-run.work("tear"), run.work("moving anchors"), 1e-6, "the hand did the work");
+        assertEquals(0, run.getLedger().getNumericalError(), 1e-6);
+        assertEquals(0, run.getLedger().getEnergy(), 1e-12);
     }
 
     /**
@@ -175,21 +137,20 @@ class BirthAndDeathTest {
      */
     @Test
     void closeParticlesMerge() {
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("a", 1, new Vector3(-1, 0, 0), new Vector3(1, 0, 0), false);
-        system.addParticle("b", 3, new Vector3(1, 0, 0), new Vector3(-1, 2, 0), false);
-        EnergyLedger ledger = new EnergyLedger();
-        Simulation simulation = simulation(system, 0.01, 2,
-                new ParticleResampler("s", new SpringForce(system.getParticles()), 2.5, 6, 9, 1));
-        simulation.addObserver(ledger);
-        simulation.run();
-        assertEquals(1, system.getParticles().count());
-        assertEquals("s[0]", system.getParticles().id(0));
-        assertEquals(4, system.getParticles().mass(0));
-        assertArrayEquals(new double[] {-0.5, 1.5, 0}, Arrays.copyOfRange(state(system), 3, 6), 1e-15);
-        assertEquals(-0.5 * 0.75 * 8, ledger.getWork().get("samples"), 1e-13,
-                "reduced mass times the square of the difference");
-        assertEquals(0, ledger.getNumericalError(), 1e-13);
+        ShortRun run = ShortRun.of("rk4 clamp 0.01 2", """
+                particles:
+                  - {id: a, position: [-1, 0, 0], velocity: [1, 0, 0]}
+                  - {id: b, position: [1, 0, 0], velocity: [-1, 2, 0], mass: 3}
+                effects: []
+                rules: [samples: {id: s, farthest: 6, closest: 0.4166666666666667, lightest: 9}]
+                """);
+        Particles particles = run.getScene().system().getParticles();
+        assertEquals(1, particles.count());
+        assertEquals("s[0]", particles.id(0));
+        assertEquals(4, particles.mass(0));
+        assertEquals(0, vector(run, 3).minus(new Vector3(-0.5, 1.5, 0)).length(), 1e-15);
+        assertEquals(-0.5 * 0.75 * 8, run.work("samples"), 1e-13, "reduced mass times the square of the difference");
+        assertEquals(0, run.getLedger().getNumericalError(), 1e-13);
     }
 
     /**
@@ -199,18 +160,15 @@ class BirthAndDeathTest {
      */
     @Test
     void samplesStayEvenAndKeepMassAndMomentum() {
-        ParticleSystem system = new ParticleSystem();
-        SeededRandom random = new SeededRandom(4);
-        for (int i = 0; i < 8; i++) {
-            system.addParticle("p" + i, 1, random.nextDirection(new Vector3(0, 1, 0), Math.PI).times(0.3), Vector3.ZERO,
-                    false);
-        }
-        system.addEffect(new LinearDrag(system.getParticles(), 0.5, new TurbulentWind(Vector3.ZERO, 1, 0.8, 9)));
-        ParticleResampler even = new ParticleResampler("s", new SpringForce(system.getParticles()), 0.06, 0.2, 1.0 / 16,
-                3);
-        Simulation simulation = simulation(system, 0.01, 3, even);
+        ShortRun run = new ShortRun("rk4 clamp 0.01 3", """
+                shapes: [jelly: {centre: [0, 0, 0], size: [0.35, 0.35, 0.35], columns: 2, rows: 2, layers: 2, mass: 1,
+                                 surface: false}]
+                effects: [drag: {coefficient: 0.5}, turbulence: {strength: 1, eddySize: 0.8, seed: 9}]
+                rules: [samples: {farthest: 0.2, closest: 0.3, lightest: 0.0625, seed: 3}]
+                """);
+        ParticleSystem system = run.getScene().system();
         double[] before = new double[3];
-        simulation.addObserver(new Observer() {
+        run.getScene().simulation().addObserver(new Observer() {
             @Override
             public void moved(particles.Motion motion) {
                 System.arraycopy(momentum(system), 0, before, 0, 3);
@@ -222,15 +180,14 @@ class BirthAndDeathTest {
                 assertEquals(8.0, mass(s), "halves and sums of such numbers are exact");
             }
         });
-        simulation.run();
-        assertTrue(system.getParticles().count() > 20, "many became of eight: " + system.getParticles().count());
+        run.run();
+        int count = system.getParticles().count();
+        assertTrue(count > 20, "many became of eight: " + count);
         int tooClose = 0;
-        double[] state = state(system);
-        for (int i = 0; i < system.getParticles().count(); i++) {
+        for (int i = 0; i < count; i++) {
             assertTrue(system.getParticles().mass(i) >= 1.0 / 16);
             for (int j = 0; j < i; j++) {
-                tooClose += new Vector3(state[6 * i] - state[6 * j], state[6 * i + 1] - state[6 * j + 1],
-                        state[6 * i + 2] - state[6 * j + 2]).length() < 0.06 ? 1 : 0;
+                tooClose += run.distance(i, j) < 0.06 ? 1 : 0;
             }
         }
         assertTrue(tooClose <= 1, "pairs left that are too close: " + tooClose);
@@ -282,7 +239,7 @@ class BirthAndDeathTest {
         system.addEffect(new Cohesion(system.getParticles(), 2, 1.2, 1, 0));
         system.setLife(1, 0, 0.5);
         system.setLife(2, 0, 0.5);
-        simulation(system, 0.1, 0.6, new Lifetimes()).run();
+        Systems.run(system, new RK4Solver(), 0.1, 0.6, new Lifetimes());
         assertEquals(4, system.getParticles().count());
         assertEquals(1, springs.springCount());
         assertEquals(2, springs.from(0));
