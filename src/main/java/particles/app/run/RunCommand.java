@@ -65,6 +65,9 @@ public final class RunCommand extends ResultsCommand {
             description = "Whether to make film.mp4 from the pictures (default: as the scene says, or none).")
     private Video video;
 
+    @Option(names = "--size", paramLabel = "WIDTHxHEIGHT",
+            description = "The size of frames, animation and film (pixels), such as 1920x1080.")
+    private String size;
     @Mixin
     private final ChartOptions charts = new ChartOptions();
 
@@ -94,7 +97,7 @@ public final class RunCommand extends ResultsCommand {
         mistakes.check(overrides::check);
         mistakes.check(() -> readScene(overrides));
         super.read(mistakes);
-        mistakes.check(this::checkVideo);
+        mistakes.check(this::checkPictures);
     }
 
     private Overrides overrides() {
@@ -111,7 +114,7 @@ public final class RunCommand extends ResultsCommand {
                 SceneReader.read(SceneReader.nameOf(file), bytes, new StudentClasses()));
         OutputDescription output = scene.output();
         description = scene.withOutput(!frames ? output.withoutFrames()
-                : video != null ? output.withVideo(video) : output);
+                : sized(video != null ? output.withVideo(video) : output));
         SceneBuilder.checkPictures(description, getStyle().option("frames"));
     }
 
@@ -123,10 +126,25 @@ public final class RunCommand extends ResultsCommand {
         }
     }
 
-    private void checkVideo() {
-        if (!frames && video == Video.MP4) {
-            throw new Failure(ExitCode.BAD_INPUT, getStyle().option("video") + "=mp4 needs pictures; remove "
-                    + getStyle().option("frames") + "=false");
+    private OutputDescription sized(OutputDescription output) {
+        if (size == null) {
+            return output;
+        }
+        if (!size.matches("\\d{2,4}x\\d{2,4}")) {
+            throw wrong("size", "'" + size + "' is not a size such as 1920x1080");
+        }
+        String[] sides = size.split("x");
+        int width = Integer.parseInt(sides[0]);
+        int height = Integer.parseInt(sides[1]);
+        requireWithin("size", Math.min(width, height), OutputDescription.LEAST_SIDE, OutputDescription.MOST_SIDE);
+        requireWithin("size", Math.max(width, height), OutputDescription.LEAST_SIDE, OutputDescription.MOST_SIDE);
+        return output.sized(width, height);
+    }
+
+    private void checkPictures() {
+        if (!frames && (video == Video.MP4 || size != null)) {
+            throw new Failure(ExitCode.BAD_INPUT, getStyle().option(size != null ? "size" : "video")
+                    + " needs pictures; remove " + getStyle().option("frames") + "=false");
         }
     }
 
@@ -145,7 +163,7 @@ public final class RunCommand extends ResultsCommand {
             Optional<String> early;
             try (observers) {
                 observers.add(progress);
-                observers.add(new StopObserver(stop));
+                observers.add(stop);
                 observers.attach();
                 early = simulateOrDiscard(scene, folder, observers);
             }

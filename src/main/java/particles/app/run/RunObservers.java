@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import particles.Observer;
-import particles.ParticleSystem;
 import particles.energy.EnergyRecorder;
 import particles.experiments.phase.Axis;
 import particles.experiments.phase.PhaseHistory;
@@ -28,7 +27,6 @@ import particles.scene.format.OutputDescription.Frames;
 import particles.scene.format.OutputDescription.Video;
 import particles.view.Camera;
 import particles.view.ChartData;
-import particles.view.VectorField;
 
 /** The observers of a run that write its files. */
 final class RunObservers implements AutoCloseable {
@@ -39,7 +37,6 @@ final class RunObservers implements AutoCloseable {
 
     private static final String ENERGY = "energy.png";
     private static final String PHASE = "phase.png";
-    private static final int ANIMATION_WIDTH = 640;
 
     private final Scene scene;
     private final OutputFolder folder;
@@ -58,7 +55,7 @@ final class RunObservers implements AutoCloseable {
     static List<String> files(OutputDescription output, ChartFormat charts) {
         List<String> names = new ArrayList<>();
         addIf(output.frames().drawn(), OutputFolder.FRAMES, names);
-        addIf(output.frames().animation(), GifAnimation.FILE, names);
+        addIf(output.frames().animation() > 0, GifAnimation.FILE, names);
         addIf(output.frames().video() == Video.MP4, Film.FILE, names);
         for (String end : charts.svg() ? List.of(ChartWriter.PNG, ChartWriter.SVG) : List.of(ChartWriter.PNG)) {
             addIf(output.energy(), ENERGY.replace(ChartWriter.PNG, end), names);
@@ -113,8 +110,8 @@ final class RunObservers implements AutoCloseable {
         int decimals = (int) Math.max(0, Math.ceil(Math.log10(format.rate())));
         FrameRenderer renderer = new FrameRenderer(stage, format.width(), format.height(), decimals);
         List<FrameSink> sinks = new ArrayList<>(List.of(new PngFrames(folder, format.width(), format.height())));
-        if (format.animation()) {
-            sinks.add(new GifAnimation(folder, renderer, ANIMATION_WIDTH, format.playbackRate()));
+        if (format.animation() > 0) {
+            sinks.add(new GifAnimation(folder, renderer, format.animation(), format.playbackRate()));
         }
         if (format.video() == Video.MP4) {
             sinks.add(new Film(folder, format.width(), format.height(), format.playbackRate()));
@@ -166,16 +163,12 @@ final class RunObservers implements AutoCloseable {
             charts.addAll(energy.getLedger().charts(energy.getHistory().getScale(), energy.getHistory().hasGrown()));
             writer.write(ENERGY, charts);
         }
-        phase.ifPresent(history -> drawPhase(writer, history,
-                Axis.values()[scene.description().output().phase().orElseThrow().axis()], title));
-    }
-
-    private void drawPhase(ChartWriter writer, PhaseHistory history, Axis axis, String title) {
-        ParticleSystem system = scene.system();
-        ChartData path = history.chart(axis, title);
-        ChartData.Series states = path.series().get(0);
-        Optional<VectorField> field = VectorFields.around(system, axis, states.x(), states.y());
-        writer.writePhase(PHASE, path, field);
+        phase.ifPresent(history -> {
+            Axis axis = Axis.values()[scene.description().output().phase().orElseThrow().axis()];
+            ChartData path = history.chart(axis, title);
+            ChartData.Series states = path.series().get(0);
+            writer.writePhase(PHASE, path, VectorFields.around(scene.system(), axis, states.x(), states.y()));
+        });
     }
 
     /** The caption: solver and settings of this run. */

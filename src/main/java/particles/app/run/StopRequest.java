@@ -5,13 +5,15 @@ import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.IntConsumer;
+import particles.Motion;
+import particles.Observer;
 import particles.app.cli.ExitCode;
 
 /**
  * A request to stop the program early, by Ctrl-C or a signal. The run completes its files and ends; if it takes too
  * long, incomplete files are deleted, so only whole files are left.
  */
-public final class StopRequest {
+public final class StopRequest implements Observer {
     private static final long PATIENCE_SECONDS = 10;
 
     private final CountDownLatch ended = new CountDownLatch(1);
@@ -28,9 +30,12 @@ public final class StopRequest {
         wanted = true;
     }
 
-    /** @return whether a stop was requested */
-    boolean isWanted() {
-        return wanted;
+    /** Ends a run after the step in which a stop was requested; as the last observer, so that others saw the step. */
+    @Override
+    public void moved(Motion motion) {
+        if (wanted) {
+            throw new StoppedException();
+        }
     }
 
     /** @param action called by another thread if the program has not ended in time */

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
@@ -70,10 +71,8 @@ final class SeriesRenderer {
             Series series = data.series().get(k);
             int number = firstLook + k;
             SolverStyle look = SolverStyle.of(series.name())
-                    .or(() -> EnergyColour.of(series.name()).map(colour -> new SolverStyle(SolverFamily.OWN, colour,
-                            ChartStyle.stroke(0), ChartStyle.shape(0))))
-                    .orElse(new SolverStyle(SolverFamily.OWN, ofSolvers ? ChartStyle.AXIS : ChartStyle.colour(number),
-                            ChartStyle.stroke(number), ChartStyle.shape(number)));
+                    .or(() -> energy(series.name()).map(colour -> SolverStyle.own(colour, 0)))
+                    .orElse(SolverStyle.own(ofSolvers ? ChartStyle.AXIS : ChartStyle.colour(number), number));
             boolean line = series.mark() == Mark.LINE || series.mark() == Mark.LINE_AND_POINTS
                     || series.mark() == Mark.LINE_AND_OPEN_POINTS;
             for (int n = 0; line && n < ChartStyle.STROKES && !series.name().equals(
@@ -86,6 +85,14 @@ final class SeriesRenderer {
             looks.add(look);
         }
         return looks;
+    }
+
+    /** The colours of energy charts: total, work that drives the system, all other work, and numerical error. */
+    private static Optional<Color> energy(String series) {
+        boolean drives = series.endsWith("(driven)") || series.equals("work: moving anchors");
+        return Optional.ofNullable(series.startsWith("work: ") ? new Color(drives ? 0x6a3d9a : 0x2f7f8f)
+                : series.startsWith("total") ? Color.BLACK
+                : series.equals("numerical error") ? new Color(0xb3261e) : null);
     }
 
     /** Whether a line goes up and down so often that it would cover the lines below, unless it is translucent. */

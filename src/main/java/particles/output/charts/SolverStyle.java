@@ -51,8 +51,12 @@ public record SolverStyle(SolverFamily family, Color colour, Stroke stroke, Shap
      * @return the style of the solver with whose name it begins; grey for a solver of one's own
      */
     public static SolverStyle orGrey(String series) {
-        return of(series).orElse(new SolverStyle(SolverFamily.OWN, ChartStyle.AXIS, ChartStyle.stroke(0),
-                ChartStyle.shape(0)));
+        return of(series).orElse(own(ChartStyle.AXIS, 0));
+    }
+
+    /** @return the k-th style without a solver, in this colour */
+    static SolverStyle own(Color colour, int k) {
+        return new SolverStyle(SolverFamily.OWN, colour, ChartStyle.stroke(k), ChartStyle.shape(k));
     }
 
     /** @return whether its line is broken */

@@ -2,6 +2,7 @@ package particles.output.painters;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import particles.view.RenderOptions;
 import particles.view.RenderOptions.Visibility;
 import particles.view.Surface;
@@ -39,18 +40,16 @@ public final class VisibilityFilter {
      * Whether a surface is closed: each edge of a triangle is also an edge of another one, in the opposite direction.
      */
     private static boolean isClosed(Surface surface) {
-        int[] t = surface.triangles();
-        long[] edges = new long[t.length];
-        long[] reversed = new long[t.length];
-        for (int k = 0; k < t.length; k++) {
+        return Arrays.equals(edges(surface.triangles(), true), edges(surface.triangles(), false));
+    }
+
+    /** All edges in order, from each corner to the next one of its triangle, or reversed. */
+    private static long[] edges(int[] t, boolean forwards) {
+        return IntStream.range(0, t.length).mapToLong(k -> {
             long a = t[k];
             long b = t[k % 3 == 2 ? k - 2 : k + 1];
-            edges[k] = a << 32 | b;
-            reversed[k] = b << 32 | a;
-        }
-        Arrays.sort(edges);
-        Arrays.sort(reversed);
-        return Arrays.equals(edges, reversed);
+            return forwards ? a << 32 | b : b << 32 | a;
+        }).sorted().toArray();
     }
 
     private static boolean isIn(boolean[] set, int particle) {

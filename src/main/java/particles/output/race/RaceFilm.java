@@ -143,8 +143,7 @@ public final class RaceFilm implements AutoCloseable {
         films.get(0).get(index, shape);
         List<BufferedImage> panels = new ArrayList<>();
         for (PanelFilm film : films.subList(1, films.size())) {
-            BufferedImage panel = new BufferedImage(page.panelWidth(), page.panelHeight(),
-                    BufferedImage.TYPE_INT_RGB);
+            BufferedImage panel = page.panel();
             film.get(index, pixels(panel));
             GhostLayer.add(pixels(panel), shape, backdrop);
             panels.add(panel);

@@ -78,6 +78,11 @@ record RacePage(int width, int height, int columns, int panelWidth, int panelHei
                 new Rectangle2D.Double(0, bottom, SHEET_WIDTH, SHEET_HEIGHT - bottom));
     }
 
+    /** @return an empty picture of a panel's size */
+    BufferedImage panel() {
+        return new BufferedImage(panelWidth, panelHeight, BufferedImage.TYPE_INT_RGB);
+    }
+
     private static int margin(int page, int columns, int panel) {
         return (page - columns * (panel + GAP) + GAP) / 2;
     }

@@ -32,10 +32,10 @@ public record OutputDescription(Frames frames, boolean energy, Optional<Phase> p
      * @param rate      how many there are for a second of simulated time
      * @param width     their width in pixels
      * @param height    their height in pixels
-     * @param animation whether to make an animated GIF of them
+     * @param animation the largest width of an animated GIF of them in pixels; 0 for none
      * @param video     the film to make of them
      */
-    public record Frames(boolean drawn, double rate, int width, int height, boolean animation, Video video) {
+    public record Frames(boolean drawn, double rate, int width, int height, int animation, Video video) {
 
         /** @return frames per second of the animation and the film (1/s) */
         public double playbackRate() {
@@ -99,9 +99,16 @@ public record OutputDescription(Frames frames, boolean energy, Optional<Phase> p
     public static final Key<Double> FRAME_RATE = Key.withDefault("frameRate", NumberType.positive("1/s"), 25.0,
             "Frames per second of simulated time (1/s). From 1 to 1000 /s, animation and film run in simulated time;"
                     + " with other rates, such as 1e17 /s for an atom, they show 25 frames a second.");
-    static final Key<Integer> WIDTH = Key.withDefault("width", new WholeNumberType(16, 4096), 960,
+    /** The widest animation, unless an option asks for another one (pixels). */
+    private static final int MOST_ANIMATED = 640;
+    /** The shortest side of a picture (pixels). */
+    public static final int LEAST_SIDE = 16;
+    /** The longest one. */
+    public static final int MOST_SIDE = 4096;
+    private static final WholeNumberType SIDE = new WholeNumberType(LEAST_SIDE, MOST_SIDE);
+    static final Key<Integer> WIDTH = Key.withDefault("width", SIDE, 960,
             "The width of a frame (pixels).");
-    static final Key<Integer> HEIGHT = Key.withDefault("height", new WholeNumberType(16, 4096), 540,
+    static final Key<Integer> HEIGHT = Key.withDefault("height", SIDE, 540,
             "The height of a frame (pixels).");
     static final Key<Boolean> ANIMATION = Key.withDefault("animation", FlagType.FLAG, true,
             "Whether to write the frames as animation.gif.");
@@ -121,19 +128,27 @@ public record OutputDescription(Frames frames, boolean energy, Optional<Phase> p
     /** @return the output with these values */
     public static OutputDescription of(Values values) {
         return new OutputDescription(new Frames(true, values.get(FRAME_RATE), values.get(WIDTH), values.get(HEIGHT),
-                values.get(ANIMATION), Video.find(values.get(VIDEO)).orElseThrow()), values.get(ENERGY),
-                values.find(PHASE).map(Phase::of), values.find(TRAJECTORY_STRIDE));
+                values.get(ANIMATION) ? MOST_ANIMATED : 0, Video.find(values.get(VIDEO)).orElseThrow()),
+                values.get(ENERGY), values.find(PHASE).map(Phase::of), values.find(TRAJECTORY_STRIDE));
     }
 
     /** @return the same files with another film of the pictures */
     public OutputDescription withVideo(Video video) {
-        return new OutputDescription(new Frames(frames.drawn, frames.rate, frames.width, frames.height,
-                frames.animation, video), energy, phase, trajectoryStride);
+        return with(new Frames(frames.drawn, frames.rate, frames.width, frames.height, frames.animation, video));
+    }
+
+    /** @return the same files with frames, animation and film of this size (pixels) */
+    public OutputDescription sized(int width, int height) {
+        return with(new Frames(frames.drawn, frames.rate, width, height, frames.animation > 0 ? width : 0,
+                frames.video));
     }
 
     /** @return the same files without pictures */
     public OutputDescription withoutFrames() {
-        return new OutputDescription(new Frames(false, frames.rate, frames.width, frames.height, false, Video.NONE),
-                energy, phase, trajectoryStride);
+        return with(new Frames(false, frames.rate, frames.width, frames.height, 0, Video.NONE));
+    }
+
+    private OutputDescription with(Frames others) {
+        return new OutputDescription(others, energy, phase, trajectoryStride);
     }
 }

@@ -6,9 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.text.Digits;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -201,11 +204,35 @@ class RunCommandTest {
         assertEquals(NUMBERS_AND_PLOTS, files());
     }
 
+    /** Wider than an animation is otherwise, which would be 352 pixels wide. */
+    @Test
+    void framesAnimationAndFilmHaveTheSizeThatIsAskedFor() throws IOException {
+        assertEnds(ExitCode.DONE, "", "--size=704x46", "--video=mp4", "--duration=0.1");
+        for (String name : List.of("frames/frame-00001.png", "animation.gif")) {
+            BufferedImage picture = ImageIO.read(out.resolve(name).toFile());
+            assertEquals(List.of(704, 46), List.of(picture.getWidth(), picture.getHeight()), name);
+        }
+        // the film's track header ends with its size in 16.16 fixed point
+        byte[] film = Files.readAllBytes(out.resolve("film.mp4"));
+        int header = new String(film, StandardCharsets.ISO_8859_1).indexOf("tkhd") + 4 + 76;
+        assertEquals(List.of(704, 46), List.of(ByteBuffer.wrap(film).getInt(header) >> 16,
+                ByteBuffer.wrap(film).getInt(header + 4) >> 16));
+    }
+
+    @Test
+    void anImpossibleSizeIsOneLine() {
+        assertEnds(ExitCode.BAD_INPUT, "option -Psize: 'wide' is not a size such as 1920x1080", "--size=wide");
+        assertEnds(ExitCode.BAD_INPUT, "option -Psize: 9999 has to be from 16 to 4096", "--size=9999x100");
+        assertEnds(ExitCode.BAD_INPUT, "option -Psize: 10 has to be from 16 to 4096", "--size=100x10");
+        assertEnds(ExitCode.BAD_INPUT, "-Psize needs pictures; remove -Pframes=false", "--size=100x100",
+                "--frames=false");
+    }
+
     @Test
     void anImpossibleFilmIsOneLine() {
         assertEnds(ExitCode.BAD_INPUT,
                 "option -Pvideo: 'avi' is not a kind of film; allowed: none, mp4", "--video=avi");
-        assertEnds(ExitCode.BAD_INPUT, "-Pvideo=mp4 needs pictures; remove -Pframes=false", "--video=mp4",
+        assertEnds(ExitCode.BAD_INPUT, "-Pvideo needs pictures; remove -Pframes=false", "--video=mp4",
                 "--frames=false");
     }
 
@@ -280,7 +307,8 @@ class RunCommandTest {
     void wrongOptionsAreRefusedWithTheirPlaceBeforeAnythingIsWritten() {
         assertEnds(ExitCode.BAD_INPUT,
                 "unknown option -Pdeltat; did you mean -PdeltaT? allowed: -Pout, -Pscene, -Psolver,"
-                + " -PdeltaT, -Pduration, -Pthreads, -Pframes, -Pvideo, -Pslide, -Psvg, -Pdark, -Phelp", "--deltat=1");
+                + " -PdeltaT, -Pduration, -Pthreads, -Pframes, -Pvideo, -Psize, -Pslide, -Psvg, -Pdark, -Phelp",
+                "--deltat=1");
         assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is the text 'soon'; it has to be a number over 0 (s)",
                 "--deltaT=soon");
         assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is 0; it has to be a number over 0 (s)", "--deltaT=0");
