@@ -4,13 +4,13 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
-import particles.teaching.marking.CommonMistake;
 import particles.teaching.marking.Draw;
 import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.NumericExercise;
@@ -23,8 +23,22 @@ final class BouncingBall extends NumericExercise {
     private static final double EARTH = 9.81;
 
     BouncingBall() {
-        super("Collisions: the n-th bounce", 0.5, 15,
-                "Draw the height over time, and write down how long each flight takes.");
+        super("Collisions: the n-th bounce", "s", 0.5, 15, """
+                Where g = %s m/s^2, a ball falls from rest, its middle %s m above where it meets the ground. Each \
+                bounce turns the velocity v into -r v with r = %s.
+                When does it meet the ground for the %s time?
+                ---
+                Draw the height over time, and write down how long each flight takes.
+                This is one bounce too early; the first contact counts as 1.
+                This is one bounce too late; the first contact counts as 1.
+                Between two bounces it flies up and down: each flight counts twice, only the first fall once.
+                The first fall is only down: it counts once, the later flights twice.
+                r multiplies the velocity, and a flight's time with it; not the energy or the height.
+                The height goes with r^2, but a flight's time with r.
+                The bounces lose energy: each flight is r times as long as the one before.
+                This is g on Earth.
+                This is the first contact.
+                """);
     }
 
     @Override
@@ -33,35 +47,12 @@ final class BouncingBall extends NumericExercise {
         double g = picks.of(1.62, 3.72, 8.87, 24.79);
         double r = picks.decimal(55, 90, 2);
         int bounce = picks.whole(3, 6);
-        double answer = timeOf(bounce, height, g, r);
         double first = Math.sqrt(2 * height / g);
-        double sum = 1;
-        for (int n = 1; n < bounce; n++) {
-            sum += StrictMath.pow(r, n);
-        }
-        return new Question("Where g = " + Draw.text(g) + " m/s^2, a ball falls from rest, its middle "
-                + Draw.text(height)
-                + " m above where it meets the ground. Each bounce turns the velocity v into -r v with r = "
-                + Draw.text(r)
-                + ".\nWhen does it meet the ground for the " + bounce + (bounce == 3 ? "rd" : "th") + " time?", "s",
-                        FOUR_DIGITS, answer, 0, List.of(
-                new CommonMistake(timeOf(bounce - 1, height, g, r), "This is one bounce too early;"
-                        + " the first contact counts as 1."),
-                new CommonMistake(timeOf(bounce + 1, height, g, r), "This is one bounce too late;"
-                        + " the first contact counts as 1."),
-                new CommonMistake(first * sum,
-                        "Between two bounces it flies up and down: each"
-                                + " flight counts twice, only the first fall once."),
-                new CommonMistake(first * (2 * sum), "The first fall is only down: it counts"
-                        + " once, the later flights twice."),
-                new CommonMistake(timeOf(bounce, height, g, Math.sqrt(r)),
-                        "r multiplies the velocity, and a flight's time with it; not the energy or the height."),
-                new CommonMistake(timeOf(bounce, height, g, r * r), "The height goes with r^2,"
-                        + " but a flight's time with r."),
-                new CommonMistake(first * (2 * bounce - 1),
-                        "The bounces lose energy: each flight is r times as long as the one before."),
-                new CommonMistake(timeOf(bounce, height, EARTH, r), "This is g on Earth."),
-                new CommonMistake(first, "This is the first contact.")));
+        double sum = IntStream.range(0, bounce).mapToDouble(n -> StrictMath.pow(r, n)).sum();
+        return question(timeOf(bounce, height, g, r), 0, List.of(g, height, r, bounce + (bounce == 3 ? "rd" : "th")),
+                timeOf(bounce - 1, height, g, r), timeOf(bounce + 1, height, g, r), first * sum, first * (2 * sum),
+                timeOf(bounce, height, g, Math.sqrt(r)), timeOf(bounce, height, g, r * r), first * (2 * bounce - 1),
+                timeOf(bounce, height, EARTH, r), first);
     }
 
     private static double timeOf(int bounce, double height, double g, double r) {

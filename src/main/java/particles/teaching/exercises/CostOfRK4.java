@@ -5,8 +5,6 @@ import deSolvers.catalog.SolverCatalog;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.List;
-import particles.teaching.marking.CommonMistake;
-import particles.teaching.marking.Draw;
 import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.NumericExercise;
 import particles.teaching.marking.Question;
@@ -22,9 +20,21 @@ final class CostOfRK4 extends NumericExercise {
     private static final double HUNDRED = 100;
 
     CostOfRK4() {
-        super("What midpoint costs against RK4", 6, 45,
-                "For each method, write down how the error at the end goes with the number of steps; the frequency and "
-                        + "the duration count too.");
+        super("What midpoint costs against RK4", "", 6, 45, """
+                x'' = -omega^2 x with omega = %s 1/s begins at x = 1 m, v = 0, and is followed for %s s. The error \
+                at the end, |(x - x exact, (v - v exact)/omega)|, may be %s m.
+                How many times as many evaluations of the derivative does the midpoint method need as RK4, each with \
+                the longest deltaT that is good enough?
+                ---
+                For each method, write down how the error at the end goes with the number of steps; the frequency \
+                and the duration count too.
+                This is the ratio of the steps; a step of midpoint has two evaluations and one of RK4 four.
+                The weights are the wrong way round: midpoint has two evaluations per step, RK4 four.
+                This is RK4's cost over midpoint's; the question asks for midpoint's over RK4's.
+                This compares one step with one step; for the same accuracy RK4 may take far longer ones.
+                This is about the ratio for a hundredth of the error: check the power of ten.
+                The orders alone do not do it: the errors' constants and the duration count too.
+                """);
     }
 
     @Override
@@ -35,24 +45,13 @@ final class CostOfRK4 extends NumericExercise {
         double midpoint = steps("midpoint", omega, duration, error);
         double rk4 = steps("rk4", omega, duration, error);
         double ratio = 2 * midpoint / (4 * rk4);
-        return new Question("x'' = -omega^2 x with omega = " + Draw.text(omega)
-                + " 1/s begins at x = 1 m, v = 0, and is followed for "
-                + Draw.text(duration) + " s. The error at the end, |(x - x exact, (v - v exact)/omega)|, may be "
-                + Draw.text(error)
-                + " m.\nHow many times as many evaluations of the derivative does the midpoint method need as RK4,"
-                + " each with the longest deltaT that is good enough?", "", HALF_A_PERCENT, ratio, 0, List.of(
-                new CommonMistake(2 * ratio, "This is the ratio of the steps; a step of midpoint has two evaluations "
-                        + "and one of RK4 four."),
-                new CommonMistake(4 * ratio, "The weights are the wrong way round: midpoint has two evaluations per "
-                        + "step, RK4 four."),
-                new CommonMistake(1 / ratio, "This is RK4's cost over midpoint's; "
-                        + "the question asks for midpoint's over RK4's."),
-                new CommonMistake(0.5, "This compares one step with one step; for the"
-                + " same accuracy RK4 may take far longer ones."),
-                new CommonMistake(StrictMath.pow(HUNDRED, 0.25) * ratio,
-                        "This is about the ratio for a hundredth of the error: check the power of ten."),
-                new CommonMistake(StrictMath.pow(error, -0.25),
-                        "The orders alone do not do it: the errors' constants and the duration count too.")));
+        return question(ratio, 0, List.of(omega, duration, error), 2 * ratio, 4 * ratio, 1 / ratio, 0.5,
+                StrictMath.pow(HUNDRED, 0.25) * ratio, StrictMath.pow(error, -0.25));
+    }
+
+    @Override
+    protected double tolerance() {
+        return HALF_A_PERCENT;
     }
 
     private static double twoDigits(double x) {

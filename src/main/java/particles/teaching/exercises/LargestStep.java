@@ -7,8 +7,6 @@ import java.util.List;
 import particles.ParticleSystem;
 import particles.effects.springs.SpringForce;
 import particles.law.Vector3;
-import particles.teaching.marking.CommonMistake;
-import particles.teaching.marking.Draw;
 import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.NumericExercise;
 import particles.teaching.marking.Question;
@@ -24,8 +22,22 @@ final class LargestStep extends NumericExercise {
     private static final double LEAPFROG = 2;
 
     LargestStep() {
-        super("The largest stable step of a chain", 0.005, 0.3,
-                "Which way of swinging is the fastest of this chain, and which number belongs to RK4 without damping?");
+        super("The largest stable step of a chain", "s", 0.005, 0.3, """
+                %s particles of m = %s kg each stand in a row between two walls, joined to each other and to the \
+                walls by %s springs of k = %s N/m, without damping; they move along the row.
+                What is the largest deltaT with which RK4 is stable?
+                ---
+                Which way of swinging is the fastest of this chain, and which number belongs to RK4 without damping?
+                2.785 is RK4's limit on the real axis, for damping; undamped springs lie on the imaginary one.
+                2 is the limit of symplectic Euler and verlet (and of Euler for damping), not that of RK4.
+                sqrt(k/m) is one particle on one spring; here each has two, and neighbours that swing against it.
+                This is the limit for a very long chain; this one is short, and its fastest swinging is slower.
+                This is stable for the slowest swinging; the fastest one, neighbours against each other, sets the \
+                limit.
+                This is the shortest period; RK4 has a number of its own in the place of 2 pi.
+                The root is missing: this divides by omega^2.
+                Mass and stiffness are the wrong way round: omega is the root of k/m.
+                """);
     }
 
     @Override
@@ -36,31 +48,9 @@ final class LargestStep extends NumericExercise {
         double omega = Math.sqrt(k / m);
         double highest = 2 * omega * StrictMath.sin(count * Math.PI / (2.0 * (count + 1)));
         double lowest = 2 * omega * StrictMath.sin(Math.PI / (2.0 * (count + 1)));
-        double answer = limit(count, m, k, IMAGINARY / (4 * omega));
-        return new Question(count + " particles of m = " + Draw.text(m)
-                + " kg each stand in a row between two walls, joined to each other and to the"
-                + " walls by " + (count + 1) + " springs of k = " + Draw.text(k)
-                + " N/m, without damping; they move along the row.\nWhat is the largest"
-                + " deltaT with which RK4 is stable?", "s", FOUR_DIGITS, answer, 0, List.of(
-                new CommonMistake(REAL / highest,
-                        "2.785 is RK4's limit on the real axis, for damping;"
-                                + " undamped springs lie on the imaginary one."),
-                new CommonMistake(LEAPFROG / highest,
-                        "2 is the limit of symplectic Euler and verlet (and of Euler for damping), not that of RK4."),
-                new CommonMistake(IMAGINARY / omega,
-                        "sqrt(k/m) is one particle on one spring; here each"
-                                + " has two, and neighbours that swing against it."),
-                new CommonMistake(IMAGINARY / (2 * omega),
-                        "This is the limit for a very long chain; this one"
-                                + " is short, and its fastest swinging is slower."),
-                new CommonMistake(IMAGINARY / lowest,
-                        "This is stable for the slowest swinging; the fastest"
-                                + " one, neighbours against each other, sets the limit."),
-                new CommonMistake(2 * Math.PI / highest,
-                        "This is the shortest period; RK4 has a number of its own in the place of 2 pi."),
-                new CommonMistake(IMAGINARY / (highest * highest), "The root is missing: this divides by omega^2."),
-                new CommonMistake(IMAGINARY / (highest * m / k),
-                        "Mass and stiffness are the wrong way round: omega is the root of k/m.")));
+        return question(limit(count, m, k, IMAGINARY / (4 * omega)), 0, List.of(count, m, count + 1, k), REAL / highest,
+                LEAPFROG / highest, IMAGINARY / omega, IMAGINARY / (2 * omega), IMAGINARY / lowest,
+                2 * Math.PI / highest, IMAGINARY / (highest * highest), IMAGINARY / (highest * m / k));
     }
 
     /**

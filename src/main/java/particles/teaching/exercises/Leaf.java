@@ -3,6 +3,7 @@ package particles.teaching.exercises;
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.ReferenceProblem;
+import particles.teaching.marking.Draw.Picks;
 
 /**
  * A leaf carried by a wind that freshens: v' = -(c/m)(v - b t). The state is the one number v. Its derivative depends
@@ -23,9 +24,15 @@ final class Leaf extends ReferenceProblem {
         this.freshening = freshening;
     }
 
-    /** @return v after a number of steps of a solver of the catalogue (m/s) */
+    /** @return a mass for a leaf (kg) */
+    static double mass(Picks picks) {
+        return picks.of(0.2, 0.4, 0.5, 0.8, 1.25, 1.6);
+    }
+
+    /** @return v after a number of steps of a solver of the catalogue from the start (m/s) */
     double after(String solver, int steps, double deltaT) {
         DESolver made = SolverCatalog.create(solver);
+        startAt(0);
         for (int n = 0; n < steps; n++) {
             made.stepState(this, deltaT);
         }
@@ -43,7 +50,7 @@ final class Leaf extends ReferenceProblem {
      * @return v after these steps (m/s)
      */
     double afterMistake(int steps, double deltaT, double[] times, double[][] stages, double[] weight) {
-        double v = getState()[0];
+        double v = exactState(0)[0];
         double time = 0;
         for (int n = 0; n < steps; n++) {
             double[] k = new double[times.length];

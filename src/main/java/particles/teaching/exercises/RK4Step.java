@@ -1,8 +1,6 @@
 package particles.teaching.exercises;
 
 import java.util.List;
-import particles.teaching.marking.CommonMistake;
-import particles.teaching.marking.Draw;
 import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.NumericExercise;
 import particles.teaching.marking.Question;
@@ -16,48 +14,50 @@ final class RK4Step extends NumericExercise {
     private static final double[] WEIGHTS = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
 
     RK4Step() {
-        super("One step of RK4", 0.5, 30,
-                "Write down k1 to k4, each with the state and the time at which it is evaluated.");
+        super("One step of RK4", "m/s", 0.5, 30, """
+                The leaf again: m = %s kg, drag c = %s N s/m, the air moves with b t, b = %s m/s^2, so that v' = \
+                -(c/m)(v - b t); at t = 0 it has v = %s m/s.
+                What is v after one step of RK4 with deltaT = %s s?
+                ---
+                Write down k1 to k4, each with the state and the time at which it is evaluated.
+                k2 belongs at s + k1/2, not at s + k1.
+                k3 belongs at s + k2/2, not at s + k1/2.
+                k4 belongs at s + k3, not at s + k3/2.
+                k4 is evaluated at t + deltaT/2; the slide says t + deltaT.
+                All four were evaluated at time t; the clock has to move with the stages.
+                The weights are 1/6, 1/3, 1/3, 1/6, not four times 1/4.
+                The weights are the wrong way round: the two in the middle count 1/3, the outer ones 1/6.
+                The weights have to add up to 1: 1/6, 1/3, 1/3, 1/6.
+                This is the midpoint method.
+                This is the Euler method, k1 alone.
+                The mass is missing: the acceleration is the force over m.
+                """);
     }
 
     @Override
     protected Question ask(Picks picks) {
-        double m = picks.of(0.2, 0.4, 0.5, 0.8, 1.25, 1.6);
+        double m = Leaf.mass(picks);
         double c = picks.decimal(4, 20, 1);
         double b = picks.decimal(10, 60, 1);
         double v = picks.decimal(20, 90, 1);
         double h = picks.of(0.4, 0.5, 0.6, 0.75, 0.8);
         double a = c / m;
         Leaf leaf = new Leaf(a, b, v);
-        return new Question("The leaf again: m = " + Draw.text(m) + " kg, drag c = " + Draw.text(c)
-                + " N s/m, the air moves with b t, b = " + Draw.text(b)
-                + " m/s^2, so that v' = -(c/m)(v - b t); at t = 0 it has v = " + Draw.text(v)
-                + " m/s.\nWhat is v after one step of RK4 with deltaT = "
-                + Draw.text(h) + " s?", "m/s", FOUR_DIGITS, leaf.after("rk4", 1, h), a * h > LONGEST
-                ? Double.POSITIVE_INFINITY : 0.05 * v, List.of(
-                new CommonMistake(wrong(leaf, h, TIMES, new double[][] {{}, {1}, {0, 0.5}, {0, 0, 1}}, WEIGHTS),
-                        "k2 belongs at s + k1/2, not at s + k1."),
-                new CommonMistake(wrong(leaf, h, TIMES, new double[][] {{}, {0.5}, {0.5}, {0, 0, 1}}, WEIGHTS),
-                        "k3 belongs at s + k2/2, not at s + k1/2."),
-                new CommonMistake(wrong(leaf, h, TIMES, new double[][] {{}, {0.5}, {0, 0.5}, {0, 0, 0.5}}, WEIGHTS),
-                        "k4 belongs at s + k3, not at s + k3/2."),
-                new CommonMistake(wrong(leaf, h, new double[] {0, 0.5, 0.5, 0.5}, STAGES, WEIGHTS),
-                        "k4 is evaluated at t + deltaT/2; the slide says t + deltaT."),
-                new CommonMistake(wrong(leaf, h, new double[4], STAGES, WEIGHTS),
-                        "All four were evaluated at time t; the clock has to move with the stages."),
-                new CommonMistake(wrong(leaf, h, TIMES, STAGES, new double[] {0.25, 0.25, 0.25, 0.25}),
-                        "The weights are 1/6, 1/3, 1/3, 1/6, not four times 1/4."),
-                new CommonMistake(wrong(leaf, h, TIMES, STAGES, new double[] {1.0 / 3, 1.0 / 6, 1.0 / 6, 1.0 / 3}),
-                        "The weights are the wrong way round: the two in the middle count 1/3, the outer ones 1/6."),
-                new CommonMistake(wrong(leaf, h, TIMES, STAGES, new double[] {1.0 / 6, 1.0 / 6, 1.0 / 6, 1.0 / 6}),
-                        "The weights have to add up to 1: 1/6, 1/3, 1/3, 1/6."),
-                new CommonMistake(leaf.after("midpoint", 1, h), "This is the midpoint method."),
-                new CommonMistake(leaf.after("euler", 1, h), "This is the Euler method, k1 alone."),
-                new CommonMistake(new Leaf(c, b, v).after("rk4", 1, h),
-                        "The mass is missing: the acceleration is the force over m.")));
+        return question(leaf.after("rk4", 1, h), a * h > LONGEST ? Double.POSITIVE_INFINITY : 0.05 * v,
+                List.of(m, c, b, v, h), stages(leaf, h, new double[][] {{}, {1}, {0, 0.5}, {0, 0, 1}}),
+                stages(leaf, h, new double[][] {{}, {0.5}, {0.5}, {0, 0, 1}}),
+                stages(leaf, h, new double[][] {{}, {0.5}, {0, 0.5}, {0, 0, 0.5}}),
+                leaf.afterMistake(1, h, new double[] {0, 0.5, 0.5, 0.5}, STAGES, WEIGHTS),
+                leaf.afterMistake(1, h, new double[4], STAGES, WEIGHTS), weights(leaf, h, 0.25, 0.25),
+                weights(leaf, h, 1.0 / 3, 1.0 / 6), weights(leaf, h, 1.0 / 6, 1.0 / 6), leaf.after("midpoint", 1, h),
+                leaf.after("euler", 1, h), new Leaf(c, b, v).after("rk4", 1, h));
     }
 
-    private static double wrong(Leaf leaf, double h, double[] times, double[][] stages, double[] weights) {
-        return leaf.afterMistake(1, h, times, stages, weights);
+    private static double stages(Leaf leaf, double h, double[][] stages) {
+        return leaf.afterMistake(1, h, TIMES, stages, WEIGHTS);
+    }
+
+    private static double weights(Leaf leaf, double h, double outer, double inner) {
+        return leaf.afterMistake(1, h, TIMES, STAGES, new double[] {outer, inner, inner, outer});
     }
 }

@@ -3,6 +3,7 @@ package particles.teaching.exercises;
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.SecondOrderProblem;
+import particles.teaching.marking.Draw.Picks;
 
 /** A particle on a spring and a damper, m x'' = -k x - c x', with its exact motion and that of solvers. */
 final class Spring extends SecondOrderProblem {
@@ -49,13 +50,19 @@ final class Spring extends SecondOrderProblem {
         return (mass * s[1] * s[1] + stiffness * s[0] * s[0]) / 2;
     }
 
-    /** @return this spring after a number of steps of a solver of the catalogue */
+    /** @return a mass for a spring (kg) */
+    static double mass(Picks picks) {
+        return picks.of(0.4, 0.5, 0.8, 1.25, 1.6, 2, 2.5, 4);
+    }
+
+    /** @return such a spring after a number of steps of a solver of the catalogue; this one stays */
     Spring after(String solver, int steps, double deltaT) {
+        Spring moved = new Spring(mass, stiffness, damping, x(), v());
         DESolver made = SolverCatalog.create(solver);
         for (int n = 0; n < steps; n++) {
-            made.stepState(this, deltaT);
+            made.stepState(moved, deltaT);
         }
-        return this;
+        return moved;
     }
 
     /** @return this spring after the true motion: RK4 with steps so short that all digits anybody types are right */

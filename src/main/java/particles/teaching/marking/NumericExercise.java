@@ -2,6 +2,7 @@ package particles.teaching.marking;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import particles.teaching.marking.Draw.Picks;
 
 /**
@@ -16,19 +17,45 @@ public abstract class NumericExercise implements Exercise {
     private final String title;
     private final double lowest;
     private final double highest;
-    private final String hint;
+    private final String unit;
+    private final String task;
+    private final List<String> hints;
 
     /**
      * @param title   its subject
+     * @param unit    the unit of the answer; empty for a pure number
      * @param lowest  the lowest right answer of all students, which the text states
      * @param highest the highest one
-     * @param hint    the hint for a wrong answer that no typical mistake explains: how to begin, without the formula
+     * @param page    the task, with %s for each of the student's numbers; after a line of --- the hint for a wrong
+     *                answer that no typical mistake explains, how to begin, without the formula; then a line with the
+     *                hint for each typical mistake
      */
-    protected NumericExercise(String title, double lowest, double highest, String hint) {
+    protected NumericExercise(String title, String unit, double lowest, double highest, String page) {
         this.title = title;
+        this.unit = unit;
         this.lowest = lowest;
         this.highest = highest;
-        this.hint = hint;
+        String[] parts = page.split("\n---\n");
+        task = parts[0];
+        hints = parts[1].lines().toList();
+    }
+
+    /** @return the relative error allowed */
+    protected double tolerance() {
+        return FOUR_DIGITS;
+    }
+
+    /**
+     * @param answer   the right answer
+     * @param smallest the smallest size of an answer that is used
+     * @param numbers  the student's numbers in the task
+     * @param mistakes the answers to which the typical mistakes lead, in the order of their hints
+     * @return the question
+     */
+    protected final Question question(double answer, double smallest, List<?> numbers, double... mistakes) {
+        return new Question(task.formatted(numbers.stream().map(x -> x instanceof Double d ? Draw.text(d) : x)
+                .toArray()), unit, tolerance(), answer, smallest, IntStream.range(1, hints.size()).mapToObj(i ->
+                new CommonMistake(mistakes[i - 1], hints.get(i))).toList());
     }
 
     /** @return the question with the next numbers */
@@ -65,7 +92,7 @@ public abstract class NumericExercise implements Exercise {
 
     @Override
     public final Mark mark(Draw draw, String answer) {
-        return mark(question(draw), answer, hint);
+        return mark(question(draw), answer, hints.get(0));
     }
 
     /**

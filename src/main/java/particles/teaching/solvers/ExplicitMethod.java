@@ -23,7 +23,7 @@ import particles.teaching.sources.StiffDecay;
  */
 final class ExplicitMethod {
     /** No power of 2, so that a deltaT in float arithmetic shows. */
-    private static final double H = 0.3;
+    private static final double H = 0.2;
     /** Up to this number of evaluations a method should have full order; one with more may aim at stability instead. */
     private static final int MANY = 4;
     private static final double ALMOST = 0.3;

@@ -69,14 +69,14 @@ final class HandwrittenSolvers {
                 wrong("RK4Solver", "trial = s without clone", "one array|clone|copy",
                         HandwrittenSolvers::aliasedTrial),
                 increment("deltaT ignored",
-                        "^method: the new state is s . 10/3 k1, which does not follow deltaT: deltaT is"
+                        "^method: the new state is s . 5 k1, which does not follow deltaT: deltaT is"
                         + " ignored", (f, h) -> f),
                 increment("deltaT hard-coded",
-                        "^method: the new state is s . k1/30, which does not follow deltaT: a time step"
+                        "^method: the new state is s . k1/20, which does not follow deltaT: a time step"
                         + " of 0.01000 s is hard-coded, and deltaT is ignored", (f, h) -> 0.01 * f),
                 increment("deltaT squared", "multiplied by deltaT twice", (f, h) -> h * h * f),
                 increment("divided by deltaT",
-                        "^method: the new state is s . 100/9 k1, which does not follow deltaT: the"
+                        "^method: the new state is s . 25 k1, which does not follow deltaT: the"
                         + " derivative is divided by deltaT; it has to be multiplied by deltaT", (f, h) -> f / h),
                 increment("|deltaT|", "sign of deltaT", (f, h) -> Math.abs(h) * f),
                 increment("no increment", "no derivative is in it", (f, h) -> 0 * f),

@@ -87,6 +87,17 @@ class ClosedFormsTest {
         hold(4, 1e-12, text -> leaf(text, 1, 4));
     }
 
+    /** Each wrong answer begins at the student's own start, too. */
+    @Test
+    void mistakesWithTheLeafBeginAtItsStart() {
+        for (int number : new int[] {3, 4}) {
+            Question question = ((NumericExercise) Exercises.all().get(number - 1)).question(new Draw("ann", number));
+            double euler = question.mistakes().stream().filter(slip -> slip.hint().contains("is the Euler method"))
+                    .findFirst().orElseThrow().value();
+            assertEquals(leaf(question.text(), number == 3 ? 2 : 1, 1), euler, 1e-12 * Math.abs(euler));
+        }
+    }
+
     /** The error of N steps is |R(-i h)^N - e^(-i omega T)|. */
     @Tag("slow")
     @Test
