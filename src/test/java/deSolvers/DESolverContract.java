@@ -3,7 +3,6 @@ package deSolvers;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.sun.management.ThreadMXBean;
@@ -13,6 +12,7 @@ import deSolvers.problems.Oscillator;
 import deSolvers.problems.ReferenceProblem;
 import deSolvers.problems.SecondOrderProblem;
 import deSolvers.problems.SpySource;
+import deSolvers.problems.Steps;
 import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.Random;
@@ -63,9 +63,7 @@ public abstract class DESolverContract extends FailureContract {
     void aNegativeStepGoesBack() {
         SecondOrderProblem problem = windy(1);
         DESolver solver = createSolver();
-        for (int i = 0; i < 64; i++) {
-            solver.stepState(problem, -1.0 / 256);
-        }
+        Steps.make(64, solver, problem, -1.0 / 256);
         assertEquals(START - 0.25, problem.getTime());
         // First order: 0.25 * h/2 * |s''| <= 0.25/512 * 4 = 0.002 (measured 9.1e-4 for symplectic-euler).
         assertTrue(problem.error() < 0.002, "error " + problem.error());
@@ -148,18 +146,14 @@ public abstract class DESolverContract extends FailureContract {
     }
 
     private static void run(DESolver solver, ReferenceProblem problem, int steps) {
-        for (int i = 0; i < steps; i++) {
-            solver.stepState(problem, STEP);
-        }
+        Steps.make(steps, solver, problem, STEP);
     }
 
     @Test
     void resetClearsTheMemoryAndNoArrayIsShared() {
         SpySource source = new SpySource(windy(1));
         DESolver solver = createSolver();
-        for (int i = 0; i < 5; i++) {
-            solver.stepState(source, STEP);
-        }
+        Steps.make(5, solver, source, STEP);
         SecondOrderProblem place = windy(1);
         moveTo(place, source.problem());
         solver.reset();
@@ -189,13 +183,9 @@ public abstract class DESolverContract extends FailureContract {
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         SecondOrderProblem problem = new DragInRisingWind();
         DESolver solver = createSolver();
-        for (int i = 0; i < 300; i++) {
-            solver.stepState(problem, 1.0 / 64);
-        }
+        Steps.make(300, solver, problem, 1.0 / 64);
         long before = threads.getCurrentThreadAllocatedBytes();
-        for (int i = 0; i < 1000; i++) {
-            solver.stepState(problem, 1.0 / 64);
-        }
+        Steps.make(1000, solver, problem, 1.0 / 64);
         long bytes = threads.getCurrentThreadAllocatedBytes() - before;
         // Measured 0; one boxed number a step would be 16,000. The bound allows for the measurement itself.
         assertTrue(bytes < 1000, bytes + " bytes in 1000 steps");
@@ -209,8 +199,9 @@ public abstract class DESolverContract extends FailureContract {
             assertTrue(firstOrder.error() < 0.003, "error " + firstOrder.error());  // measured 0.00195 for euler
             return;
         }
-        Exception e = assertThrows(IllegalArgumentException.class, () -> createSolver().stepState(firstOrder, STEP));
-        assertTrue(e.getMessage().contains(SecondOrderStateSource.class.getName()), e.getMessage());
+        IllegalArgumentException e = Steps.assertFails(IllegalArgumentException.class,
+                SecondOrderStateSource.class.getName(),
+                () -> createSolver().stepState(firstOrder, STEP));
         assertTrue(e.getMessage().contains(DEStateSource.class.getName()), e.getMessage());
         assertEquals(0, firstOrder.getTime());
     }

@@ -9,6 +9,7 @@ import deSolvers.problems.ArraySpySource;
 import deSolvers.problems.DragInWind;
 import deSolvers.problems.SecondOrderProblem;
 import deSolvers.problems.SpySource;
+import deSolvers.problems.Steps;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 
@@ -40,16 +41,15 @@ public abstract class FailureContract extends ContractBasics {
     void aNonFiniteClockIsNamed() {
         SecondOrderProblem problem = windy(1);
         problem.incTime(Double.NaN);
-        DESolverException e = assertThrows(DESolverException.class, () -> createSolver().stepState(problem, STEP));
-        assertTrue(e.getMessage().contains("clock"), e.getMessage());
+        Steps.assertFails(DESolverException.class, "clock", () -> createSolver().stepState(problem, STEP));
     }
 
     @Test
     void aClockThatCannotMoveStaysWhereItIs() {
         SecondOrderProblem problem = windy(1);
         problem.incTime(1.5e308 - START);
-        DESolverException e = assertThrows(DESolverException.class, () -> createSolver().stepState(problem, 1e308));
-        assertTrue(e.getMessage().contains("the clock of the source cannot go that far"), e.getMessage());
+        Steps.assertFails(DESolverException.class, "the clock of the source cannot go that far",
+                () -> createSolver().stepState(problem, 1e308));
         assertEquals(1.5e308, problem.getTime());
         assertArrayEquals(windy(1).getState(), problem.getState());
     }

@@ -12,6 +12,7 @@ import deSolvers.problems.DragInWind;
 import deSolvers.problems.Oscillator;
 import deSolvers.problems.SecondOrderProblem;
 import deSolvers.problems.SpySource;
+import deSolvers.problems.Steps;
 import deSolvers.symplectic.SymplecticEulerSolver;
 import deSolvers.symplectic.VelocityVerletSolver;
 import deSolvers.symplectic.Yoshida4Solver;
@@ -181,9 +182,8 @@ class FixedStepSolverTest {
                     for (int k = 0; k < evaluations; k++) {
                         double[] start = source.getState();
                         source.badAt = source.made + k;
-                        DESolverException e = assertThrows(DESolverException.class,
-                                () -> solver.stepState(source, H), solver + " with " + bad + " at " + k);
-                        assertTrue(e.getMessage().contains("entry " + entry + " of the "), e.getMessage());
+                        Steps.assertFails(DESolverException.class, "entry " + entry + " of the ",
+                                () -> solver.stepState(source, H));
                         assertArrayEquals(start, source.getState());
                     }
                 }

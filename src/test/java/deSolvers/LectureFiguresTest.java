@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.problems.Oscillator;
+import deSolvers.problems.Steps;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -22,9 +23,7 @@ class LectureFiguresTest {
     private static Oscillator run(String solver, double deltaT, int steps) {
         Oscillator oscillator = new Oscillator();
         DESolver s = create(solver);
-        for (int i = 0; i < steps; i++) {
-            s.stepState(oscillator, deltaT);
-        }
+        Steps.make(steps, s, oscillator, deltaT);
         return oscillator;
     }
 

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.problems.Decay;
 import deSolvers.problems.ProtheroRobinson;
+import deSolvers.problems.Steps;
 import deSolvers.problems.StiffPair;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
@@ -100,9 +101,7 @@ public abstract class StiffContract {
         for (int i = 0; i < 64 * 20; i++) {
             solver.stepState(pair, 1e-3 / 64);              // through the fast part with short steps
         }
-        for (int i = 0; i < 100; i++) {
-            solver.stepState(pair, 0.01);
-        }
+        Steps.make(100, solver, pair, 0.01);
         assertTrue(pair.error() < bound, "error " + pair.error());
     }
 }

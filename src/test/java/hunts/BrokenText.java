@@ -12,8 +12,11 @@ import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
 import net.jqwik.api.Tuple;
+import org.snakeyaml.engine.v2.api.Dump;
+import org.snakeyaml.engine.v2.api.DumpSettings;
 import org.snakeyaml.engine.v2.api.Load;
 import org.snakeyaml.engine.v2.api.LoadSettings;
+import org.snakeyaml.engine.v2.common.FlowStyle;
 import org.snakeyaml.engine.v2.schema.CoreSchema;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
@@ -70,9 +73,13 @@ final class BrokenText {
     }
 
     private static Draw written(Object tree) {
-        StringBuilder text = new StringBuilder();
-        FlowText.append(tree, text);
-        return new Draw(tree, text.append('\n').toString().getBytes(StandardCharsets.UTF_8));
+        return new Draw(tree, text(tree).getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** @return a tree of maps, lists, texts and numbers as YAML in one line */
+    static String text(Object tree) {
+        return new Dump(DumpSettings.builder().setSchema(new CoreSchema()).setDefaultFlowStyle(FlowStyle.FLOW)
+                .setWidth(Integer.MAX_VALUE).setDereferenceAliases(true).build()).dumpToString(tree);
     }
 
     /** Keeps an interesting draw, to be changed further. */

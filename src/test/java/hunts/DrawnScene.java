@@ -163,9 +163,7 @@ record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wi
         if (tied) {
             scene.put("constraints", map("feedback", Math.min(5, 0.4 / run.deltaT), "projection", run.projection));
         }
-        StringBuilder text = new StringBuilder();
-        FlowText.append(scene, text);
-        return text.append('\n').toString();
+        return BrokenText.text(scene);
     }
 
     private String id(int i) {

@@ -8,6 +8,7 @@ import deSolvers.DEStateSource;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import deSolvers.problems.Oscillator;
+import deSolvers.problems.Steps;
 import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.List;
@@ -48,13 +49,9 @@ class AllocationTest {
     }
 
     private long allocatedIn(DESolver solver, DEStateSource source, double deltaT) {
-        for (int i = 0; i < STEPS; i++) {
-            solver.stepState(source, deltaT);
-        }
+        Steps.make(STEPS, solver, source, deltaT);
         long before = threads.getCurrentThreadAllocatedBytes();
-        for (int i = 0; i < STEPS; i++) {
-            solver.stepState(source, deltaT);
-        }
+        Steps.make(STEPS, solver, source, deltaT);
         return threads.getCurrentThreadAllocatedBytes() - before;
     }
 

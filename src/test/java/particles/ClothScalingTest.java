@@ -3,6 +3,7 @@ package particles;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.implicit.LinearisedEulerSolver;
+import deSolvers.problems.Steps;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import particles.effects.springs.SpringForce;
@@ -23,9 +24,7 @@ class ClothScalingTest {
             ParticleSystem system = Cloth.hanging(edges[i], 1200, 0);
             springs[i] = ((SpringForce) system.getEffects().get(1)).springCount();
             LinearisedEulerSolver solver = new LinearisedEulerSolver();
-            for (int step = 0; step < 3; step++) {
-                solver.stepState(system, 1.0 / 60);
-            }
+            Steps.make(3, solver, system, 1.0 / 60);
             cost[i] = solver.getWork().blockOperations();
         }
         assertTrue(springs[0] < 1100 && springs[4] > 250_000);

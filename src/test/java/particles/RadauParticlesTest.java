@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import deSolvers.implicit.ImplicitWork;
 import deSolvers.implicit.RadauIIASolver;
 import deSolvers.problems.PlainSource;
+import deSolvers.problems.Steps;
 import java.util.Set;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -14,6 +15,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import particles.effects.Gravity;
 import particles.effects.springs.SpringForce;
 import particles.law.Effect;
+import particles.law.Effect.Trait;
 import particles.law.Particles;
 import particles.law.Vector3;
 
@@ -144,9 +146,7 @@ class RadauParticlesTest {
         for (int n : new int[] {8, 32}) {
             RadauIIASolver solver = new RadauIIASolver(1e-3, 1e-6);
             ParticleSystem cloth = Cloth.hanging(n, 100, 0.05);
-            for (int i = 0; i < 3; i++) {
-                solver.stepState(cloth, FRAME);
-            }
+            Steps.make(3, solver, cloth, FRAME);
             ImplicitWork work = solver.getWork();
             double each = (double) work.blockOperations() / work.newtonIterations() / (n * n);
             // Measured 520 and 222 products of a block for a particle, and 616 and 784 evaluations; the small cloth's

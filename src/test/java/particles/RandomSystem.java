@@ -1,6 +1,7 @@
 package particles;
 
 import deSolvers.DESolver;
+import deSolvers.problems.Steps;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
@@ -107,9 +108,7 @@ record RandomSystem(List<Ball> balls, List<Spring> springs) {
 
     /** The state after some steps. */
     static double[] run(ParticleSystem system, DESolver solver, double deltaT, int steps) {
-        for (int k = 0; k < steps; k++) {
-            solver.stepState(system, deltaT);
-        }
+        Steps.make(steps, solver, system, deltaT);
         return system.getOwnState().clone();
     }
 }

@@ -16,6 +16,7 @@ import deSolvers.problems.Oscillator;
 import deSolvers.problems.Pole;
 import deSolvers.problems.ReferenceProblem;
 import deSolvers.problems.SlowAndFastSpring;
+import deSolvers.problems.Steps;
 import deSolvers.problems.StiffPair;
 import java.util.ArrayList;
 import java.util.List;
@@ -157,9 +158,7 @@ public abstract class AdaptiveContract extends DESolverContract {
     void shortStepsAreMoreAccurateThanALongOne() {
         DragInWind problem = new DragInWind(2, 2);
         DESolver solver = createSolver(1e-6, 1e-6);
-        for (int i = 0; i < 768; i++) {
-            solver.stepState(problem, 1.0 / 64);
-        }
+        Steps.make(768, solver, problem, 1.0 / 64);
         double inFrames = problem.error();
         // Measured 2e-5 (step-doubling) and less: the frames are shorter than the tolerance would allow.
         assertTrue(inFrames < errorAfter(problem, 12, 1e-6) / 1000, "error " + inFrames);
@@ -180,8 +179,8 @@ public abstract class AdaptiveContract extends DESolverContract {
         double[][] bad = {{-1e-6, 1e-6}, {1e-6, -1e-6}, {0, 0}, {Double.NaN, 1e-6}, {1e-6, Double.NaN},
             {Double.POSITIVE_INFINITY, 1e-6}, {1e-6, Double.POSITIVE_INFINITY}, {0.0011, 1e-6}, {0.1, 1e-6}};
         for (double[] pair : bad) {
-            Exception e = assertThrows(IllegalArgumentException.class, () -> createSolver(pair[0], pair[1]));
-            assertTrue(e.getMessage().contains("relativeTolerance " + pair[0]), e.getMessage());
+            Steps.assertFails(IllegalArgumentException.class, "relativeTolerance " + pair[0],
+                    () -> createSolver(pair[0], pair[1]));
         }
         for (double[] pair : new double[][] {{1e-6, 0}, {0, 1e-6}}) {
             GrowthInSeason problem = new GrowthInSeason();
@@ -212,9 +211,7 @@ public abstract class AdaptiveContract extends DESolverContract {
         Oscillator problem = new Oscillator(omega, 1, 0);
         problem.incTime(t);
         DESolver solver = createSolver(1e-6, 1e-9);
-        for (int i = 0; i < 60; i++) {
-            solver.stepState(problem, deltaT);
-        }
+        Steps.make(60, solver, problem, deltaT);
         double angle = omega * 60 * deltaT;
         return Math.max(Math.abs(problem.getState()[0] - StrictMath.cos(angle)),
                 Math.abs(problem.getState()[1] / omega + StrictMath.sin(angle)));
@@ -234,9 +231,8 @@ public abstract class AdaptiveContract extends DESolverContract {
     void aSystemTooFastForItsClockIsAnErrorThatNamesTheResolution() {
         Oscillator problem = new Oscillator(1e5, 1, 0);
         problem.incTime(1e12);
-        DESolverException e = assertThrows(DESolverException.class, () -> createSolver(1e-6, 1e-9).stepState(problem,
-                0.01));
-        assertTrue(e.getMessage().contains("the resolution of the clock is 4.8828125E-4 s"), e.getMessage());
+        Steps.assertFails(DESolverException.class, "the resolution of the clock is 4.8828125E-4 s",
+                () -> createSolver(1e-6, 1e-9).stepState(problem, 0.01));
     }
 
     @Tag("slow")
@@ -269,9 +265,7 @@ public abstract class AdaptiveContract extends DESolverContract {
         double omega = 300;
         ReferenceProblem problem = new SlowAndFastSpring(omega, 0);
         DESolver solver = createSolver(tolerance, 1e-3 * tolerance);
-        for (int i = 0; i < 600; i++) {
-            solver.stepState(problem, 1.0 / 60);
-        }
+        Steps.make(600, solver, problem, 1.0 / 60);
         return Math.hypot(problem.getState()[2], problem.getState()[3] / omega) / 0.5;
     }
 

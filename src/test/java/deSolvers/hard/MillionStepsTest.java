@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.Oscillator;
+import deSolvers.problems.Steps;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -24,9 +25,7 @@ class MillionStepsTest {
 
     private static double timeAfter(DESolver solver, double deltaT) {
         Oscillator still = new Oscillator(1, 0, 0);
-        for (int i = 0; i < STEPS; i++) {
-            solver.stepState(still, deltaT);
-        }
+        Steps.make(STEPS, solver, still, deltaT);
         assertEquals(0, still.getState()[0], "at rest");
         return still.getTime();
     }

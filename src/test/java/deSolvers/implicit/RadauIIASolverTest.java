@@ -7,6 +7,7 @@ import deSolvers.DESolver;
 import deSolvers.adaptive.AdaptiveContract;
 import deSolvers.problems.Chain;
 import deSolvers.problems.ReferenceProblem;
+import deSolvers.problems.Steps;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -63,9 +64,7 @@ class RadauIIASolverTest extends AdaptiveContract {
             }
         };
         DESolver solver = createSolver(relative, absolute);
-        for (int step = 0; step < 4; step++) {
-            solver.stepState(pulled, 0.5);
-        }
+        Steps.make(4, solver, pulled, 0.5);
         // Both columns as measured. When sizes were those of the beginning alone, the first failed and the second took
         // 6980.
         assertTrue(pulled.getEvaluations() <= 1.1 * evaluations, pulled.getEvaluations() + " evaluations");

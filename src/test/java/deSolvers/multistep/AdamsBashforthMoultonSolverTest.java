@@ -8,6 +8,7 @@ import deSolvers.StepMatrixFormula;
 import deSolvers.problems.Decay;
 import deSolvers.problems.Oscillator;
 import deSolvers.problems.ReferenceProblem;
+import deSolvers.problems.Steps;
 import org.junit.jupiter.api.Test;
 
 class AdamsBashforthMoultonSolverTest extends MultistepContract {
@@ -65,9 +66,7 @@ class AdamsBashforthMoultonSolverTest extends MultistepContract {
                 }
             };
             DESolver solver = createSolver();
-            for (int i = 0; i < 64; i++) {
-                solver.stepState(problem, 1.0 / 64);
-            }
+            Steps.make(64, solver, problem, 1.0 / 64);
             // The three steps of RK4 are Simpson's rule here, exact as well. Measured 0 up to degree 4, 1.8e-7 at 5.
             assertTrue(degree <= 4 ? problem.error() < 1e-15 : problem.error() > 1e-8, degree + ": " + problem.error());
         }

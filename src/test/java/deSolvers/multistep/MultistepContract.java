@@ -8,6 +8,7 @@ import deSolvers.DESolver;
 import deSolvers.FixedStepContract;
 import deSolvers.problems.ForcedOscillator;
 import deSolvers.problems.ReferenceProblem;
+import deSolvers.problems.Steps;
 import org.junit.jupiter.api.Test;
 
 /** Contract of multistep solvers: they restart when earlier steps are no longer valid. */
@@ -25,9 +26,7 @@ public abstract class MultistepContract extends FixedStepContract {
 
     private long evaluationsOf(DESolver solver, ReferenceProblem problem, int steps) {
         long before = problem.getEvaluations();
-        for (int i = 0; i < steps; i++) {
-            solver.stepState(problem, H);
-        }
+        Steps.make(steps, solver, problem, H);
         return problem.getEvaluations() - before;
     }
 

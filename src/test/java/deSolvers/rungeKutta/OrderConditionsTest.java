@@ -2,11 +2,11 @@ package deSolvers.rungeKutta;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
+import deSolvers.problems.Steps;
 import java.lang.reflect.Field;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -143,7 +143,6 @@ class OrderConditionsTest {
     }
 
     private static void assertRefused(String reason, String printed, int... orders) {
-        Exception e = assertThrows(IllegalArgumentException.class, () -> ButcherTableau.parse(printed, orders));
-        assertTrue(e.getMessage().contains(reason), e.getMessage());
+        Steps.assertFails(IllegalArgumentException.class, reason, () -> ButcherTableau.parse(printed, orders));
     }
 }

@@ -8,6 +8,7 @@ import deSolvers.problems.Chain;
 import deSolvers.problems.Kepler;
 import deSolvers.problems.Oscillator;
 import deSolvers.problems.ReferenceProblem;
+import deSolvers.problems.Steps;
 import org.junit.jupiter.api.Test;
 
 /** What a method promises that keeps phase-space volume: an energy error that stays bounded. */
@@ -40,12 +41,8 @@ public abstract class SymplecticContract extends FixedStepContract {
     void thereAndBack() {
         for (ReferenceProblem problem : new ReferenceProblem[] {new Oscillator(), new Kepler(0.5), new Chain(5, 3)}) {
             var solver = createSolver();
-            for (int i = 0; i < 1000; i++) {
-                solver.stepState(problem, 1.0 / 64);
-            }
-            for (int i = 0; i < 1000; i++) {
-                solver.stepState(problem, -1.0 / 64);
-            }
+            Steps.make(1000, solver, problem, 1.0 / 64);
+            Steps.make(1000, solver, problem, -1.0 / 64);
             assertEquals(0, problem.getTime());
             // Measured at most 7.0e-13 (verlet, Kepler) and at least 1.3e-3 (symplectic-euler, oscillator).
             if (isReversible()) {

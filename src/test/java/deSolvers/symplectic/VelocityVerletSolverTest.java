@@ -1,8 +1,6 @@
 package deSolvers.symplectic;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import deSolvers.DESolverException;
@@ -10,6 +8,7 @@ import deSolvers.SecondOrderStateSource;
 import deSolvers.problems.ForcedOscillator;
 import deSolvers.problems.PlainSource;
 import deSolvers.problems.SecondOrderProblem;
+import deSolvers.problems.Steps;
 import org.junit.jupiter.api.Test;
 
 class VelocityVerletSolverTest extends SymplecticContract {
@@ -43,9 +42,7 @@ class VelocityVerletSolverTest extends SymplecticContract {
     void theLastAccelerationIsTheNextStepsFirst() {
         ForcedOscillator problem = new ForcedOscillator();
         DESolver solver = createSolver();
-        for (int i = 0; i < 10; i++) {
-            solver.stepState(problem, 0.125);
-        }
+        Steps.make(10, solver, problem, 0.125);
         assertEquals(11, problem.getEvaluations());
         solver.reset();
         solver.stepState(problem, 0.125);
@@ -79,8 +76,7 @@ class VelocityVerletSolverTest extends SymplecticContract {
         createSolver().stepState(mild, 0.5);
         assertEquals((1 - 0.25) / (1 + 0.25), mild.getState()[1], 1e-12);  // (1 - hc/2) / (1 + hc/2): implicit
         SecondOrderProblem stiff = new Drag(6);                         // hc/2 = 1.5: the iteration diverges
-        DESolverException e = assertThrows(DESolverException.class, () -> createSolver().stepState(stiff, 0.5));
-        assertTrue(e.getMessage().contains("damping is too stiff"), e.getMessage());
+        Steps.assertFails(DESolverException.class, "damping is too stiff", () -> createSolver().stepState(stiff, 0.5));
         assertEquals(0, stiff.error());
     }
 
@@ -96,7 +92,7 @@ class VelocityVerletSolverTest extends SymplecticContract {
                 return 3;                               // of a state of 2
             }
         }
-        Exception e = assertThrows(IllegalArgumentException.class, () -> createSolver().stepState(new Wrong(), 0.1));
-        assertTrue(e.getMessage().contains("dimension 3"), e.getMessage());
+        Steps.assertFails(IllegalArgumentException.class, "dimension 3",
+                () -> createSolver().stepState(new Wrong(), 0.1));
     }
 }

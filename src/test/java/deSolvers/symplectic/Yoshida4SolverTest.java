@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import deSolvers.DESolver;
 import deSolvers.problems.ForcedOscillator;
+import deSolvers.problems.Steps;
 import org.junit.jupiter.api.Test;
 
 class Yoshida4SolverTest extends SymplecticContract {
@@ -44,9 +45,7 @@ class Yoshida4SolverTest extends SymplecticContract {
     void threeEvaluationsAStep() {
         ForcedOscillator problem = new ForcedOscillator();
         DESolver solver = createSolver();
-        for (int i = 0; i < 10; i++) {
-            solver.stepState(problem, 0.125);
-        }
+        Steps.make(10, solver, problem, 0.125);
         assertEquals(31, problem.getEvaluations());
         solver.reset();
         solver.stepState(problem, 0.125);

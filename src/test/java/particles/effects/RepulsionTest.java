@@ -11,6 +11,7 @@ import deSolvers.DESolver;
 import deSolvers.RK4Solver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
+import deSolvers.problems.Steps;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -41,9 +42,7 @@ class RepulsionTest {
     }
 
     private static void run(ParticleSystem system, DESolver solver, double deltaT, int steps) {
-        for (int step = 0; step < steps; step++) {
-            solver.stepState(system, deltaT);
-        }
+        Steps.make(steps, solver, system, deltaT);
     }
 
     private static double overlap(ParticleSystem system) {

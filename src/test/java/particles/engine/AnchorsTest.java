@@ -3,12 +3,12 @@ package particles.engine;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static particles.Systems.GRAVITY;
 
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.PlainSource;
+import deSolvers.problems.Steps;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -17,14 +17,11 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.ParticleSystem;
-import particles.Systems;
-import particles.effects.Gravity;
-import particles.effects.springs.SpringForce;
 import particles.law.AnchorMotion;
 import particles.law.Vector3;
 import particles.rules.CircleMotion;
 import particles.rules.GlideMotion;
-import particles.rules.SineMotion;
+import particles.scene.ShortRun;
 
 /** Moving anchors follow their motions exactly with every solver, which keeps its order and memory. */
 class AnchorsTest {
@@ -37,13 +34,10 @@ class AnchorsTest {
     }
 
     private static ParticleSystem pulled(AnchorMotion motion, double damping) {
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("hand", 1, Vector3.ZERO, Vector3.ZERO, true);
-        system.addParticle("block", 1, new Vector3(0, -1, 0.1), Vector3.ZERO, false);
-        SpringForce spring = new SpringForce(system.getParticles());
-        spring.addSpring(0, 1, 20, 0.8, damping);
-        system.addEffect(spring);
-        system.addEffect(new Gravity(system.getParticles(), GRAVITY));
+        ParticleSystem system = new ShortRun("rk4 clamp 1 1", """
+                particles: [{id: hand, position: [0, 0, 0], fixed: true}, {id: block, position: [0, -1, 0.1]}]
+                springs: [{from: hand, to: block, stiffness: 20, restLength: 0.8, damping: %s}]
+                """.formatted(damping)).getScene().system();
         system.moveAnchor(0, motion);
         return system;
     }
@@ -112,17 +106,15 @@ class AnchorsTest {
     }
 
     private static double error(String solver, double h) {
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("hand", 1, Vector3.ZERO, Vector3.ZERO, true);
-        system.addParticle("block", 1, new Vector3(2, 0, 0), Vector3.ZERO, false);
-        SpringForce spring = new SpringForce(system.getParticles());
-        spring.addSpring(0, 1, 9, 2, 0);
-        system.addEffect(spring);
-        system.moveAnchor(0, new SineMotion(Vector3.ZERO, new Vector3(0.01, 0, 0), Math.PI / 2));
-        Systems.run(system, SolverCatalog.create(solver), h, 2);
+        ShortRun run = ShortRun.of(solver + " clamp " + h + " 2", """
+                particles: [{id: hand, position: [0, 0, 0], fixed: true}, {id: block, position: [2, 0, 0]}]
+                springs: [{from: hand, to: block, stiffness: 9, restLength: 2}]
+                effects: []
+                rules: [shake: {particle: hand, amplitude: [0.01, 0, 0], period: 1.5707963267948966}]
+                """);
         double x = 2 - 0.03 / 7 * (3 * Math.sin(8) - 4 * Math.sin(6));
         double v = -0.36 / 7 * (Math.cos(8) - Math.cos(6));
-        return Math.hypot(3 * (system.getOwnState()[6] - x), system.getOwnState()[9] - v);
+        return Math.hypot(3 * (run.at(6) - x), run.at(9) - v);
     }
 
     /** Solvers keep their memory from step to step: nothing is evaluated twice. */
@@ -131,9 +123,7 @@ class AnchorsTest {
     void anchorsCostNoExtraEvaluations(String solver, long evaluations) {
         ParticleSystem system = pulled(CRANK, 0);
         DESolver stepper = SolverCatalog.create(solver);
-        for (int k = 0; k < 100; k++) {
-            stepper.stepState(system, 0.001);
-        }
+        Steps.make(100, stepper, system, 0.001);
         assertEquals(evaluations, system.getEvaluations());
     }
 

@@ -14,7 +14,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.ParticleSystem;
-import particles.Simulation;
 import particles.SimulationException;
 import particles.effects.Gravity;
 import particles.law.Vector3;
@@ -22,7 +21,7 @@ import particles.reactions.wires.CircularWire;
 import particles.reactions.wires.Curve;
 import particles.reactions.wires.GraphWire;
 import particles.reactions.wires.StraightWire;
-import particles.rules.ConstraintProjection;
+import particles.scene.ShortRun;
 
 /** Beads on wires against closed forms, and the curves' derivatives against differences. */
 class WiresTest {
@@ -39,12 +38,9 @@ class WiresTest {
         return system;
     }
 
-    private static double[] steps(ParticleSystem system, double h, int steps) {
-        RK4Solver solver = new RK4Solver();
-        for (int k = 0; k < steps; k++) {
-            solver.stepState(system, h);
-        }
-        return system.getOwnState();
+    /** Runs a bead on a wire by rk4. */
+    private static ShortRun run(String steps, String bead, String wire) {
+        return ShortRun.of("rk4 clamp " + steps, "particles: [{id: bead, %s}]\nwires: [%s]".formatted(bead, wire));
     }
 
     static Stream<Curve> curves() {
@@ -87,24 +83,24 @@ class WiresTest {
     /** Down a straight wire of slope a: s = g sin(a) t&sup2;/2, along it. */
     @Test
     void aBeadOnAStraightWireSlidesLikeOnASlope() {
-        Vector3 down = new Vector3(3, -4, 0);
-        double[] state = steps(bead(new Vector3(1, 1, 1), Vector3.ZERO, new StraightWire(new Vector3(1, 1, 1), down)),
-                0.01, 100);
+        ShortRun run = run("0.01 1", "position: [1, 1, 1]", "line: {bead: bead, direction: [3, -4, 0]}");
         double way = G * 0.8 / 2;
-        assertEquals(1 + 0.6 * way, state[0], 2e-14);        // measured 2.2e-15
-        assertEquals(1 - 0.8 * way, state[1], 2e-14);        // measured 2.7e-15
-        assertEquals(1, state[2]);
+        assertEquals(1 + 0.6 * way, run.at(0), 2e-14);      // measured 2.2e-15
+        assertEquals(1 - 0.8 * way, run.at(1), 2e-14);      // measured 2.7e-15
+        assertEquals(1, run.at(2));
     }
 
     /** A bead on a ring with any axis moves like a pendulum on a rod in a plane. Measured: 0, by luck. */
     @Test
     void aBeadOnARingMovesLikeAPendulum() {
-        double a = Math.toRadians(60);
-        double[] ring = steps(bead(new Vector3(Math.sin(a), -Math.cos(a), 0), Vector3.ZERO,
-                new CircularWire(Vector3.ZERO, new Vector3(0, 0, 1), 1)), 0.01, 1000);
-        double[] rod = steps(Pendulums.chain(1, 60, 5), 0.01, 1000);
+        ShortRun ring = run("0.01 10", "position: [0.8, -0.6, 0]",
+                "circle: {bead: bead, centre: [0, 0, 0], radius: 1}");
+        ShortRun rod = ShortRun.of("rk4 clamp 0.01 10", """
+                particles: [{id: bob, position: [0.8, -0.6, 0]}, {id: nail, position: [0, 0, 0], fixed: true}]
+                rods: [{from: nail, to: bob}]
+                """);
         for (int k = 0; k < 6; k++) {
-            assertEquals(rod[6 + k], ring[k], 1e-13);
+            assertEquals(rod.at(k), ring.at(k), 1e-13);
         }
     }
 
@@ -144,24 +140,18 @@ class WiresTest {
     @Tag("slow")
     @Test
     void aBeadStaysOnItsWire() {
-        GraphWire.Profile profile = GraphWire.sine(0.3, 2);
-        GraphWire wire = new GraphWire(Vector3.ZERO, X, Y, profile);
-        Vector3 start = new Vector3(0.6, profile.value(0.6), 0);
-        double worst = 0;
-        ParticleSystem system = bead(start, Vector3.ZERO, wire);
-        for (int k = 0; k < 60_000; k++) {
-            steps(system, 0.01, 1);
-            worst = Math.max(worst, Math.abs(system.getOwnState()[1] - profile.value(system.getOwnState()[0])));
+        for (boolean projection : new boolean[] {false, true}) {
+            ShortRun run = new ShortRun("rk4 clamp 0.01 " + (projection ? 60 : 600), """
+                    particles: [{id: bead, position: [0.6, %s, 0]}]
+                    wires: [sine: {bead: bead, amplitude: 0.3, wavelength: 2}]
+                    constraints: {projection: %s}
+                    """.formatted(0.3 * Math.sin(0.6 * Math.PI), projection));
+            double[] worst = {0};
+            run.getScene().simulation().addRule(new Pendulums.AfterStep(s -> worst[0] = Math.max(worst[0],
+                    Math.abs(s.getOwnState()[1] - 0.3 * Math.sin(Math.PI * s.getOwnState()[0])))));
+            run.run();
+            assertTrue(worst[0] <= (projection ? 3e-15 : 1e-6), "off by " + worst[0]);
         }
-        assertTrue(worst <= 1e-6, "off by " + worst);
-        ParticleSystem projected = bead(start, Vector3.ZERO, wire);
-        Simulation simulation = new Simulation(projected, RK4Solver::new, 0.01, 60);
-        simulation.addRule(new ConstraintProjection((RigidConstraints) projected.getReactions().get(0)));
-        double[] most = {0};
-        simulation.addRule(new Pendulums.AfterStep(s -> most[0] = Math.max(most[0],
-                Math.abs(s.getOwnState()[1] - profile.value(s.getOwnState()[0])))));
-        simulation.run();
-        assertTrue(most[0] <= 3e-15, "off by " + most[0]);
     }
 
     @Test
