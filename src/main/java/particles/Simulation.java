@@ -7,7 +7,6 @@ import java.util.Collections;
 import java.util.List;
 import java.util.function.Supplier;
 import particles.law.Particles;
-import particles.law.Reaction;
 import particles.law.Violation;
 
 /**
@@ -17,7 +16,7 @@ import particles.law.Violation;
 public final class Simulation {
     /** The last step may be longer than deltaT by this fraction, to absorb round-off of the clock. */
     private static final double ROUNDING = 1e-6;
-    /** The largest violation of a constraint at the end of a run, relative to its scale. */
+    /** The largest violation of a constraint in a run, relative to its scale. */
     private static final double WRONG = 0.1;
 
     private final ParticleSystem system;
@@ -27,6 +26,7 @@ public final class Simulation {
     private final List<Rule> rules = new ArrayList<>();
     private final List<Observer> observers = new ArrayList<>();
     private final Observers notifier = new Observers(observers);
+    private final ConstraintCheck constraints;
     private final EventSteps eventSteps;
     private double endTime;
     private long steps;
@@ -51,6 +51,8 @@ public final class Simulation {
         this.deltaT = deltaT;
         this.duration = duration;
         this.eventSteps = new EventSteps(system, this.solver, solver, notifier);
+        constraints = new ConstraintCheck(duration);
+        observers.add(constraints);
     }
 
     /**
@@ -143,13 +145,9 @@ public final class Simulation {
         }
     }
 
-    /** @return the largest violation of a rod, wire or contact in the present state */
+    /** @return the largest violation of a rod, wire or contact that was seen in the run or is present */
     public Violation getViolation() {
-        Violation worst = Violation.NONE;
-        for (Reaction reaction : system.getReactions()) {
-            worst = worst.or(reaction.getViolation(system.getOwnState()));
-        }
-        return worst;
+        return constraints.getWorst(system);
     }
 
     private void step(double h) {
