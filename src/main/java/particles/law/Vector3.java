@@ -16,6 +16,18 @@ public record Vector3(double x, double y, double z) {
         return new Vector3(values[place], values[place + 1], values[place + 2]);
     }
 
+    /** Writes the vector to three entries of an array, from an index on. */
+    public void put(double[] values, int place) {
+        values[place] = x;
+        values[place + 1] = y;
+        values[place + 2] = z;
+    }
+
+    /** @return the sum of the sizes of its components, a quick measure of its length */
+    public double sum() {
+        return Math.abs(x) + Math.abs(y) + Math.abs(z);
+    }
+
     /** @return this + b */
     public Vector3 plus(Vector3 b) {
         return new Vector3(x + b.x, y + b.y, z + b.z);

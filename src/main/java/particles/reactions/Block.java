@@ -58,11 +58,11 @@ final class Block {
         touching = new ContactRows(contacts);
     }
 
-    int[] members() {
+    int[] getMembers() {
         return members;
     }
 
-    int[] particles() {
+    int[] getParticles() {
         return particles;
     }
 
@@ -76,9 +76,9 @@ final class Block {
      * @param held whether sticking particles are held: they do not move, and have no contacts; the same in each call
      */
     void take(double[] state, boolean held) {
-        if (gatheredAt != contacts.getModes().changes()) {
+        if (gatheredAt != contacts.getModes().getChanges()) {
             gather(held ? contacts.getModes()::isSticking : i -> false, NONE, NONE);
-            gatheredAt = contacts.getModes().changes();
+            gatheredAt = contacts.getModes().getChanges();
         }
         update(state);
     }
@@ -180,7 +180,7 @@ final class Block {
         return held.get(particle);
     }
 
-    BitSet held() {
+    BitSet getHeld() {
         return held;
     }
 
@@ -264,7 +264,7 @@ final class Block {
             mayOpen[r] = row[r] < 0 && r != holding && holding != ALL;
         }
         boolean solved = activeSet.solve(matrix, right, mayOpen, signed, solution, separation);
-        left = activeSet.left();
+        left = activeSet.getLeft();
         return solved;
     }
 
@@ -279,7 +279,7 @@ final class Block {
     }
 
     /** The residual. */
-    double left() {
+    double getLeft() {
         return left;
     }
 

@@ -9,6 +9,7 @@ import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.law.Particles;
+import particles.law.Vector3;
 import particles.reactions.algebra.ActiveSetMethod;
 import particles.reactions.contact.ContactModes;
 import particles.reactions.contact.ContactModes.Mode;
@@ -85,7 +86,7 @@ final class BlockForces {
     void solve(Block block, double[] state, double time, double[] force) {
         block.take(state, true);
         Optional<String> failure = solve(block, state, force);
-        if (failure.isPresent() && !(failure.get().equals(CONTRADICTORY) && !block.held().isEmpty())) {
+        if (failure.isPresent() && !(failure.get().equals(CONTRADICTORY) && !block.getHeld().isEmpty())) {
             throw failure(block, time, failure.get());
         }
     }
@@ -101,12 +102,12 @@ final class BlockForces {
     }
 
     /** Counts solutions: the last one is still at hand if the number has not changed. */
-    int solutions() {
+    int getSolutions() {
         return solutions;
     }
 
     /** The residual of the last solution, relative to accelerations. */
-    double left() {
+    double getLeft() {
         return left;
     }
 
@@ -145,12 +146,12 @@ final class BlockForces {
         if (!block.solve(Block.NONE, !contacts.isHolding())) {
             return Optional.of("let no contact forces keep all particles out: friction jams");
         }
-        left = block.left() == 0 ? 0 : block.left() / scale(block, force);
+        left = block.getLeft() == 0 ? 0 : block.getLeft() / scale(block, force);
         return left > CONTRADICTION ? Optional.of(CONTRADICTORY) : Optional.empty();
     }
 
     SimulationException failure(Block block, double time, String reason) {
-        int particle = block.particles()[0];
+        int particle = block.getParticles()[0];
         String what = !block.isJoined() ? "contacts of"
                 : (block.touching.count > 0 ? "rods, wires and contacts" : "rods and wires") + " connected to";
         return new SimulationException(time, particle, "the " + what + " particle '" + particles.id(particle) + "' "
@@ -178,7 +179,7 @@ final class BlockForces {
     /** W F of the particles that are not held. */
     private void findAccelerations(Block block, double[] force) {
         fit(force);
-        for (int i : block.particles()) {
+        for (int i : block.getParticles()) {
             double w = block.isHeld(i) ? 0 : block.weight(i);
             for (int f = STRIDE * i + 3; f < STRIDE * (i + 1); f++) {
                 accelerations[f] = w * force[f];
@@ -190,7 +191,7 @@ final class BlockForces {
     private double scale(Block block, double[] force) {
         findAccelerations(block, force);
         double scale = 0;
-        for (int i : block.particles()) {
+        for (int i : block.getParticles()) {
             for (int f = STRIDE * i + 3; f < STRIDE * (i + 1); f++) {
                 scale = Math.max(scale, Math.abs(accelerations[f]));
             }
@@ -204,7 +205,7 @@ final class BlockForces {
     /** Adds the forces found by {@link #solve}. */
     void addForces(Block block, double[] force) {
         block.addForces(force);
-        for (int i = block.held().nextSetBit(0); i >= 0; i = block.held().nextSetBit(i + 1)) {
+        for (int i = block.getHeld().nextSetBit(0); i >= 0; i = block.getHeld().nextSetBit(i + 1)) {
             Arrays.fill(force, STRIDE * i + 3, STRIDE * (i + 1), 0.0);
         }
     }
@@ -233,7 +234,7 @@ final class BlockForces {
         if (total.length != force.length) {
             total = new double[force.length];
         }
-        for (int i : block.particles()) {
+        for (int i : block.getParticles()) {
             System.arraycopy(force, STRIDE * i + 3, total, STRIDE * i + 3, 3);
         }
         block.addForces(total);
@@ -241,7 +242,7 @@ final class BlockForces {
     }
 
     /** The accelerations of moving anchors at the prepared state, in the entries of their velocities (m/s&sup2;). */
-    double[] accelerations() {
+    double[] getAccelerations() {
         return accelerations;
     }
 
@@ -266,13 +267,12 @@ final class BlockForces {
         int struck = takeForImpact(block, surface, particle, state);
         putRates(block, state, 3);
         block.right[struck] += leaving;
-        int v = STRIDE * particle + 3;
-        double fast = leaving + Math.abs(state[v]) + Math.abs(state[v + 1]) + Math.abs(state[v + 2]);
+        double fast = leaving + Vector3.at(state, STRIDE * particle + 3).sum();
         if (!block.solve(struck, true) || Math.abs(block.separation(struck)) > CONTRADICTION * fast) {
             throw failure(block, system.getTime(), "let no impulses keep all particles out");
         }
         block.move(state, 3);
-        for (int i : block.particles()) {
+        for (int i : block.getParticles()) {
             modes.setWhereTouching(i, Mode.SLIDING);
         }
         for (int r = 0; r < block.size(); r++) {

@@ -4,6 +4,7 @@ import deSolvers.text.Digits;
 import java.util.List;
 import particles.SimulationException;
 import particles.law.Particles;
+import particles.law.Vector3;
 
 /**
  * Projects positions and velocities onto the constraints. Positions are corrected by Newton's method with the smallest
@@ -33,8 +34,7 @@ final class ConstraintCorrection {
             rows.evaluate(state);
             double error = 0;
             for (int r = 0; r < rows.count(); r++) {
-                int x = Particles.STRIDE * rows.first(r);
-                double place = Math.abs(state[x]) + Math.abs(state[x + 1]) + Math.abs(state[x + 2]);
+                double place = Vector3.at(state, Particles.STRIDE * rows.first(r)).sum();
                 error = Math.max(error, Math.abs(rows.value[r]) / (rows.scale(r) + place));
             }
             if (!(error <= Double.MAX_VALUE)) {
@@ -58,8 +58,7 @@ final class ConstraintCorrection {
         rows.evaluate(state);
         boolean changed = false;
         for (int r = 0; r < rows.count(); r++) {
-            int v = Particles.STRIDE * rows.first(r) + 3;
-            double speed = Math.abs(state[v]) + Math.abs(state[v + 1]) + Math.abs(state[v + 2]);
+            double speed = Vector3.at(state, Particles.STRIDE * rows.first(r) + 3).sum();
             changed |= Math.abs(rows.rate[r]) > FINE * (1 + speed);
         }
         if (changed) {

@@ -86,11 +86,11 @@ final class ConstraintRows {
         return rods + Curve.ROWS * beads;
     }
 
-    int rods() {
+    int getRods() {
         return rods;
     }
 
-    int beads() {
+    int getBeads() {
         return beads;
     }
 
@@ -115,9 +115,7 @@ final class ConstraintRows {
 
     /** The distance of a rod's ends (m). */
     double distance(int rod, double[] state) {
-        int a = STRIDE * from[rod];
-        int b = STRIDE * to[rod];
-        return new Vector3(state[b] - state[a], state[b + 1] - state[a + 1], state[b + 2] - state[a + 2]).length();
+        return Vector3.at(state, STRIDE * to[rod]).minus(Vector3.at(state, STRIDE * from[rod])).length();
     }
 
     void evaluate(double[] state) {
@@ -131,8 +129,7 @@ final class ConstraintRows {
                 value[row + k] = values[k];
                 bend[row + k] = bends[k];
                 System.arraycopy(gradients, 3 * k, gradient, 6 * (row + k), 3);
-                rate[row + k] = gradients[3 * k] * state[x + 3] + gradients[3 * k + 1] * state[x + 4]
-                        + gradients[3 * k + 2] * state[x + 5];
+                rate[row + k] = dot(6 * (row + k), state, x + 3);
             }
         }
     }
@@ -157,27 +154,22 @@ final class ConstraintRows {
         gradient[g + 2] = -gradient[g + 5];
     }
 
+    private double dot(int g, double[] vectors, int i) {
+        return gradient[g] * vectors[i] + gradient[g + 1] * vectors[i + 1] + gradient[g + 2] * vectors[i + 2];
+    }
+
     /** A row's gradients times a vector of each particle, which begins at {@code place} + 6 i. */
     double times(int row, double[] vectors, int place) {
-        int g = 6 * row;
-        int i = STRIDE * first(row) + place;
-        double sum = gradient[g] * vectors[i] + gradient[g + 1] * vectors[i + 1] + gradient[g + 2] * vectors[i + 2];
-        if (row < rods) {
-            int j = STRIDE * to[row] + place;
-            sum += gradient[g + 3] * vectors[j] + gradient[g + 4] * vectors[j + 1] + gradient[g + 5] * vectors[j + 2];
-        }
-        return sum;
+        return dot(6 * row, vectors, STRIDE * first(row) + place)
+                + (row < rods ? dot(6 * row + 3, vectors, STRIDE * to[row] + place) : 0);
     }
 
     /** The contribution of moving anchors to the rate of a row: gradients times the anchors' velocities. */
     double rateOfAnchors(int row, double[] state, double[] inverseMasses) {
         double sum = 0;
-        for (int k = 0, g = 6 * row; k < (row < rods ? 2 : 1); k++, g += 3) {
+        for (int k = 0; k < (row < rods ? 2 : 1); k++) {
             int i = k == 0 ? first(row) : second(row);
-            int v = STRIDE * i + 3;
-            if (inverseMasses[i] == 0) {
-                sum += gradient[g] * state[v] + gradient[g + 1] * state[v + 1] + gradient[g + 2] * state[v + 2];
-            }
+            sum += inverseMasses[i] == 0 ? dot(6 * row + 3 * k, state, STRIDE * i + 3) : 0;
         }
         return sum;
     }
@@ -196,13 +188,10 @@ final class ConstraintRows {
         }
         int g = 6 * row + (end == from[row] ? 0 : 3);
         int v = STRIDE * end + 3;
-        double bend = (state[v] * state[v] + state[v + 1] * state[v + 1] + state[v + 2] * state[v + 2]) / length[row];
-        double along = bend;
-        double most = bend;
-        for (int c = 0; c < 3; c++) {
-            along += gradient[g + c] * accelerations[v + c];
-            most += Math.abs(accelerations[v + c]);
-        }
+        Vector3 velocity = Vector3.at(state, v);
+        double bend = velocity.dot(velocity) / length[row];
+        double along = bend + dot(g, accelerations, v);
+        double most = bend + Vector3.at(accelerations, v).sum();
         return Math.abs(rateOfAnchors(row, state, inverseMasses)) > RestingContacts.ROUNDING
                 || Math.abs(along) > RestingContacts.ROUNDING * (1 + most);
     }
@@ -212,19 +201,6 @@ final class ConstraintRows {
         addTo(force, STRIDE * first(row) + 3, lambda, 6 * row);
         if (row < rods) {
             addTo(force, STRIDE * to[row] + 3, lambda, 6 * row + 3);
-        }
-    }
-
-    /**
-     * Moves a row's particles along its gradients.
-     *
-     * @param mobility 1/m of each particle, 0 for fixed ones
-     * @param place    0 to move positions, 3 to change velocities
-     */
-    void move(int row, double amount, double[] mobility, double[] state, int place) {
-        addTo(state, STRIDE * first(row) + place, amount * mobility[first(row)], 6 * row);
-        if (row < rods) {
-            addTo(state, STRIDE * to[row] + place, amount * mobility[to[row]], 6 * row + 3);
         }
     }
 

@@ -3,6 +3,7 @@ package particles.reactions;
 import deSolvers.ForceDerivatives;
 import java.util.Arrays;
 import particles.law.Particles;
+import particles.law.Vector3;
 
 /**
  * The derivative of the total force on a particle in contact, by central differences of order 4: with respect to the
@@ -38,7 +39,7 @@ final class ContactDerivative {
      * @param force the force before contact (N), likewise
      */
     void add(Block block, double[] state, double[] force, ForceDerivatives derivatives) {
-        int i = block.particles()[0];
+        int i = block.getParticles()[0];
         block.take(state, true);
         double curvature = block.touching.curvature(state);
         vary(block, force, STRIDE * i + 3, size(force, STRIDE * i + 3), state, force, byForce);
@@ -49,7 +50,7 @@ final class ContactDerivative {
     }
 
     private static double size(double[] vector, int place) {
-        double size = Math.abs(vector[place]) + Math.abs(vector[place + 1]) + Math.abs(vector[place + 2]);
+        double size = Vector3.at(vector, place).sum();
         return size > 0 ? size : 1;
     }
 
@@ -73,7 +74,7 @@ final class ContactDerivative {
 
     /** The total force on the particle of the block. */
     private void findTotal(Block block, double[] state, double[] force) {
-        int f = STRIDE * block.particles()[0] + 3;
+        int f = STRIDE * block.getParticles()[0] + 3;
         System.arraycopy(force, f, total, 0, 3);
         blocks.solve(block, state, time, force);
         blocks.addForces(block, force);

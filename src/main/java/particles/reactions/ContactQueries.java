@@ -6,12 +6,11 @@ import java.util.Optional;
 import java.util.function.IntPredicate;
 import particles.ParticleSystem;
 import particles.law.Particles;
+import particles.law.Vector3;
 import particles.reactions.contact.ContactModes;
 
 /** Answers questions of rules between steps: how large a normal force is, and whether static friction can hold. */
 final class ContactQueries {
-    private static final int STRIDE = Particles.STRIDE;
-
     private final ParticleSystem system;
     private final ConstraintRows rows;
     private final RestingContacts contacts;
@@ -42,19 +41,19 @@ final class ContactQueries {
     /** Finds the forces of a block at rules' request; the last answer is kept, as rules ask for each particle. */
     private void ask(Block block, double[] state, double[] force, IntPredicate isHeld) {
         BitSet held = new BitSet();
-        for (int i : block.particles()) {
+        for (int i : block.getParticles()) {
             held.set(i, isHeld.test(i));
         }
-        if (asked.isPresent() && asked.get() == block && askedSolution == blocks.solutions()
-                && askedChanges == modes.changes() && askedHeld.equals(held) && Arrays.equals(askedState, state)
+        if (asked.isPresent() && asked.get() == block && askedSolution == blocks.getSolutions()
+                && askedChanges == modes.getChanges() && askedHeld.equals(held) && Arrays.equals(askedState, state)
                 && Arrays.equals(askedForce, force)) {
             return;
         }
         failure = blocks.solve(block, state, force, isHeld);
         loads = Optional.empty();
         asked = Optional.of(block);
-        askedSolution = blocks.solutions();
-        askedChanges = modes.changes();
+        askedSolution = blocks.getSolutions();
+        askedChanges = modes.getChanges();
         askedHeld = held;
         askedState = state.clone();
         askedForce = force.clone();
@@ -75,7 +74,7 @@ final class ContactQueries {
         if (block.isJoined()) {
             blocks.prepare(state, system.getTime());
             ask(block, state, force, modes::isSticking);
-            if (failure.isPresent() && block.held().isEmpty()) {
+            if (failure.isPresent() && block.getHeld().isEmpty()) {
                 throw blocks.failure(block, system.getTime(), failure.get());
             }
             if (modes.isSticking(particle)) {
@@ -102,9 +101,9 @@ final class ContactQueries {
 
     /** Whether a moving anchor drives a rod, so that friction cannot hold its other end; -1 for any end. */
     private boolean isDriven(Block block, int end, double[] state) {
-        for (int row : block.members()) {
+        for (int row : block.getMembers()) {
             if ((end < 0 || rows.first(row) == end || rows.second(row) == end) && rows.isDraggedByAnchor(row, state,
-                    blocks.accelerations(), system.getParticles().getInverseMasses())) {
+                    blocks.getAccelerations(), system.getParticles().getInverseMasses())) {
                 return true;
             }
         }
@@ -121,7 +120,7 @@ final class ContactQueries {
             }
             ask(block, state, force, i -> i == particle || (modes.isSticking(i) || contacts.isSlow(i, state))
                     && !isDriven(block, i, state));
-            if (failure.isPresent() || blocks.left() > RestingContacts.ROUNDING && isDriven(block, -1, state)) {
+            if (failure.isPresent() || blocks.getLeft() > RestingContacts.ROUNDING && isDriven(block, -1, state)) {
                 return -1;                              // the rods' motion keeps it from standing still
             }
             atRest = forcesAtRest(block, state, force);
@@ -136,10 +135,7 @@ final class ContactQueries {
      */
     double holdSlack(int i, double[] state, double[] force) {
         Block alone = push(i, state, force);
-        int f = STRIDE * i + 3;
-        double x = force[f];
-        double y = force[f + 1];
-        double z = force[f + 2];
+        Vector3 rest = Vector3.at(force, Particles.STRIDE * i + 3);
         double withstood = 0;
         pushed = 0;
         for (int r = 0; r < alone.size(); r++) {
@@ -147,10 +143,8 @@ final class ContactQueries {
             double push = alone.force(r);
             pushed += push;
             withstood += push * alone.touching.friction[k].staticCoefficient();
-            x += push * alone.touching.normal[k].x();
-            y += push * alone.touching.normal[k].y();
-            z += push * alone.touching.normal[k].z();
+            rest = rest.plus(alone.touching.normal[k].times(push));
         }
-        return withstood - Math.sqrt(x * x + y * y + z * z);
+        return withstood - Math.sqrt(rest.dot(rest));
     }
 }

@@ -71,9 +71,7 @@ final class ContactRows {
         double along = n.x() * state[x + 3] + n.y() * state[x + 4] + n.z() * state[x + 5];
         normal[k] = n;
         rate[k] = along;
-        slip[3 * k] = 0;
-        slip[3 * k + 1] = 0;
-        slip[3 * k + 2] = 0;
+        Arrays.fill(slip, 3 * k, 3 * k + 3, 0);
         if (withValue) {
             value[k] = obstacle.distance(state[x], state[x + 1], state[x + 2]);
         }
@@ -115,8 +113,8 @@ final class ContactRows {
             int v = STRIDE * particle[k] + 3;
             if (friction[k].law() != Friction.Law.NONE && (k > 0 && particle[k - 1] == particle[k]
                     || k + 1 < count && particle[k + 1] == particle[k])
-                    || friction[k].law() == Friction.Law.COULOMB && (contacts.sliding().mayStop(particle[k])
-                    || contacts.sliding().startsFromRest(particle[k])
+                    || friction[k].law() == Friction.Law.COULOMB && (contacts.getSliding().mayStop(particle[k])
+                    || contacts.getSliding().startsFromRest(particle[k])
                     || state[v] - rate[k] * normal[k].x() == 0 && state[v + 1] - rate[k] * normal[k].y() == 0
                     && state[v + 2] - rate[k] * normal[k].z() == 0)) {
                 return true;
@@ -136,7 +134,7 @@ final class ContactRows {
         if (friction[k].law() == Friction.Law.NONE) {
             return;
         }
-        SlidingDirection sliding = contacts.sliding();
+        SlidingDirection sliding = contacts.getSliding();
         sliding.release();
         sliding.keepAlong(normal[k]);
         for (int j = 0; pushKnown && j < count; j++) {

@@ -5,6 +5,7 @@ import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.law.Reaction;
@@ -100,7 +101,7 @@ public final class RestingContacts implements Reaction {
         return holding;
     }
 
-    SlidingDirection sliding() {
+    SlidingDirection getSliding() {
         return sliding;
     }
 
@@ -125,8 +126,8 @@ public final class RestingContacts implements Reaction {
 
     /** The blocks of the particles that touch a surface and are not on a rod or wire. */
     private List<Block> touching() {
-        if (touchingAt != modes.changes()) {
-            touchingAt = modes.changes();
+        if (touchingAt != modes.getChanges()) {
+            touchingAt = modes.getChanges();
             touching.clear();
             for (int i = 0; i < modes.end(); i++) {
                 if (modes.isTouching(i) && !particles.isFixed(i) && !isCoupled(i)) {
@@ -194,16 +195,29 @@ public final class RestingContacts implements Reaction {
      *         its threshold or round-off
      */
     public boolean isSlow(int particle, double[] state) {
-        double limit = -1;
+        double limit = largest(particle, f -> f.staticCoefficient() > 0 ? Math.max(ROUNDING, f.threshold()) : 0);
+        Vector3 velocity = Vector3.at(state, STRIDE * particle + 3);
+        return limit > 0 && velocity.dot(velocity) <= limit * limit;
+    }
+
+    /** The largest value for the friction of the surfaces that a particle touches; 0 if there is none. */
+    private double largest(int particle, ToDoubleFunction<Friction> value) {
+        double largest = 0;
         for (int p = 0; p < surfaces.size(); p++) {
-            if (modes.get(p, particle) != ContactModes.Mode.FREE
-                    && surfaces.get(p).friction().staticCoefficient() > 0) {
-                limit = Math.max(limit, Math.max(ROUNDING, surfaces.get(p).friction().threshold()));
-            }
+            largest = modes.get(p, particle) == ContactModes.Mode.FREE ? largest
+                    : Math.max(largest, value.applyAsDouble(surfaces.get(p).friction()));
         }
-        int v = STRIDE * particle + 3;
-        return state[v] * state[v] + state[v + 1] * state[v + 1]
-                + state[v + 2] * state[v + 2] <= limit * Math.abs(limit);
+        return largest;
+    }
+
+    /** @return whether friction on a particle flips when it reverses, or may hold it */
+    public boolean rubs(int particle) {
+        return largest(particle, f -> Math.max(f.ofCoulomb(1), f.staticCoefficient())) > 0;
+    }
+
+    /** @return the largest threshold of the friction that acts on a particle (m/s), below which it may stick */
+    public double threshold(int particle) {
+        return largest(particle, Friction::threshold);
     }
 
     /**
@@ -235,13 +249,7 @@ public final class RestingContacts implements Reaction {
 
     /** The largest coefficient of Coulomb friction on a particle that slides; 0 if there is none. */
     private double rubbing(int i) {
-        double rubbing = 0;
-        for (int p = 0; p < surfaces.size(); p++) {
-            Friction friction = surfaces.get(p).friction();
-            rubbing = modes.get(p, i) == ContactModes.Mode.SLIDING && friction.law() == Friction.Law.COULOMB
-                    ? Math.max(rubbing, friction.coefficient()) : rubbing;
-        }
-        return rubbing;
+        return modes.isSticking(i) ? 0 : largest(i, f -> f.ofCoulomb(1));
     }
 
     /**
@@ -282,16 +290,6 @@ public final class RestingContacts implements Reaction {
         Vector3 before = Vector3.at(sliding.getStepBegin(), STRIDE * particle + 3);
         double slow = sliding.mayStop(particle) ? ALMOST_STOPPED * before.length() : 0;
         return velocity.dot(before) <= 0 || velocity.length() <= Math.max(slow, threshold(particle));
-    }
-
-    /** @return the largest threshold of the friction that acts on a particle (m/s), below which it may stick */
-    public double threshold(int particle) {
-        double threshold = 0;
-        for (int p = 0; p < surfaces.size(); p++) {
-            threshold = modes.get(p, particle) == ContactModes.Mode.FREE ? threshold
-                    : Math.max(threshold, surfaces.get(p).friction().threshold());
-        }
-        return threshold;
     }
 
     /** @return the state at the beginning of the step; read only */

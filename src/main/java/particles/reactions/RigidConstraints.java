@@ -111,7 +111,7 @@ public final class RigidConstraints implements Reaction, SpringView {
             for (int[] part : new RowGraph(rows, particles).parts()) {
                 Block block = blocks.block(part);
                 joined.add(block);
-                for (int i : block.particles()) {
+                for (int i : block.getParticles()) {
                     blockOf[i] = block;
                 }
             }
@@ -121,7 +121,7 @@ public final class RigidConstraints implements Reaction, SpringView {
 
     @Override
     public String getName() {
-        return rows.beads() == 0 ? "rods" : rows.rods() == 0 ? "wires" : "rods and wires";
+        return rows.getBeads() == 0 ? "rods" : rows.getRods() == 0 ? "wires" : "rods and wires";
     }
 
     @Override
@@ -201,7 +201,7 @@ public final class RigidConstraints implements Reaction, SpringView {
     @Override
     public Violation getViolation(double[] state) {
         Violation worst = Violation.NONE;
-        for (int r = 0; r < rows.rods(); r++) {
+        for (int r = 0; r < rows.getRods(); r++) {
             double length = rows.distance(r, state);
             double part = Math.abs(length / rows.length(r) - 1);
             if (part > worst.part()) {
@@ -211,7 +211,7 @@ public final class RigidConstraints implements Reaction, SpringView {
             }
         }
         rows.evaluate(state);
-        for (int r = rows.rods(); r < rows.count(); r++) {
+        for (int r = rows.getRods(); r < rows.count(); r++) {
             double off = Math.abs(rows.value[r]);
             if (off > worst.part()) {
                 worst = new Violation(off,
@@ -229,7 +229,7 @@ public final class RigidConstraints implements Reaction, SpringView {
 
     @Override
     public int springCount() {
-        return rows.rods();
+        return rows.getRods();
     }
 
     @Override

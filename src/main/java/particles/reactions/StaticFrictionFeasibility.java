@@ -2,6 +2,7 @@ package particles.reactions;
 
 import java.util.BitSet;
 import particles.law.Particles;
+import particles.law.Vector3;
 
 /**
  * Decides whether static friction can hold a statically indeterminate linkage. The load of a rod between two sticking
@@ -33,11 +34,10 @@ final class StaticFrictionFeasibility {
      * @param total the forces without these loads (N); the loads are added
      */
     void run(Block joint, double[] state, double[] total) {
-        ends = joint.held();
+        ends = joint.getHeld();
         double size = 0;
         for (int i = ends.nextSetBit(0); i >= 0; i = ends.nextSetBit(i + 1)) {
-            int f = Particles.STRIDE * i + 3;
-            size += Math.abs(total[f]) + Math.abs(total[f + 1]) + Math.abs(total[f + 2]);
+            size += Vector3.at(total, Particles.STRIDE * i + 3).sum();
         }
         double least = leastMargin(-1, state, total);
         for (int sweep = 0; sweep < SWEEPS && least <= 0; sweep++) {

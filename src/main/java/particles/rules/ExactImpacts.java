@@ -111,7 +111,7 @@ public final class ExactImpacts extends Impacts implements EventRule {
         double speed = before.length();
         double slow = speed > contacts.threshold(i) * (1 + ROUNDING) ? contacts.threshold(i) : 0;
         ToDoubleFunction<ParticleSystem> moving = s -> velocity(s.getOwnState(), i).dot(before) / speed - slow;
-        if (speed != 0 && rubs(i) && moving.applyAsDouble(motion.getSystem()) < 0) {
+        if (speed != 0 && contacts.rubs(i) && moving.applyAsDouble(motion.getSystem()) < 0) {
             found.add(new Change(end, true, moving, s -> stop(s, i, speed)));
         }
     }

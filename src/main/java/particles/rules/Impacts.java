@@ -9,7 +9,6 @@ import particles.reactions.RestingContacts;
 import particles.reactions.contact.ContactModes;
 import particles.reactions.contact.ContactModes.Mode;
 import particles.reactions.contact.ContactSurface;
-import particles.reactions.contact.Friction;
 
 /**
  * Collisions with planes and spheres, the slides' "Particle/Plane Collisions": at an impact v_n' = -r v_n and v_t' =
@@ -166,7 +165,7 @@ abstract class Impacts implements Rule {
      * @param speed its speed before that (m/s)
      */
     final void stickIfSlow(ParticleSystem system, int i, double speed) {
-        if (rubs(i) && holdMargin(system, i) >= 0) {
+        if (contacts.rubs(i) && holdMargin(system, i) >= 0) {
             stop(system, i, speed);
         }
     }
@@ -210,17 +209,6 @@ abstract class Impacts implements Rule {
         }
     }
 
-    /** Whether friction on a particle flips when it reverses, or may hold it. */
-    final boolean rubs(int i) {
-        for (int p = 0; p < surfaces.size(); p++) {
-            Friction friction = surfaces.get(p).friction();
-            if (modes.get(p, i) != Mode.FREE && (friction.ofCoulomb(1) > 0 || friction.staticCoefficient() > 0)) {
-                return true;
-            }
-        }
-        return false;
-    }
-
     /**
      * Finds where a particle first goes below a surface, on the cubic between two states; its B&eacute;zier points are
      * left in {@link #points}.
@@ -252,8 +240,7 @@ abstract class Impacts implements Rule {
 
     /** The distance that a particle in contact may have from a surface by round-off (m). */
     static double slack(double[] state, int i) {
-        int x = STRIDE * i;
-        return ON_SURFACE * (1 + Math.abs(state[x]) + Math.abs(state[x + 1]) + Math.abs(state[x + 2]));
+        return ON_SURFACE * (1 + Vector3.at(state, STRIDE * i).sum());
     }
 
     static Vector3 velocity(double[] state, int i) {

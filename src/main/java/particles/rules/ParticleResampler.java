@@ -114,13 +114,9 @@ public final class ParticleResampler implements Rule {
         for (int i = 0; i < n; i++) {
             int count = grid.findLater(i, near);
             for (int k = 0; k < count; k++) {
-                double apart = 0;
-                for (int c = 0; c < 3; c++) {
-                    double r = state[STRIDE * i + c] - state[STRIDE * near[k] + c];
-                    apart += r * r;
-                }
-                take(i, near[k], apart);
-                take(near[k], i, apart);
+                Vector3 apart = Vector3.at(state, STRIDE * i).minus(Vector3.at(state, STRIDE * near[k]));
+                take(i, near[k], apart.dot(apart));
+                take(near[k], i, apart.dot(apart));
             }
         }
     }
@@ -143,15 +139,14 @@ public final class ParticleResampler implements Rule {
     }
 
     private static Vector3 between(double[] state, int a, int b, double part) {
-        return new Vector3(state[a] + part * (state[b] - state[a]), state[a + 1] + part * (state[b + 1] - state[a + 1]),
-                state[a + 2] + part * (state[b + 2] - state[a + 2]));
+        Vector3 from = Vector3.at(state, a);
+        return from.plus(Vector3.at(state, b).minus(from).times(part));
     }
 
     private void split(ParticleSystem system, int i) {
         double[] state = system.getOwnState();
-        int x = STRIDE * i;
-        Vector3 position = new Vector3(state[x], state[x + 1], state[x + 2]);
-        Vector3 velocity = new Vector3(state[x + 3], state[x + 4], state[x + 5]);
+        Vector3 position = Vector3.at(state, STRIDE * i);
+        Vector3 velocity = Vector3.at(state, STRIDE * i + 3);
         Vector3 half = random.nextDirection(new Vector3(0, 1, 0), Math.PI).times(farthest / 4);
         double mass = system.getParticles().mass(i) / 2;
         add(system, mass, position.plus(half), velocity, i);

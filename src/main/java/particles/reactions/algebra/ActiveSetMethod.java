@@ -29,7 +29,7 @@ public final class ActiveSetMethod {
     private boolean regular;
 
     /** The largest residual entry of active rows, which is large if they contradict each other; 0 for round-off. */
-    public double left() {
+    public double getLeft() {
         return left;
     }
 

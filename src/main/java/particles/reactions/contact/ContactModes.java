@@ -94,7 +94,7 @@ public final class ContactModes {
     }
 
     /** The number of changes so far. */
-    public int changes() {
+    public int getChanges() {
         return changes;
     }
 

@@ -42,21 +42,15 @@ public final class CircularWire implements Curve {
 
     @Override
     public void evaluate(double[] state, int x, double[] values, double[] gradients, double[] bends) {
-        double dx = state[x] - centre.x();
-        double dy = state[x + 1] - centre.y();
-        double dz = state[x + 2] - centre.z();
-        values[0] = dx * axis.x() + dy * axis.y() + dz * axis.z();
-        gradients[0] = axis.x();
-        gradients[1] = axis.y();
-        gradients[2] = axis.z();
+        Vector3 d = Vector3.at(state, x).minus(centre);
+        Vector3 velocity = Vector3.at(state, x + 3);
+        values[0] = d.dot(axis);
+        axis.put(gradients, 0);
         bends[0] = 0;
-        values[1] = (dx * dx + dy * dy + dz * dz - radius * radius) / (2 * radius);
-        gradients[3] = dx / radius;
-        gradients[4] = dy / radius;
-        gradients[5] = dz / radius;
-        double u = state[x + 3];
-        double v = state[x + 4];
-        double w = state[x + 5];
-        bends[1] = (u * u + v * v + w * w) / radius;
+        values[1] = (d.dot(d) - radius * radius) / (2 * radius);
+        gradients[3] = d.x() / radius;
+        gradients[4] = d.y() / radius;
+        gradients[5] = d.z() / radius;
+        bends[1] = velocity.dot(velocity) / radius;
     }
 }

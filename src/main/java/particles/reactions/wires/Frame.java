@@ -21,10 +21,4 @@ record Frame(Vector3 axis, Vector3 first, Vector3 second) {
         Vector3 first = axis.cross(far).normalized();
         return new Frame(axis, first, axis.cross(first));
     }
-
-    void put(Vector3 vector, double[] array, int place) {
-        array[place] = vector.x();
-        array[place + 1] = vector.y();
-        array[place + 2] = vector.z();
-    }
 }

@@ -109,21 +109,14 @@ public final class GraphWire implements Curve {
 
     @Override
     public void evaluate(double[] state, int x, double[] values, double[] gradients, double[] bends) {
-        double dx = state[x] - origin.x();
-        double dy = state[x + 1] - origin.y();
-        double dz = state[x + 2] - origin.z();
-        double s = dx * along.x() + dy * along.y() + dz * along.z();
-        double speed = state[x + 3] * along.x() + state[x + 4] * along.y() + state[x + 5] * along.z();
-        double slope = profile.slope(s);
-        values[0] = dx * across.x() + dy * across.y() + dz * across.z();
-        gradients[0] = across.x();
-        gradients[1] = across.y();
-        gradients[2] = across.z();
+        Vector3 d = Vector3.at(state, x).minus(origin);
+        double s = d.dot(along);
+        double speed = Vector3.at(state, x + 3).dot(along);
+        values[0] = d.dot(across);
+        across.put(gradients, 0);
         bends[0] = 0;
-        values[1] = dx * up.x() + dy * up.y() + dz * up.z() - profile.value(s);
-        gradients[3] = up.x() - slope * along.x();
-        gradients[4] = up.y() - slope * along.y();
-        gradients[5] = up.z() - slope * along.z();
+        values[1] = d.dot(up) - profile.value(s);
+        up.minus(along.times(profile.slope(s))).put(gradients, 3);
         bends[1] = -profile.bend(s) * speed * speed;
     }
 }

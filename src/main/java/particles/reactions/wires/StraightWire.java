@@ -17,8 +17,8 @@ public final class StraightWire implements Curve {
         this.point = point;
         this.direction = direction.normalized();
         Frame frame = Frame.around(direction);
-        frame.put(frame.first(), across, 0);
-        frame.put(frame.second(), across, 3);
+        frame.first().put(across, 0);
+        frame.second().put(across, 3);
         offset[0] = frame.first().dot(point);
         offset[1] = frame.second().dot(point);
     }
