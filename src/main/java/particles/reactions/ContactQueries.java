@@ -143,7 +143,7 @@ final class ContactQueries {
             double push = alone.force(r);
             pushed += push;
             withstood += push * alone.touching.friction[k].staticCoefficient();
-            rest = rest.plus(alone.touching.normal[k].times(push));
+            rest = rest.plus(Vector3.at(alone.touching.normal, 3 * k).times(push));
         }
         return withstood - Math.sqrt(rest.dot(rest));
     }

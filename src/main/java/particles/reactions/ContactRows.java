@@ -19,7 +19,7 @@ final class ContactRows {
     int count;
     int[] particle = {};
     int[] surface = {};
-    Vector3[] normal = {};
+    double[] normal = {};                               // 3 a row
     Friction[] friction = {};
     private Obstacle[] obstacle = {};
     double[] slip = {};                                 // minus the sliding friction for a normal force of 1 N
@@ -42,7 +42,7 @@ final class ContactRows {
             int more = 2 * count + 1;
             particle = Arrays.copyOf(particle, more);
             surface = Arrays.copyOf(surface, more);
-            normal = Arrays.copyOf(normal, more);
+            normal = new double[3 * more];
             friction = Arrays.copyOf(friction, more);
             obstacle = Arrays.copyOf(obstacle, more);
             slip = new double[3 * more];
@@ -69,7 +69,7 @@ final class ContactRows {
         Obstacle obstacle = this.obstacle[k];
         Vector3 n = obstacle.normal(state[x], state[x + 1], state[x + 2]);
         double along = n.x() * state[x + 3] + n.y() * state[x + 4] + n.z() * state[x + 5];
-        normal[k] = n;
+        n.put(normal, 3 * k);
         rate[k] = along;
         Arrays.fill(slip, 3 * k, 3 * k + 3, 0);
         if (withValue) {
@@ -93,15 +93,13 @@ final class ContactRows {
 
     /** Writes the normal of row k to three entries of an array. */
     void putNormal(int k, double[] vectors, int place) {
-        vectors[place] = normal[k].x();
-        vectors[place + 1] = normal[k].y();
-        vectors[place + 2] = normal[k].z();
+        System.arraycopy(normal, 3 * k, vectors, place, 3);
     }
 
     /** The normal of row k times a vector of its particle, which begins at {@code place} + 6 i. */
     double times(int k, double[] vectors, int place) {
         int i = STRIDE * particle[k] + place;
-        return normal[k].x() * vectors[i] + normal[k].y() * vectors[i + 1] + normal[k].z() * vectors[i + 2];
+        return normal[3 * k] * vectors[i] + normal[3 * k + 1] * vectors[i + 1] + normal[3 * k + 2] * vectors[i + 2];
     }
 
     /**
@@ -115,8 +113,8 @@ final class ContactRows {
                     || k + 1 < count && particle[k + 1] == particle[k])
                     || friction[k].law() == Friction.Law.COULOMB && (contacts.getSliding().mayStop(particle[k])
                     || contacts.getSliding().startsFromRest(particle[k])
-                    || state[v] - rate[k] * normal[k].x() == 0 && state[v + 1] - rate[k] * normal[k].y() == 0
-                    && state[v + 2] - rate[k] * normal[k].z() == 0)) {
+                    || state[v] - rate[k] * normal[3 * k] == 0 && state[v + 1] - rate[k] * normal[3 * k + 1] == 0
+                    && state[v + 2] - rate[k] * normal[3 * k + 2] == 0)) {
                 return true;
             }
         }
@@ -136,10 +134,10 @@ final class ContactRows {
         }
         SlidingDirection sliding = contacts.getSliding();
         sliding.release();
-        sliding.keepAlong(normal[k]);
+        sliding.keepAlong(Vector3.at(normal, 3 * k));
         for (int j = 0; pushKnown && j < count; j++) {
             if (j != k && particle[j] == particle[k] && push[j] != 0) {
-                sliding.keepAlong(normal[j]);
+                sliding.keepAlong(Vector3.at(normal, 3 * j));
             }
         }
         int v = STRIDE * particle[k] + 3;
@@ -165,9 +163,9 @@ final class ContactRows {
     /** Adds the normal force and friction of row k. */
     void addForce(int k, double push, double[] force) {
         int f = STRIDE * particle[k] + 3;
-        force[f] += push * (normal[k].x() - slip[3 * k]);
-        force[f + 1] += push * (normal[k].y() - slip[3 * k + 1]);
-        force[f + 2] += push * (normal[k].z() - slip[3 * k + 2]);
+        for (int c = 0; c < 3; c++) {
+            force[f + c] += push * (normal[3 * k + c] - slip[3 * k + c]);
+        }
     }
 
     /** The slip of row k times its particle's velocity. */

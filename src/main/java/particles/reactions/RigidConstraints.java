@@ -202,12 +202,12 @@ public final class RigidConstraints implements Reaction, SpringView {
     public Violation getViolation(double[] state) {
         Violation worst = Violation.NONE;
         for (int r = 0; r < rows.getRods(); r++) {
-            double length = rows.distance(r, state);
-            double part = Math.abs(length / rows.length(r) - 1);
+            double more = rows.distance(r, state) - rows.length(r);
+            double part = Math.abs(more) / rows.length(r);
             if (part > worst.part()) {
                 worst = new Violation(part, "the rod from '" + particles.id(rows.first(r)) + "' to '"
-                        + particles.id(rows.second(r)) + "' is " + Digits.few(length) + " m long, not "
-                        + Digits.few(rows.length(r)) + " m");
+                        + particles.id(rows.second(r)) + "' is " + Digits.few(Math.abs(more)) + " m too "
+                        + (more > 0 ? "long" : "short"));
             }
         }
         rows.evaluate(state);

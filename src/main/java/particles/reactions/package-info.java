@@ -42,9 +42,10 @@
  * it does. Otherwise lambda &ge; 0 holds at each evaluation. On a curved surface the next step of a method of order 1
  * may end below it by O(deltaT&sup2;) although v<sub>n</sub> points outwards: that is truncation error, not an impact.
  *
- * <p>At the end of each run the largest violation of a rod, wire or contact is checked. Sources: the slides "Particle/
- * Plane Contact" and "Particle/Plane Collisions"; A. Witkin, "Constrained Dynamics", SIGGRAPH course notes 1997; D.
- * Baraff, "Fast contact force computation for nonpenetrating rigid bodies", SIGGRAPH 1994; K. Murty, "Note on a
- * Bard-type scheme for solving the complementarity problem", Opsearch 1974.
+ * <p>During each run the largest violation of a rod, wire or contact is noted, and whether the work that is reported
+ * for moving anchors is that of the forces on them; one above a tenth ends the run as wrong. Sources: the slides
+ * "Particle/Plane Contact" and "Particle/Plane Collisions"; A. Witkin, "Constrained Dynamics", SIGGRAPH course notes
+ * 1997; D. Baraff, "Fast contact force computation for nonpenetrating rigid bodies", SIGGRAPH 1994; K. Murty, "Note on
+ * a Bard-type scheme for solving the complementarity problem", Opsearch 1974.
  */
 package particles.reactions;
