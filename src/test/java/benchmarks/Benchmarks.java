@@ -80,7 +80,6 @@ public final class Benchmarks {
 
     /** @return a table for each kind of benchmark, the comparison first */
     public List<DataTable> measure() {
-        List<DataTable> tables = new ArrayList<>();
         List<Comparison> comparisons = new ArrayList<>();
         List<Comparison.Plan> plans = Comparison.plans().stream().filter(plan -> included.test(plan.toString()))
                 .toList();
@@ -96,26 +95,15 @@ public final class Benchmarks {
         List<String> scenes = chosen("scene ", SCENES);
         List<String> frames = chosen("frame ", FRAMES);
         int all = both.size() + runs.size() + steps.size() + scenes.size() + frames.size();
-        if (!comparisons.isEmpty()) {
-            tables.add(BenchmarkTables.comparison(plans, comparisons,
-                    medians(stopwatch, SolveBenchmark.class, both, all)));
-        }
-        if (!runs.isEmpty()) {
-            tables.add(BenchmarkTables.solvers(runs, medians(stopwatch, SolveBenchmark.class, runs, all)));
-        }
-        if (!steps.isEmpty()) {
-            tables.add(BenchmarkTables.steps(medians(inOneProcess, SolveBenchmark.class, steps, all)));
-        }
-        if (!scenes.isEmpty()) {
-            tables.add(timeTable("scenes", "Reading, checking and building a scene",
-                    medians(stopwatch, SceneBenchmark.class, scenes, all)));
-        }
-        if (!frames.isEmpty()) {
-            tables.add(timeTable("frames",
-                    "Drawing a frame of 1280 x 720 pixels and compressing it to PNG, on one thread",
-                    medians(stopwatch, FrameBenchmark.class, frames, all)));
-        }
-        return tables;
+        return Stream.of(BenchmarkTables.comparison(plans, comparisons,
+                        medians(stopwatch, SolveBenchmark.class, both, all)),
+                BenchmarkTables.solvers(runs, medians(stopwatch, SolveBenchmark.class, runs, all)),
+                BenchmarkTables.steps(medians(inOneProcess, SolveBenchmark.class, steps, all)),
+                timeTable("scenes", "Reading, checking and building a scene",
+                        medians(stopwatch, SceneBenchmark.class, scenes, all)),
+                timeTable("frames", "Drawing a frame of 1280 x 720 pixels and compressing it to PNG, on one thread",
+                        medians(stopwatch, FrameBenchmark.class, frames, all)))
+                .filter(table -> !table.rows().isEmpty()).toList();
     }
 
     private List<String> chosen(String kind, List<String> names) {

@@ -4,7 +4,6 @@ import deSolvers.ArrayStateSource;
 import deSolvers.DEStateSource;
 import deSolvers.problems.Oscillator;
 import java.util.List;
-import java.util.NoSuchElementException;
 import java.util.function.LongSupplier;
 import org.hipparchus.ode.ODEState;
 import org.hipparchus.ode.OrdinaryDifferentialEquation;
@@ -20,50 +19,40 @@ import particles.law.Vector3;
  * A problem for benchmarks, solved repeatedly from the same start: the lecture's oscillator behind the simple
  * interface, a chain of 100 particles, or a cloth of 12 x 12, 64 x 64 or 256 x 256. The same object is our solvers'
  * source and Hipparchus' equation.
+ *
+ * @param name     its name
+ * @param source   the equations
+ * @param counter  counts evaluations of the derivative
+ * @param duration the duration (s): about three periods of the oscillator, or a well-resolved swing of chain and cloth
+ * @param deltaT   a step at which every solver stays stable for the duration (s)
+ * @param initial  the state at the start
  */
-final class Workload implements OrdinaryDifferentialEquation {
+record Workload(String name, DEStateSource source, LongSupplier counter, double duration, double deltaT,
+        double[] initial) implements OrdinaryDifferentialEquation {
     static final List<String> NAMES = List.of("oscillator", "chain", "cloth");
     /** A step at which every solver stays stable on chains and cloths (s). */
     static final double DELTA_T = 1.0 / 4096;
     private static final double STRICT = 1e-13;
     private static final double SHORTEST = 1e-12;
 
-    private final String name;
-    private final DEStateSource source;
-    private final LongSupplier evaluations;
-    private final double[] start;
-    /** The duration (s): about three periods of the oscillator, or a well-resolved swing of chain and cloth. */
-    private final double duration;
-    /** A step at which every solver stays stable for the duration (s). */
-    private final double deltaT;
-
-    private Workload(String name, DEStateSource source, LongSupplier evaluations, double duration, double deltaT) {
-        this.name = name;
-        this.source = source;
-        this.evaluations = evaluations;
-        this.duration = duration;
-        this.deltaT = deltaT;
-        start = new double[source.getStateSize()];
-        source.getState(start);
+    private static Workload of(String name, DEStateSource source, LongSupplier counter, double duration,
+            double deltaT) {
+        double[] initial = new double[source.getStateSize()];
+        source.getState(initial);
+        return new Workload(name, source, counter, duration, deltaT, initial);
     }
 
     static Workload of(String name) {
-        switch (name) {
-            case "oscillator":
-                Oscillator oscillator = new Oscillator();
-                return new Workload(name, oscillator, oscillator::getEvaluations, 20, 1.0 / 16);
-            case "chain":
-                ParticleSystem chain = chain();
-                return new Workload(name, chain, chain::getEvaluations, 0.5, DELTA_T);
-            case "cloth":
-            case "cloth-64":
-            case "cloth-256":
-                int n = name.equals("cloth") ? 12 : Integer.parseInt(name.substring(6));
-                ParticleSystem cloth = Cloth.hanging(n, 50, 0);
-                return new Workload(name, cloth, cloth::getEvaluations, 0.125, DELTA_T);
-            default:
-                throw new NoSuchElementException("no workload is called '" + name + "'");
+        if (name.equals("oscillator")) {
+            Oscillator oscillator = new Oscillator();
+            return of(name, oscillator, oscillator::getEvaluations, 20, 1.0 / 16);
         }
+        if (name.equals("chain")) {
+            ParticleSystem chain = chain();
+            return of(name, chain, chain::getEvaluations, 0.5, DELTA_T);
+        }
+        ParticleSystem cloth = Cloth.hanging(name.equals("cloth") ? 12 : Integer.parseInt(name.substring(6)), 50, 0);
+        return of(name, cloth, cloth::getEvaluations, 0.125, DELTA_T);
     }
 
     /** 100 particles of 10 g on springs of 10 cm, level and pulled a little, held at both ends. */
@@ -81,33 +70,17 @@ final class Workload implements OrdinaryDifferentialEquation {
         return system;
     }
 
-    String name() {
-        return name;
-    }
-
-    DEStateSource source() {
-        return source;
-    }
-
-    double duration() {
-        return duration;
-    }
-
-    double deltaT() {
-        return deltaT;
-    }
-
     /** The number of evaluations of its derivative so far. */
     long evaluations() {
-        return evaluations.getAsLong();
+        return counter.getAsLong();
     }
 
     ODEState start() {
-        return new ODEState(0, start);
+        return new ODEState(0, initial);
     }
 
     void restart() {
-        source.setState(start);
+        source.setState(initial);
         source.incTime(-source.getTime());
     }
 
@@ -119,7 +92,7 @@ final class Workload implements OrdinaryDifferentialEquation {
 
     @Override
     public int getDimension() {
-        return start.length;
+        return initial.length;
     }
 
     @Override
@@ -144,7 +117,7 @@ final class Workload implements OrdinaryDifferentialEquation {
 
     /** The largest deviation of an entry of the state, relative to the largest entry. */
     double error(double[] reference) {
-        double[] state = new double[start.length];
+        double[] state = new double[initial.length];
         source.getState(state);
         double largest = 0;
         double error = 0;

@@ -99,12 +99,8 @@ public final class PhasePlotsCommand extends ExperimentCommand {
 
     /** The last free particle at the start; particles that are born later have no complete path. */
     private int lastFree(Particles all) {
-        for (int i = all.count() - 1; i >= 0; i--) {
-            if (!all.isFixed(i)) {
-                return i;
-            }
-        }
-        throw wrong("scene", "at its start this scene has no free particle, so there is no path to draw");
+        return IntStream.range(0, all.count()).filter(i -> !all.isFixed(i)).max().orElseThrow(() ->
+                wrong("scene", "at its start this scene has no free particle, so there is no path to draw"));
     }
 
     /** The axes wanted; none for the axis along which a particle goes farthest. */

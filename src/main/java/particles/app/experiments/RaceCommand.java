@@ -2,6 +2,7 @@ package particles.app.experiments;
 
 import deSolvers.text.Digits;
 import java.math.BigDecimal;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -90,12 +91,8 @@ public final class RaceCommand extends ExperimentCommand {
         }
         double part = scene.duration() * MOST_WORK / work;
         int exponent = (int) StrictMath.floor(StrictMath.log10(part)) - 1;
-        double round = 0;
-        for (int digits : ROUND) {
-            double next = new BigDecimal(digits).scaleByPowerOfTen(exponent).doubleValue();
-            round = next <= part ? next : round;
-        }
-        return round;
+        return Arrays.stream(ROUND).mapToDouble(digits -> new BigDecimal(digits).scaleByPowerOfTen(exponent)
+                .doubleValue()).filter(round -> round <= part).max().orElse(0);
     }
 
     @Override

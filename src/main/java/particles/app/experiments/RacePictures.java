@@ -58,10 +58,8 @@ final class RacePictures implements Race.ObserverFactory, AutoCloseable {
     }
 
     private void begin(Extent extent) {
-        Vector3 size = extent.high().minus(extent.low());
-        double largest = Math.max(size.x(), Math.max(size.y(), size.z()));
-        double room = ROOM * (largest > 0 ? largest : 1);               // where nothing moves, 1 m around it
-        Vector3 around = new Vector3(room, room, size.z() > 0 ? room : 0);
+        double room = ROOM * (extent.longest() > 0 ? extent.longest() : 1);     // where nothing moves, 1 m around it
+        Vector3 around = new Vector3(room, room, extent.high().z() > extent.low().z() ? room : 0);
         Vector3 low = extent.low().minus(around);
         Vector3 high = extent.high().plus(around);
         double aspect = (high.x() - low.x() + high.z() - low.z()) / Math.max(room, high.y() - low.y());

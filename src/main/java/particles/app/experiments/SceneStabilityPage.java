@@ -39,8 +39,9 @@ final class SceneStabilityPage {
                 ? solvers.stream().filter(solver -> solver.info().isPresent()).map(SolverChoice::name)
                 .toList() : OUTLINES;
         List<Picture> pictures = new ArrayList<>();
-        List<ChartData> plane = SceneStabilityCharts.plane(planeTitle(scene, fastest), spectrum, scene.deltaT(),
-                outlined);
+        List<ChartData> plane = SceneStabilityCharts.plane(scene.title()
+                + ": the fastest mode lies at deltaT |lambda| = " + Digits.few(scene.deltaT() * fastest.size()),
+                spectrum, scene.deltaT(), outlined);
         String caption = """
                 Each point is deltaT times an eigenvalue of the scene's linearised start: the fastest, and what else \
                 the iteration found. A step is safe where all points to the left of the imaginary axis, or on it, \
@@ -55,11 +56,6 @@ final class SceneStabilityPage {
         }
         return new ResultPage(NAME, title(scene, limits, fastest), text(spectrum, fastest), pictures,
                 List.of(SceneStability.table(limits, scene.deltaT()), modes(spectrum)));
-    }
-
-    private static String planeTitle(SceneDescription scene, Mode fastest) {
-        return scene.title() + ": the fastest mode lies at deltaT |lambda| = "
-                + Digits.few(scene.deltaT() * fastest.size());
     }
 
     private static String title(SceneDescription scene, List<Limit> limits, Mode fastest) {

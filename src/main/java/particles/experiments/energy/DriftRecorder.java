@@ -32,9 +32,7 @@ final class DriftRecorder implements Observer {
         energy.moved(motion);
         curve.add(motion.getEndTime(), energy.getLedger().getNumericalError());
         for (double joules : energy.getLedger().getWork().values()) {
-            if (Math.abs(joules) > exchanged) {
-                exchanged = Math.abs(joules);
-            }
+            exchanged = Math.max(exchanged, Math.abs(joules));
         }
         energy.getLimit().moved(motion);
     }

@@ -94,19 +94,18 @@ public final class EnergyDrift {
      * The energy drift of all solvers compared.
      *
      * @param scene     the scene's title
-     * @param duration  the duration of the runs (s)
      * @param scale     the energy scale by which errors were divided (J)
      * @param equalWork whether the runs were made to cost the same, rather than to have the same step
      * @param drifts    the result of each solver
      */
-    public record Comparison(String scene, double duration, double scale, boolean equalWork, List<Drift> drifts) {
+    public record Comparison(String scene, double scale, boolean equalWork, List<Drift> drifts) {
         /** @return the drifts of the solvers that are drawn */
         Comparison of(List<Series> drawn) {
             return only(drift -> drift.setting().solver().isIn(drawn));
         }
 
         Comparison only(Predicate<Drift> which) {
-            return new Comparison(scene, duration, scale, equalWork, drifts.stream().filter(which).toList());
+            return new Comparison(scene, scale, equalWork, drifts.stream().filter(which).toList());
         }
     }
 
@@ -129,9 +128,9 @@ public final class EnergyDrift {
         EqualWork work = new EqualWork(scene, scene.duration(), target);
         List<Drift> drifts = progress.each(solvers, SolverChoice::label, solver -> {
             Setting setting = equalWork ? work.find(solver).setting() : Setting.of(solver, scene.deltaT());
-            return measure(SceneRun.build(scene, setting, scene.duration()), setting, scale, List.of());
+            return measure(SceneRun.build(scene, setting), setting, scale, List.of());
         });
-        return new Comparison(scene.title(), scene.duration(), scale, equalWork, drifts);
+        return new Comparison(scene.title(), scale, equalWork, drifts);
     }
 
     /** @param beside a further observer, which is called first */
@@ -177,8 +176,7 @@ public final class EnergyDrift {
     /** The largest kinetic plus stored energy of a very accurate run. */
     private static double scale(SceneDescription scene) {
         EnergyHistory history = new EnergyHistory();
-        Scene reference = SceneRun.build(scene, Setting.accurate(scene.deltaT(), REFERENCE_TOLERANCE),
-                scene.duration());
+        Scene reference = SceneRun.build(scene, Setting.accurate(scene.deltaT(), REFERENCE_TOLERANCE));
         return SceneRun.run(reference, List.of(history)).failure().isEmpty()
                 ? history.getScaleOr(reference.energyEstimate()) : reference.energyEstimate();
     }

@@ -130,6 +130,6 @@ public final class PhasePortraits {
     private static Run run(SceneDescription scene, Setting setting, String name, List<String> particles,
             Optional<String> about) {
         List<PhaseHistory> paths = particles.stream().map(id -> new PhaseHistory(id, about)).toList();
-        return new Run(name, paths, SceneRun.run(SceneRun.build(scene, setting, scene.duration()), paths));
+        return new Run(name, paths, SceneRun.run(SceneRun.build(scene, setting), paths));
     }
 }

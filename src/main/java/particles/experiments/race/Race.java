@@ -10,7 +10,6 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import particles.Motion;
 import particles.Observer;
-import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.energy.EnergyHistory;
 import particles.experiments.energy.EnergyDrift;
@@ -27,7 +26,6 @@ import particles.experiments.runs.SceneRun.Outcome;
 import particles.experiments.runs.SceneRun.Setting;
 import particles.experiments.runs.SolverChoice;
 import particles.law.Particles;
-import particles.law.Vector3;
 import particles.scene.Scene;
 import particles.scene.format.SceneDescription;
 
@@ -134,7 +132,7 @@ public final class Race {
         ProgressListener first = progress.part(0, 0.5);
         Shares shares = equalTime ? new EqualTime(scene, evaluations, frames, clock).share(solvers, first)
                 : EqualWork.ofFrames(scene, evaluations, frames).share(solvers, first);
-        Scene again = SceneRun.build(scene, tight(), scene.duration());
+        Scene again = SceneRun.build(scene, tight());
         List<Observer> ghost = factory.of(again, Optional.empty(), extent);
         List<Supplier<Optional<Lane>>> runs = new ArrayList<>();
         runs.add(() -> {
@@ -163,7 +161,7 @@ public final class Race {
     /** @return the energy scale */
     private double runReference(FrameStates states, Extent extent) {
         EnergyHistory energy = new EnergyHistory();
-        Scene built = SceneRun.build(scene, tight(), scene.duration());
+        Scene built = SceneRun.build(scene, tight());
         Outcome outcome = SceneRun.run(built, List.of(energy, states, extent));
         if (outcome.failure().isPresent()) {
             throw new SimulationException(outcome.endTime(), -1, "no race without a reference (" + REFERENCE + "): "
@@ -175,7 +173,7 @@ public final class Race {
     /** Prepares the run of a solver, to be done at any time. */
     private Supplier<Optional<Lane>> lane(Match match, double rate, double scale, List<double[]> reference,
             Extent extent, ObserverFactory factory) {
-        Scene built = SceneRun.build(scene, match.setting(), scene.duration());
+        Scene built = SceneRun.build(scene, match.setting());
         FrameStates states = new FrameStates(rate);
         List<Observer> observers = new ArrayList<>(List.of(new Fence(extent), states));
         observers.addAll(factory.of(built, Optional.of(match.setting().solver()), extent));
@@ -213,26 +211,15 @@ public final class Race {
     }
 
     /** Ends the run of a solver that leaves the race. */
-    private static final class Fence implements Observer {
-        private final Vector3 low;
-        private final Vector3 high;
-
-        Fence(Extent extent) {
-            Vector3 size = extent.high().minus(extent.low());
-            double beyond = BEYOND * Math.max(size.x(), Math.max(size.y(), size.z()));
-            low = extent.low().minus(new Vector3(beyond, beyond, beyond));
-            high = extent.high().plus(new Vector3(beyond, beyond, beyond));
-        }
-
+    private record Fence(Extent extent) implements Observer {
         @Override
         public void moved(Motion motion) {
-            ParticleSystem system = motion.getSystem();
-            double[] state = motion.getEndState();
-            for (int i = 0, x = 0; x < state.length; i++, x += Particles.STRIDE) {
-                if (state[x] < low.x() || state[x] > high.x() || state[x + 1] < low.y() || state[x + 1] > high.y()
-                        || state[x + 2] < low.z() || state[x + 2] > high.z()) {
-                    throw new SimulationException(motion.getEndTime(), i, "particle '" + system.getParticles().id(i)
-                            + "' went where the reference never comes near", null);
+            double beyond = BEYOND * extent.longest();
+            for (int i = 0; i < motion.getEndState().length / Particles.STRIDE; i++) {
+                if (extent.isBeyond(beyond, motion.getEndState(), Particles.STRIDE * i)) {
+                    throw new SimulationException(motion.getEndTime(), i, "particle '"
+                            + motion.getSystem().getParticles().id(i) + "' went where the reference never comes near",
+                            null);
                 }
             }
         }

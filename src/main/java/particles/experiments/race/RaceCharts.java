@@ -42,7 +42,7 @@ public final class RaceCharts {
      * @return the energy error of each solver over time, with a cross where a solver left the race
      */
     public static ChartData energy(Result race) {
-        Comparison comparison = new Comparison(race.scene(), race.duration(), race.scale(), !race.equalTime(),
+        Comparison comparison = new Comparison(race.scene(), race.scale(), !race.equalTime(),
                 race.lanes().stream().map(Lane::drift).toList());
         return DriftCharts.charts(comparison).get(0);
     }

@@ -2,6 +2,7 @@ package particles.experiments.runs;
 
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
+import java.util.List;
 
 /** Measures the CPU time of the calling thread, which does not include other work on the machine. */
 public final class CpuClock {
@@ -9,6 +10,11 @@ public final class CpuClock {
     private static final double NANO = 1e-9;
 
     private CpuClock() {
+    }
+
+    /** @return the median of times, the larger one of the two in the middle */
+    public static double median(List<Double> times) {
+        return times.stream().sorted().toList().get(times.size() / 2);
     }
 
     /**

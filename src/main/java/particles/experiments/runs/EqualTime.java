@@ -135,18 +135,13 @@ public final class EqualTime {
             all += times.get(k);
         }
         spent += all;
-        return median(times);
+        return CpuClock.median(times);
     }
 
     /** Runs in one thread, so that no time is spent waiting for others. */
     private Outcome run(Setting setting, long mostEvaluations) {
-        Scene built = SceneRun.build(scene, setting, scene.duration());
+        Scene built = SceneRun.build(scene, setting);
         return SceneRun.run(built, mostEvaluations, List.of());
-    }
-
-    private static double median(List<Double> times) {
-        double[] sorted = times.stream().mapToDouble(time -> time).sorted().toArray();
-        return sorted[sorted.length / 2];
     }
 
     /** A solver, its setting so far, and the times of its runs. */
@@ -196,7 +191,7 @@ public final class EqualTime {
                 Outcome outcome = EqualTime.this.run(work.setting(solver, tolerance), MOST * evaluations);
                 some.add(outcome.failure().isEmpty() ? clock.applyAsDouble(outcome) : Double.POSITIVE_INFINITY);
             }
-            return median(some);
+            return CpuClock.median(some);
         }
 
         private void find(long wanted) {
@@ -214,16 +209,16 @@ public final class EqualTime {
 
         /** @return the least time that is known to be needed; 0 if it is not known (s) */
         double leastSeconds() {
-            leastSeconds = atLeast ? median(times) : leastSeconds;
+            leastSeconds = atLeast ? CpuClock.median(times) : leastSeconds;
             return leastSeconds;
         }
 
         void aimAt(double target) {
-            find(Math.max(1, Math.round(match.evaluations() * target / median(times))));
+            find(Math.max(1, Math.round(match.evaluations() * target / CpuClock.median(times))));
         }
 
         Match timed() {
-            return new Match(match.setting(), match.evaluations(), OptionalDouble.of(median(times)), match.aStep(),
+            return new Match(match.setting(), match.evaluations(), OptionalDouble.of(CpuClock.median(times)), match.aStep(),
                     match.whole());
         }
     }

@@ -38,6 +38,21 @@ public final class Extent implements Observer {
         }
     }
 
+    /** @return its longest edge (m) */
+    public double longest() {
+        return Math.max(high[0] - low[0], Math.max(high[1] - low[1], high[2] - low[2]));
+    }
+
+    /** @return whether the particle with its state from x on is farther outside than a length (m) */
+    public boolean isBeyond(double length, double[] state, int x) {
+        for (int c = 0; c < 3; c++) {
+            if (state[x + c] < low[c] - length || state[x + c] > high[c] + length) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** @return the corner with the lowest coordinates (m); infinite before a run */
     public Vector3 low() {
         return new Vector3(low[0], low[1], low[2]);

@@ -64,6 +64,11 @@ public final class SceneRun {
         return SceneBuilder.build(SceneReader.read(name, yaml.getBytes(StandardCharsets.UTF_8)));
     }
 
+    /** @return the scene with this setting, for its own duration */
+    public static Scene build(SceneDescription scene, Setting setting) {
+        return build(scene, setting, scene.duration());
+    }
+
     /**
      * @param scene     the scene to run
      * @param setting   the solver and its step

@@ -57,7 +57,7 @@ public final class StabilityMap {
      * @return the outline |R| = 1, broken where it is in pieces
      */
     public Series outline(String name) {
-        List<double[]> pieces = new ArrayList<>();
+        List<double[][]> pieces = new ArrayList<>();
         for (int r = 0; r + 1 < grows.length; r++) {
             for (int c = 0; c + 1 < grows[r].length; c++) {
                 cross(r, c, pieces);
@@ -121,7 +121,7 @@ public final class StabilityMap {
      * The straight piece of the outline in one square, from edge to edge (W. E. Lorensen, H. E. Cline 1987, in the
      * plane).
      */
-    private void cross(int r, int c, List<double[]> pieces) {
+    private void cross(int r, int c, List<double[][]> pieces) {
         int[][] corners = {{c, r}, {c + 1, r}, {c + 1, r + 1}, {c, r + 1}};
         List<double[]> cuts = new ArrayList<>();
         for (int k = 0; k < 4; k++) {
@@ -132,22 +132,19 @@ public final class StabilityMap {
             }
         }
         for (int k = 0; k + 1 < cuts.size(); k += 2) {
-            pieces.add(new double[] {cuts.get(k)[0], cuts.get(k)[1], cuts.get(k + 1)[0], cuts.get(k + 1)[1]});
+            pieces.add(new double[][] {cuts.get(k), cuts.get(k + 1)});
         }
     }
 
     /** Pieces strung together where they meet, so that dashes run on. */
-    private static List<double[]> chain(List<double[]> left) {
-        List<double[]> chain = new ArrayList<>();
-        double[] first = left.remove(left.size() - 1);
-        chain.add(new double[] {first[0], first[1]});
-        chain.add(new double[] {first[2], first[3]});
+    private static List<double[]> chain(List<double[][]> left) {
+        List<double[]> chain = new ArrayList<>(List.of(left.remove(left.size() - 1)));
         boolean grown = true;
         while (grown) {
             grown = false;
             for (int k = 0; k < left.size() && !grown; k++) {
-                double[] p = left.get(k);
-                grown = attach(chain, p[0], p[1], p[2], p[3]) || attach(chain, p[2], p[3], p[0], p[1]);
+                double[][] piece = left.get(k);
+                grown = attach(chain, piece[0], piece[1]) || attach(chain, piece[1], piece[0]);
                 if (grown) {
                     left.remove(k);
                 }
@@ -156,18 +153,16 @@ public final class StabilityMap {
         return chain;
     }
 
-    private static boolean attach(List<double[]> chain, double x, double y, double otherX, double otherY) {
-        if (same(chain.get(chain.size() - 1), x, y)) {
-            return chain.add(new double[] {otherX, otherY});
+    private static boolean attach(List<double[]> chain, double[] here, double[] there) {
+        boolean atEnd = same(chain.get(chain.size() - 1), here);
+        boolean attached = atEnd || same(chain.get(0), here);
+        if (attached) {
+            chain.add(atEnd ? chain.size() : 0, there);
         }
-        if (same(chain.get(0), x, y)) {
-            chain.add(0, new double[] {otherX, otherY});
-            return true;
-        }
-        return false;
+        return attached;
     }
 
-    private static boolean same(double[] point, double x, double y) {
-        return Math.abs(point[0] - x) + Math.abs(point[1] - y) < 1e-9;
+    private static boolean same(double[] point, double[] other) {
+        return Math.abs(point[0] - other[0]) + Math.abs(point[1] - other[1]) < 1e-9;
     }
 }

@@ -67,8 +67,13 @@ public final class StabilityRegion {
                 new ArrayList<>(List.of(map.filled("stable"), map.outline(solver))), window, -window.top);
     }
 
+    /** @return a part of the imaginary axis */
+    public static Series imaginaryAxis(double bottom, double top) {
+        return new Series("imaginary axis", Mark.LINE, new double[] {0, 0}, new double[] {bottom, top});
+    }
+
     private static ChartData chart(Finding finding, List<Series> series, Window window, double bottom) {
-        series.add(new Series("imaginary axis", Mark.LINE, new double[] {0, 0}, new double[] {bottom, window.top}));
+        series.add(imaginaryAxis(bottom, window.top));
         return new ChartData(finding, "Re(deltaT lambda): decay to the left", "Im(deltaT lambda): oscillation",
                 false, false, series).scaledTo(List.of(new Series("window", Mark.LINE,
                 new double[] {window.left, window.right}, new double[] {bottom, window.top})));

@@ -31,24 +31,15 @@ final class HandwrittenBaseline implements ArrayStateSource {
     private double time;
 
     HandwrittenBaseline(ParticleSystem like, SpringView springs) {
-        int count = springs.springCount();
-        int[] order = IntStream.range(0, count).boxed()
+        int[] order = IntStream.range(0, springs.springCount()).boxed()
                 .sorted(Comparator.<Integer>comparingInt(s -> Math.min(springs.from(s), springs.to(s)))
                         .thenComparingInt(s -> Math.max(springs.from(s), springs.to(s))))
                 .mapToInt(Integer::intValue).toArray();
-        from = new int[count];
-        to = new int[count];
-        stiffness = new double[count];
-        restLength = new double[count];
-        damping = new double[count];
-        for (int k = 0; k < count; k++) {
-            int s = order[k];
-            from[k] = STRIDE * Math.min(springs.from(s), springs.to(s));
-            to[k] = STRIDE * Math.max(springs.from(s), springs.to(s));
-            stiffness[k] = springs.stiffness(s);
-            restLength[k] = springs.restLength(s);
-            damping[k] = springs.damping(s);
-        }
+        from = Arrays.stream(order).map(s -> STRIDE * Math.min(springs.from(s), springs.to(s))).toArray();
+        to = Arrays.stream(order).map(s -> STRIDE * Math.max(springs.from(s), springs.to(s))).toArray();
+        stiffness = Arrays.stream(order).mapToDouble(springs::stiffness).toArray();
+        restLength = Arrays.stream(order).mapToDouble(springs::restLength).toArray();
+        damping = Arrays.stream(order).mapToDouble(springs::damping).toArray();
         state = Arrays.copyOf(like.getOwnState(), like.getStateSize());
         inverseMass = Arrays.copyOf(like.getParticles().getInverseMasses(), like.getParticles().count());
     }
@@ -61,60 +52,41 @@ final class HandwrittenBaseline implements ArrayStateSource {
     @Override
     public void getStateDerivative(double[] state, double[] dSdt) {
         Arrays.fill(dSdt, 0);
-        int i = 0;
-        double x = state[0];
-        double y = state[1];
-        double z = state[2];
-        double vx = state[3];
-        double vy = state[4];
-        double vz = state[5];
-        double fx = 0;
-        double fy = 0;
-        double fz = 0;
-        for (int s = 0; s < from.length; s++) {
-            if (from[s] != i) {
-                dSdt[i + 3] += fx;
-                dSdt[i + 4] += fy;
-                dSdt[i + 5] += fz;
-                i = from[s];
-                x = state[i];
-                y = state[i + 1];
-                z = state[i + 2];
-                vx = state[i + 3];
-                vy = state[i + 4];
-                vz = state[i + 5];
-                fx = 0;
-                fy = 0;
-                fz = 0;
+        for (int p = 0, s = 0; p < inverseMass.length; p++) {
+            int i = STRIDE * p;
+            double x = state[i];
+            double y = state[i + 1];
+            double z = state[i + 2];
+            double vx = state[i + 3];
+            double vy = state[i + 4];
+            double vz = state[i + 5];
+            double fx = dSdt[i + 3];
+            double fy = dSdt[i + 4];
+            double fz = dSdt[i + 5];
+            for (; s < from.length && from[s] == i; s++) {
+                int j = to[s];
+                double rx = state[j] - x;
+                double ry = state[j + 1] - y;
+                double rz = state[j + 2] - z;
+                double length = Math.sqrt(Math.fma(rx, rx, Math.fma(ry, ry, rz * rz)));
+                double stretching = Math.fma(rx, state[j + 3] - vx,
+                        Math.fma(ry, state[j + 4] - vy, rz * (state[j + 5] - vz)));
+                double inverse = 1 / length;
+                double perLength = Math.fma(damping[s] * stretching, inverse, stiffness[s] * (length - restLength[s]))
+                        * inverse;
+                fx = Math.fma(perLength, rx, fx);
+                fy = Math.fma(perLength, ry, fy);
+                fz = Math.fma(perLength, rz, fz);
+                dSdt[j + 3] = Math.fma(-perLength, rx, dSdt[j + 3]);
+                dSdt[j + 4] = Math.fma(-perLength, ry, dSdt[j + 4]);
+                dSdt[j + 5] = Math.fma(-perLength, rz, dSdt[j + 5]);
             }
-            int j = to[s];
-            double rx = state[j] - x;
-            double ry = state[j + 1] - y;
-            double rz = state[j + 2] - z;
-            double length = Math.sqrt(Math.fma(rx, rx, Math.fma(ry, ry, rz * rz)));
-            double stretching = Math.fma(rx, state[j + 3] - vx,
-                    Math.fma(ry, state[j + 4] - vy, rz * (state[j + 5] - vz)));
-            double inverse = 1 / length;
-            double perLength = Math.fma(damping[s] * stretching, inverse, stiffness[s] * (length - restLength[s]))
-                    * inverse;
-            fx = Math.fma(perLength, rx, fx);
-            fy = Math.fma(perLength, ry, fy);
-            fz = Math.fma(perLength, rz, fz);
-            dSdt[j + 3] = Math.fma(-perLength, rx, dSdt[j + 3]);
-            dSdt[j + 4] = Math.fma(-perLength, ry, dSdt[j + 4]);
-            dSdt[j + 5] = Math.fma(-perLength, rz, dSdt[j + 5]);
-        }
-        dSdt[i + 3] += fx;
-        dSdt[i + 4] += fy;
-        dSdt[i + 5] += fz;
-        for (int k = 0, p = 0; k < inverseMass.length; k++, p += STRIDE) {
-            double inverse = inverseMass[k];
-            dSdt[p] = state[p + 3];
-            dSdt[p + 1] = state[p + 4];
-            dSdt[p + 2] = state[p + 5];
-            dSdt[p + 3] *= inverse;
-            dSdt[p + 4] *= inverse;
-            dSdt[p + 5] *= inverse;
+            dSdt[i] = vx;
+            dSdt[i + 1] = vy;
+            dSdt[i + 2] = vz;
+            dSdt[i + 3] = fx * inverseMass[p];
+            dSdt[i + 4] = fy * inverseMass[p];
+            dSdt[i + 5] = fz * inverseMass[p];
         }
     }
 

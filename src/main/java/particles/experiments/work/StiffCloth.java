@@ -8,7 +8,6 @@ import deSolvers.implicit.BackwardEulerSolver;
 import deSolvers.implicit.LinearisedEulerSolver;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import particles.ParticleSystem;
 import particles.experiments.runs.CpuClock;
@@ -109,23 +108,18 @@ public final class StiffCloth {
     private static Row measure(double stiffness) {
         long steps = rk4Steps(stiffness);
         double rk4 = seconds(new RK4Solver(), cloth(stiffness), FRAME / steps, TIMED) / TIMED * steps;
-        double[] first = new double[SOLVERS];
-        double[] further = new double[SOLVERS * FURTHER];
-        for (int i = 0; i < further.length; i += FURTHER) {
+        List<Double> first = new ArrayList<>();
+        List<Double> further = new ArrayList<>();
+        for (int i = 0; i < SOLVERS; i++) {
             LinearisedEulerSolver linearised = new LinearisedEulerSolver();
-            first[i / FURTHER] = seconds(linearised, cloth(stiffness), FRAME, 1);
-            for (int j = i; j < i + FURTHER; j++) {
-                further[j] = seconds(linearised, cloth(stiffness), FRAME, 1);
+            first.add(seconds(linearised, cloth(stiffness), FRAME, 1));
+            for (int j = 0; j < FURTHER; j++) {
+                further.add(seconds(linearised, cloth(stiffness), FRAME, 1));
             }
         }
         double newton = steps > NEWTON ? Double.NaN
                 : seconds(new BackwardEulerSolver(), cloth(stiffness), FRAME, 1);
-        return new Row(stiffness, steps, rk4, median(first), median(further), newton);
-    }
-
-    private static double median(double[] times) {
-        Arrays.sort(times);
-        return times[times.length / 2];
+        return new Row(stiffness, steps, rk4, CpuClock.median(first), CpuClock.median(further), newton);
     }
 
     /**

@@ -16,6 +16,7 @@ import java.util.function.Supplier;
 import particles.experiments.stability.Amplification;
 import particles.experiments.stability.StabilityLimit;
 import particles.experiments.stability.StabilityMap;
+import particles.experiments.stability.StabilityRegion;
 import particles.experiments.stability.StabilityRegion.Window;
 import particles.experiments.stability.StepTrial;
 import particles.teaching.Formula;
@@ -165,8 +166,7 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         List<Series> series = new ArrayList<>(List.of(own.outline(name), own.filled("stable"),
                 new Series(nearest, Mark.BAND, beside.x(), beside.y())));
         if (!plane.springs) {
-            double top = window.top();
-            series.add(new Series("imaginary axis", Mark.LINE, new double[] {0, 0}, new double[] {-top, top}));
+            series.add(StabilityRegion.imaginaryAxis(-window.top(), window.top()));
         }
         String title = "Stable in the grey region: " + most(damping)
                 + (plane.springs ? " for critical damping, " : " for damping, ") + most(spring)

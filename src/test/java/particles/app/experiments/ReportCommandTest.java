@@ -26,6 +26,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 
 class ReportCommandTest {
+    private static final RuntimeException ODD = new IllegalStateException("odd");
+
     @TempDir
     Path top;
 
@@ -95,7 +97,7 @@ class ReportCommandTest {
 
     @Test
     void mistakesOfTheProgramAreWrittenToo() throws IOException {
-        assertEquals(ExitCode.DONE, report(new IllegalStateException("odd")));
+        assertEquals(ExitCode.DONE, report(ODD));
         assertTrue(page().contains("internal error") && page().contains("odd"), page());
     }
 
@@ -111,24 +113,24 @@ class ReportCommandTest {
         Path odd = top.resolve("a & 'b' <i>.yaml");
         Files.writeString(odd, Files.readString(Path.of("scenes/02-one-spring.yaml"))
                 .replaceFirst("title: .*", "title: \"<script>alert('&')</script>\""));
-        assertEquals(ExitCode.DONE, report(new IllegalStateException("odd"), "--scene=" + odd, "--experiments=shows"),
+        assertEquals(ExitCode.DONE, report(ODD, "--scene=" + odd, "--experiments=shows"),
                 err.toString());
         String page = page();
         assertFalse(page.contains("<script>alert") || page.contains("<i>"), page);
         assertTrue(page.contains("<h2>&lt;script&gt;alert('&amp;')&lt;/script&gt; by 5</h2>"), page);
         assertFalse(page.contains("could not be made"), "only what was asked for");
-        assertEquals(ExitCode.DONE, report(new IllegalStateException("odd"), "--scene=" + odd), err.toString());
+        assertEquals(ExitCode.DONE, report(ODD, "--scene=" + odd), err.toString());
         assertFalse(page().contains("could not be made"), "and by default only what looks at the scene");
     }
 
     @Test
     void whatIsNotThereIsSaidBeforeAnythingRuns() {
-        assertEquals(ExitCode.BAD_INPUT, report(new IllegalStateException("odd"), "--experiments=shws"));
+        assertEquals(ExitCode.BAD_INPUT, report(ODD, "--experiments=shws"));
         assertTrue(err.toString()
                 .startsWith("option -Pexperiments: no experiment is called 'shws'; did you mean 'shows'?"),
                 err.toString());
-        assertEquals(ExitCode.BAD_INPUT, report(new IllegalStateException("odd"), "--scene=sprng"));
-        assertEquals(ExitCode.BAD_INPUT, report(new IllegalStateException("odd"), "--solvers=rk5"));
+        assertEquals(ExitCode.BAD_INPUT, report(ODD, "--scene=sprng"));
+        assertEquals(ExitCode.BAD_INPUT, report(ODD, "--solvers=rk5"));
         assertFalse(Files.exists(top.resolve("report")), "nothing is written");
     }
 }

@@ -18,7 +18,6 @@ import particles.experiments.stability.StabilityPolynomial;
 import particles.scene.SceneBuilder;
 import particles.scene.TestScenes;
 import particles.scene.format.SceneDescription;
-import particles.view.ChartData;
 
 /** On the oscillator x'' = -x, whose energy each method multiplies by |R(ih)| squared in each step. */
 class EnergyDriftTest {
@@ -75,13 +74,6 @@ class EnergyDriftTest {
         assertEquals("blows up at t = 1.04 s", DriftHeadline.verdict(drift));
     }
 
-    @Test
-    void dampingIsPhysicsAndNoDrift() {
-        SceneDescription damped = TestScenes.named("03-damped-spring");
-        Drift drift = compare(damped, "rk4", false).drifts().get(0);
-        assertTrue(drift.largest() < 1e-4, "measured " + drift.largest());
-    }
-
     /**
      * Bounces that take nine tenths of the energy are physics, and free fall is exact for methods of order 2.
      * Symplectic Euler
@@ -112,19 +104,6 @@ class EnergyDriftTest {
         assertTrue(comparison.drifts().get(0).largest() < 2e-10, "measured 2.2e-11, now "
                 + comparison.drifts().get(0).largest());
         assertEquals(-0.05, comparison.drifts().get(1).slope(), 0.01, "what backward Euler does is seen");
-    }
-
-    @Test
-    void failureIsDrawnWhereItHappens() {
-        Comparison comparison = compare(spring(3, 60), "euler, implicit-midpoint", false);
-        Drift failed = comparison.drifts().get(0);
-        assertEquals(Kind.FAILED, failed.kind());
-        assertTrue(failed.outcome().endTime() < 60);
-        ChartData logarithmic = DriftCharts.charts(comparison).get(0);
-        ChartData.Series crosses = logarithmic.series().get(2);
-        assertEquals(ChartData.Mark.FAILURES, crosses.mark());
-        assertEquals(failed.outcome().endTime(), crosses.x()[0], 3);
-        assertTrue(DriftHeadline.of(comparison).contains("euler blows up at t = "), DriftHeadline.of(comparison));
     }
 
     @ParameterizedTest

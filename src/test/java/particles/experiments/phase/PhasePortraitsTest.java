@@ -55,14 +55,11 @@ class PhasePortraitsTest {
      * little more, since the start is at the beginning of a step.
      */
     @Test
-    void titlesSayHowFarAPathIsFromTheCurve() {
+    void pathsAreMeasuredAgainstTheCurve() {
         List<Portrait> portraits = compare(SPIRAL, "euler,symplectic-euler,rk4").portraits();
         assertEquals(2.0, portraits.get(0).off(), 0.01);
         assertEquals(0.0307, portraits.get(1).off(), 0.0015);
         assertTrue(portraits.get(2).off() < 3e-6, "rk4: measured 1.9e-6, and not " + portraits.get(2).off());
-        assertEquals("euler: 201 % off the curve", portraits.get(0).chart().title());
-        assertEquals("Spiral: euler leaves the curve, symplectic-euler and rk4 stay on it to 3.2 %",
-                PhasePortraits.finding("Spiral", portraits));
     }
 
     @Test

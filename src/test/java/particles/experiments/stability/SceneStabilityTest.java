@@ -4,6 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.function.IntFunction;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -16,20 +19,14 @@ import particles.scene.format.SceneDescription;
 /** On chains of n unit masses between two walls, whose largest omega is 2 sin(n pi / (2 (n + 1))). */
 class SceneStabilityTest {
     private static SceneDescription chain(int n, String damping) {
-        StringBuilder text =
-                new StringBuilder(
-                "title: chain\nteaches: stability\nsolver: rk4\ndeltaT: 0.1\nduration: 1\nparticles:\n");
-        for (int i = 0; i <= n + 1; i++) {
-            text.append("  - {id: p").append(i).append(", position: [").append(i).append(", 0, 0], mass: 1")
-                    .append(i == 0 || i == n + 1 ? ", fixed: true" : "").append("}\n");
-        }
-        text.append("springs:\n");
-        for (int i = 0; i <= n; i++) {
-            text.append("  - {from: p").append(i).append(", to: p").append(i + 1)
-                    .append(", stiffness: 1, restLength: 1")
-                    .append(damping).append("}\n");
-        }
-        return TestScenes.read(text.toString());
+        return TestScenes.read("title: chain\nteaches: stability\nsolver: rk4\ndeltaT: 0.1\nduration: 1\nparticles:\n"
+                + lines(n + 2, i -> "id: p" + i + ", position: [" + i + ", 0, 0], mass: 1, fixed: " + (i % (n + 1) == 0))
+                + "springs:\n" + lines(n + 1, i -> "from: p" + i + ", to: p" + (i + 1) + ", stiffness: 1, restLength: 1"
+                + damping));
+    }
+
+    private static String lines(int count, IntFunction<String> keys) {
+        return IntStream.range(0, count).mapToObj(i -> "  - {" + keys.apply(i) + "}\n").collect(Collectors.joining());
     }
 
     private static List<Limit> limits(SceneDescription scene, String solvers) {

@@ -5,11 +5,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.function.DoublePredicate;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.ToDoubleFunction;
 import org.hipparchus.complex.Complex;
+import org.hipparchus.linear.MatrixUtils;
+import org.hipparchus.linear.RealMatrix;
 import org.junit.jupiter.api.Test;
 
 /** The limits that the catalogue states, computed from each method's polynomial and not from its code. */
@@ -75,33 +79,19 @@ class TheoreticalLimitsTest {
                 roots[k] = x.subtract(value);
             }
         }
-        double largest = 0;
-        for (Complex root : roots) {
-            largest = Math.max(largest, root.norm());
-        }
-        return largest;
+        return Arrays.stream(roots).mapToDouble(Complex::norm).max().orElseThrow();
     }
 
     /** Outwards from 0 until a step grows; 1e-12 is the rounding of the polynomials. */
     private static double limit(DoubleUnaryOperator growth) {
+        DoublePredicate stable = h -> growth.applyAsDouble(h) <= 1 + 1e-12;
         double step = 1e-3;
-        double h = step;
-        while (growth.applyAsDouble(h) <= 1 + 1e-12) {
-            h += step;
-            if (h > 100) {
-                return Double.POSITIVE_INFINITY;
+        for (double h = step; h <= 100; h += step) {
+            if (!stable.test(h)) {
+                return StabilityLimit.bisected(h - step, h, 1e-14, stable);
             }
         }
-        double low = h - step;
-        for (int k = 0; k < 60; k++) {
-            double middle = (low + h) / 2;
-            if (growth.applyAsDouble(middle) <= 1 + 1e-12) {
-                low = middle;
-            } else {
-                h = middle;
-            }
-        }
-        return low;
+        return Double.POSITIVE_INFINITY;
     }
 
     /** Below 0.01, growth with h^6 or faster is no larger than rounding: such a limit counts as 0. */
@@ -153,18 +143,12 @@ class TheoreticalLimitsTest {
     /** Three leapfrogs of the lengths w1, w0, w1. */
     private static double yoshidaTrace(double h) {
         double w1 = 1 / (2 - Math.cbrt(2));
-        double[][] all = {{1, 0}, {0, 1}};
+        RealMatrix all = MatrixUtils.createRealIdentityMatrix(2);
         for (double w : new double[] {w1, 1 - 2 * w1, w1}) {
             double g = w * h;
-            double[][] leap = {{1 - g * g / 2, g}, {-g * (1 - g * g / 4), 1 - g * g / 2}};
-            double[][] product = new double[2][2];
-            for (int i = 0; i < 2; i++) {
-                for (int j = 0; j < 2; j++) {
-                    product[i][j] = leap[i][0] * all[0][j] + leap[i][1] * all[1][j];
-                }
-            }
-            all = product;
+            all = MatrixUtils.createRealMatrix(new double[][] {{1 - g * g / 2, g},
+                {-g * (1 - g * g / 4), 1 - g * g / 2}}).multiply(all);
         }
-        return all[0][0] + all[1][1];
+        return all.getTrace();
     }
 }

@@ -4,34 +4,40 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import particles.experiments.work.StiffCloth.Row;
 import particles.view.ChartData;
 
 /** What is said and drawn of times that are given. */
 class StiffClothChartTest {
-    private static final Row SOFT = new Row(10, 1, 0.001, 0.04, 0.03, 0.09);
-    private static final Row MIDDLE = new Row(1000, 10, 0.01, 0.05, 0.04, Double.NaN);
-    private static final Row EQUAL = new Row(1e5, 100, 0.09, 0.1, 0.1, Double.NaN);
-    private static final Row STIFF = new Row(1e9, 5000, 5, 0.2, 0.1, Double.NaN);
+    private static List<Row> rows(String times) {
+        return Stream.of(times.split("; ")).map(row -> row.split(" ")).map(row -> new Row(1, Long.parseLong(row[0]),
+                Double.parseDouble(row[1]), 1, Double.parseDouble(row[2]), Double.NaN)).toList();
+    }
 
-    @Test
-    void theFindingSaysWhereRk4IsCheaperAndWhereItIsNot() {
-        assertEquals("One frame of stiff cloth: rk4 takes less than half the time up to 10 steps,"
-                + " linearised-euler from 5000 on", StiffCloth.finding(List.of(SOFT, MIDDLE, EQUAL, STIFF)));
-        assertEquals("One frame of stiff cloth: rk4 takes less than half the time up to 10 steps",
-                StiffCloth.finding(List.of(SOFT, MIDDLE)));
-        assertEquals("One frame of stiff cloth: linearised-euler takes less than half the time from 5000 on",
-                StiffCloth.finding(List.of(STIFF)));
-        assertEquals("One frame of stiff cloth: both take about as long", StiffCloth.finding(List.of(EQUAL)));
+    /** Rows of the steps and the time of rk4, and the time of linearised-euler. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            1 0.001 0.03; 10 0.01 0.04; 100 0.09 0.1; 5000 5 0.1 \
+            | rk4 takes less than half the time up to 10 steps, linearised-euler from 5000 on
+            1 0.001 0.03; 10 0.01 0.04 | rk4 takes less than half the time up to 10 steps
+            5000 5 0.1 | linearised-euler takes less than half the time from 5000 on
+            100 0.09 0.1 | both take about as long
+            """)
+    void theFindingSaysWhereRk4IsCheaperAndWhereItIsNot(String times, String finding) {
+        assertEquals("One frame of stiff cloth: " + finding, StiffCloth.finding(rows(times)));
     }
 
     @Test
     void bothSolversAreDrawnOverTheStepsOfRk4() {
-        ChartData chart = StiffCloth.chart(List.of(SOFT, STIFF));
+        List<Row> rows = rows("1 0.001 0.03; 5000 5 0.1");
+        ChartData chart = StiffCloth.chart(rows);
         assertEquals(List.of("rk4", "linearised-euler"), chart.series().stream().map(ChartData.Series::name).toList());
         assertArrayEquals(new double[] {1, 5000}, chart.series().get(1).x());
         assertArrayEquals(new double[] {0.03, 0.1}, chart.series().get(1).y());
-        assertEquals(50.0, StiffCloth.table(List.of(STIFF)).rows().get(0).get(6));
+        assertEquals(50.0, StiffCloth.table(rows).rows().get(1).get(6));
     }
 }

@@ -11,9 +11,11 @@ import static particles.teaching.solvers.PlantedSolvers.with;
 
 import deSolvers.DESolver;
 import deSolvers.adaptive.DormandPrinceSolver;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 import org.junit.jupiter.api.Test;
@@ -79,28 +81,20 @@ class StabilityFiguresTest {
      */
     private static void assertCircle(StabilityFigures figures, double centre, double radius, boolean stableInside) {
         ChartData chart = figures.region().orElseThrow();
-        Series outline = series(chart, "mine");
-        int points = 0;
-        for (int k = 0; k < outline.x().length; k++) {
-            if (!Double.isNaN(outline.x()[k])) {
-                points++;
-                double off = Math.sqrt(Math.pow(outline.x()[k] - centre, 2) + Math.pow(outline.y()[k], 2)) - radius;
-                // a square of the net is radius/50 and is halved eight times
-                assertEquals(0, off, 1e-3 * radius);
-            }
-        }
-        assertTrue(points > 100, "points " + points);       // measured 260 and more
-        Series stripes = series(chart, "stable");
-        int inStripes = 0;
-        for (int k = 0; k < stripes.x().length; k++) {
-            double off = Math.sqrt(Math.pow(stripes.x()[k] - centre, 2) + Math.pow(stripes.y()[k], 2)) - radius;
-            if (!Double.isNaN(off)) {
-                inStripes++;
-                assertTrue(stableInside ? off < 1e-3 * radius : off > -1e-3 * radius, "a stripe ends "
-                        + off + " outside");
-            }
-        }
-        assertTrue(inStripes > 40, "ends of stripes " + inStripes);
+        double[] outline = off(series(chart, "mine"), centre, radius);
+        // a square of the net is radius/50 and is halved eight times
+        assertTrue(Arrays.stream(outline).allMatch(off -> Math.abs(off) < 1e-3 * radius), Arrays.toString(outline));
+        assertTrue(outline.length > 100, "points " + outline.length);       // measured 260 and more
+        double[] stripes = off(series(chart, "stable"), centre, radius);
+        assertTrue(Arrays.stream(stripes).allMatch(off -> (stableInside ? off : -off) < 1e-3 * radius),
+                "stripes end outside: " + Arrays.toString(stripes));
+        assertTrue(stripes.length > 40, "ends of stripes " + stripes.length);
+    }
+
+    /** How far the points of a series are outside a circle around a point of the real axis. */
+    private static double[] off(Series series, double centre, double radius) {
+        return IntStream.range(0, series.x().length).mapToDouble(k -> Math.hypot(series.x()[k] - centre,
+                series.y()[k]) - radius).filter(off -> !Double.isNaN(off)).toArray();
     }
 
     @Test
@@ -181,15 +175,12 @@ class StabilityFiguresTest {
         // x'' = -q x - g x' of symplectic Euler: the new trace is 2 - q - g, the determinant 1 - g, and -1 is reached
         // at 4 = q + 2 g
         Series outline = series(region, "mine");
-        int points = 0;
-        for (int k = 0; k < outline.x().length; k++) {
-            if (outline.y()[k] > 0.05) {
-                points++;
-                // a square of the net, halved eight times
-                assertEquals(4, outline.x()[k] * outline.x()[k] + 2 * outline.y()[k], 1e-3);
-            }
+        int[] inside = IntStream.range(0, outline.x().length).filter(k -> outline.y()[k] > 0.05).toArray();
+        for (int k : inside) {
+            // a square of the net, halved eight times
+            assertEquals(4, outline.x()[k] * outline.x()[k] + 2 * outline.y()[k], 1e-3);
         }
-        assertTrue(points > 50, "points " + points);
+        assertTrue(inside.length > 50, "points " + inside.length);
     }
 
     /**
