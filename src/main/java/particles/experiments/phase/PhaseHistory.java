@@ -95,14 +95,9 @@ public final class PhaseHistory implements Observer {
 
     /** @return the index of a particle, usually the same as before; the number of particles if it was removed */
     private static int find(Particles particles, String id, int before) {
-        if (before < particles.count() && particles.id(before).equals(id)) {
-            return before;
-        }
-        int i = 0;
-        while (i < particles.count() && !particles.id(i).equals(id)) {
-            i++;
-        }
-        return i;
+        return before < particles.count() && particles.id(before).equals(id) ? before
+                : IntStream.range(0, particles.count()).filter(i -> particles.id(i).equals(id)).findFirst()
+                .orElse(particles.count());
     }
 
     /** Finds the angle of the line from the pivot, within half a turn of the angle before, and its rate. */

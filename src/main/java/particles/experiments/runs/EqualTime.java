@@ -218,8 +218,8 @@ public final class EqualTime {
         }
 
         Match timed() {
-            return new Match(match.setting(), match.evaluations(), OptionalDouble.of(CpuClock.median(times)), match.aStep(),
-                    match.whole());
+            return new Match(match.setting(), match.evaluations(), OptionalDouble.of(CpuClock.median(times)),
+                    match.aStep(), match.whole());
         }
     }
 }

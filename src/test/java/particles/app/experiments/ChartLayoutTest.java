@@ -14,7 +14,9 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import particles.app.Main;
 import particles.app.cli.OptionStyle;
+import particles.app.run.StopRequest;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartPage;
 import particles.output.charts.Layout;
@@ -48,10 +50,8 @@ class ChartLayoutTest {
 
     static ResultPage measured(String task, OutputFolder folder) {
         List<String> words = List.of(task.split(" "));
-        ExperimentCommand command = Stream.of(new LectureFiguresCommand(), new PhasePlotsCommand(),
-                new EnergyDriftCommand(), new StiffGalleryCommand(), new EffectCostCommand(), new StabilityCommand(),
-                new WorkPrecisionCommand(), new StiffClothCommand(), new RaceCommand())
-                .filter(one -> new CommandLine(one).getCommandName().equals(words.get(0))).findFirst().orElseThrow();
+        ExperimentCommand command = (ExperimentCommand) Main.commands(new StopRequest()).stream().filter(one ->
+                new CommandLine(one).getCommandName().equals(words.get(0))).findFirst().orElseThrow();
         command.typedIn(OptionStyle.GRADLE);
         new CommandLine(command).parseArgs(words.subList(1, words.size()).toArray(String[]::new));
         assertEquals(List.of(), command.mistakes());

@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.experiments.runs.PowerLaw;
 
 /**
@@ -19,6 +20,7 @@ import particles.experiments.runs.PowerLaw;
  * @param series   by name the points
  */
 record Drawn(String title, String quantity, Map<String, List<double[]>> series) {
+    private static final String OUTSIDE_QUOTES = ",(?=(?:[^\"]*\"[^\"]*\")*[^\"]*$)";
     /** Ends the name of a series that shows the points of another one again. */
     static final String AGAIN = " again";
 
@@ -41,20 +43,7 @@ record Drawn(String title, String quantity, Map<String, List<double[]>> series) 
     }
 
     private static List<String> cells(String line) {
-        List<String> cells = new ArrayList<>();
-        StringBuilder cell = new StringBuilder();
-        boolean quoted = false;
-        for (char c : (line + ",").toCharArray()) {
-            if (c == '"') {
-                quoted = !quoted;
-            } else if (c == ',' && !quoted) {
-                cells.add(cell.toString());
-                cell.setLength(0);
-            } else {
-                cell.append(c);
-            }
-        }
-        return cells;
+        return Stream.of((line + ",").split(OUTSIDE_QUOTES)).map(cell -> cell.replace("\"", "")).toList();
     }
 
     /** @return the points of a solver's first series that can be drawn */

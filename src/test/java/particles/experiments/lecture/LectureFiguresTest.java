@@ -15,6 +15,7 @@ import particles.view.DataTable;
 import particles.view.VectorField;
 
 class LectureFiguresTest {
+    private static final List<Result> RESULTS = LectureFigures.onSlides().stream().map(LectureFigures::run).toList();
 
     /**
      * The values are the stability functions', to six digits; measured and theory differ by rounding, 8e-12 at most.
@@ -45,8 +46,7 @@ class LectureFiguresTest {
      */
     @Test
     void tableHasEveryFigureOfTheSlidesBesideTheory() {
-        List<Result> results = LectureFigures.onSlides().stream().map(LectureFigures::run).toList();
-        DataTable table = LectureFigures.table(results);
+        DataTable table = LectureFigures.table(RESULTS);
         assertEquals(7, table.rows().size());
         for (List<Object> row : table.rows()) {
             for (int c = 4; c < 10; c += 2) {
@@ -62,12 +62,11 @@ class LectureFiguresTest {
      */
     @Test
     void theFindingIsThatOfTheTable() {
-        List<Result> results = LectureFigures.onSlides().stream().map(LectureFigures::run).toList();
         assertEquals("""
                 euler and midpoint spiral outwards, rk4 spirals inwards; how fast depends on the step: midpoint \
                 \u00d7\u00a03.41 in 11 s with deltaT = 1 s, \u00d7\u00a01.06 in 500 s with deltaT = 0.1 s""",
-                LectureFigures.finding(results));
-        assertEquals("rk4 spirals inwards", LectureFigures.finding(results.subList(4, 7)));
+                LectureFigures.finding(RESULTS));
+        assertEquals("rk4 spirals inwards", LectureFigures.finding(RESULTS.subList(4, 7)));
     }
 
     /** The angle between both ends is the phase error, clockwise where it is positive. */
@@ -84,7 +83,7 @@ class LectureFiguresTest {
 
     @Test
     void eulerHasNineTimesTheEnergyAfterThreeOscillations() {
-        Result result = LectureFigures.run(LectureFigures.onSlides().get(0));
+        Result result = RESULTS.get(0);
         // after 161 steps; 3 periods are 160.6
         assertEquals(9.050, result.amplitude() * result.amplitude(), 0.0005);
         assertEquals(3, result.figure().steps() * result.figure().deltaT() / (2 * Math.PI), 0.01);

@@ -20,8 +20,13 @@ class PhasePortraitsTest {
     private static final SceneDescription SPIRAL = TestScenes.named("11-euler-spiral");
 
     private static Portraits compare(SceneDescription scene, String solvers) {
-        return PhasePortraits.compare(scene, SolverChoice.list(solvers), List.of("block"), List.of(Axis.X),
-                Optional.empty(), (part, what) -> { });
+        return compare(scene, solvers, "block", List.of(Axis.X), Optional.empty());
+    }
+
+    private static Portraits compare(SceneDescription scene, String solvers, String particle, List<Axis> axes,
+            Optional<String> about) {
+        return PhasePortraits.compare(scene, SolverChoice.list(solvers), List.of(particle), axes, about,
+                (part, what) -> { });
     }
 
     /**
@@ -76,13 +81,10 @@ class PhasePortraitsTest {
 
     @Test
     void withoutAxesEachParticleIsSeenAlongItsWidest() {
-        SceneDescription ball = TestScenes.named("06-bouncing-ball");
-        Portraits portraits = PhasePortraits.compare(ball.withSolver("rk4").withDuration(0.5),
-                SolverChoice.list("rk4"), List.of("ball"), List.of(), Optional.empty(), (part, what) -> { });
+        SceneDescription ball = TestScenes.named("06-bouncing-ball").withSolver("rk4").withDuration(0.5);
+        Portraits portraits = compare(ball, "rk4", "ball", List.of(), Optional.empty());
         assertEquals(List.of(Axis.Y), axes(portraits));
-        Portraits both = PhasePortraits.compare(ball.withSolver("rk4").withDuration(0.5),
-                SolverChoice.list("rk4,verlet"), List.of("ball"), List.of(Axis.Z, Axis.Y), Optional.empty(),
-                (part, what) -> { });
+        Portraits both = compare(ball, "rk4,verlet", "ball", List.of(Axis.Z, Axis.Y), Optional.empty());
         assertEquals(List.of(Axis.Z, Axis.Z, Axis.Y, Axis.Y), axes(both));
         assertTrue(Double.isNaN(both.portraits().get(0).off()), "nothing moves along z, and there is no curve");
         assertEquals("'ball', rk4: at rest along z", both.portraits().get(0).chart().title());
@@ -113,10 +115,8 @@ class PhasePortraitsTest {
 
     @Test
     void aSceneMayShowAnAngleAboutAnotherParticle() {
-        SceneDescription pendulum = TestScenes.named("41-double-pendulum");
-        Portraits portraits = PhasePortraits.compare(pendulum.withSolver("rk4").withDuration(1),
-                SolverChoice.list("rk4"), List.of("hand"), List.of(Axis.ANGLE), Optional.of("elbow"),
-                (part, what) -> { });
+        SceneDescription pendulum = TestScenes.named("41-double-pendulum").withSolver("rk4").withDuration(1);
+        Portraits portraits = compare(pendulum, "rk4", "hand", List.of(Axis.ANGLE), Optional.of("elbow"));
         ChartData chart = portraits.portraits().get(0).chart();
         assertEquals("angle theta (rad)", chart.xLabel());
         assertEquals("angular velocity omega (rad/s)", chart.yLabel());

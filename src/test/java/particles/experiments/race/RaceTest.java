@@ -141,13 +141,13 @@ class RaceTest {
     /** By a clock on which a step takes a microsecond for each evaluation and two for itself. */
     @Test
     void implicitSolversGetEqualTime() {
-        Result result = timed(lasting(CHAIN, 3), "rk4, implicit-midpoint, verlet", 10, outcome -> 1e-6 * (outcome.evaluations() + 2 * outcome.steps()));
+        Result result = timed(lasting(CHAIN, 3), "rk4, implicit-midpoint, verlet", 10, outcome -> 1e-6
+                * (outcome.evaluations() + 2 * outcome.steps()));
         assertTrue(result.equalTime());
         assertTrue(result.shares().slowest().isEmpty(), "all can do with what rk4 takes");
         assertEquals(450e-6, result.shares().work(), 1e-18, "rk4: 75 steps of 4 + 2");
         for (Lane lane : result.lanes()) {
-            assertEquals(450e-6, lane.match().seconds().orElseThrow(), EqualTime.CLOSE * 450e-6,
-                    lane.label());
+            assertEquals(450e-6, lane.match().seconds().orElseThrow(), EqualTime.CLOSE * 450e-6, lane.label());
         }
         assertEquals(150, Math.round(3 / result.lanes().get(2).match().setting().deltaT()), 1.5,
                 "verlet: steps of 1 + 2");

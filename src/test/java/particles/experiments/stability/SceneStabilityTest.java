@@ -20,7 +20,7 @@ import particles.scene.format.SceneDescription;
 class SceneStabilityTest {
     private static SceneDescription chain(int n, String damping) {
         return TestScenes.read("title: chain\nteaches: stability\nsolver: rk4\ndeltaT: 0.1\nduration: 1\nparticles:\n"
-                + lines(n + 2, i -> "id: p" + i + ", position: [" + i + ", 0, 0], mass: 1, fixed: " + (i % (n + 1) == 0))
+                + lines(n + 2, i -> "id: p" + i + ", position: [" + i + ", 0, 0], fixed: " + (i % (n + 1) == 0))
                 + "springs:\n" + lines(n + 1, i -> "from: p" + i + ", to: p" + (i + 1) + ", stiffness: 1, restLength: 1"
                 + damping));
     }
@@ -143,7 +143,7 @@ class SceneStabilityTest {
      */
     @Test
     void growthByRunningIsCountedOverThatOfTheMotion() {
-        Limit limit = limits(scene("03"), "midpoint").get(0);
+        Limit limit = limits(TestScenes.named("03"), "midpoint").get(0);
         assertEquals(1.389e-6, limit.predictedGrowth(), 1e-8);
         assertEquals(0, limit.measuredGrowth(), 2e-5, limit.toString());
         assertTrue(limit.note().startsWith("the motion soon leaves the modes of its start"), limit.toString());
@@ -152,10 +152,6 @@ class SceneStabilityTest {
     /** A skydiver at rest feels no drag that is quadratic: its derivative, by differences, is 1e-9 /s. */
     @Test
     void modesTooSlowToSeeAreNone() {
-        assertEquals(List.of(), SceneStability.spectrum(scene("22")).modes());
-    }
-
-    private static SceneDescription scene(String name) {
-        return TestScenes.named(name);
+        assertEquals(List.of(), SceneStability.spectrum(TestScenes.named("22")).modes());
     }
 }
