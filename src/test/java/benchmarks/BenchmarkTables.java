@@ -9,7 +9,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
-import java.util.stream.IntStream;
 import particles.view.DataTable;
 
 /** Tables of measured times. */
@@ -22,26 +21,21 @@ public final class BenchmarkTables {
     }
 
     /**
-     * @param plans   the comparisons
-     * @param found   their settings, in the same order
+     * @param pairs   the comparisons
      * @param medians the time of each run (ns)
      */
-    static DataTable comparison(List<Comparison.Plan> plans, List<Comparison> found, Map<Run, Double> medians) {
-        record Row(Comparison.Plan plan, Comparison pair, double ours, double theirs) {
-        }
+    static DataTable comparison(List<Comparison> pairs, Map<Run, Double> medians) {
         return DataTable.of(COMPARISON,
-                "Beside Hipparchus: the same source, once the same steps, and once the same error",
-                IntStream.range(0, found.size()).mapToObj(k -> new Row(plans.get(k), found.get(k),
-                        medians.get(found.get(k).ours()), medians.get(found.get(k).theirs()))).toList(),
-                column("equal", row -> row.plan.atEqual()), column("workload", row -> row.plan.workload()),
-                column("ours", row -> row.plan.ours()), column("Hipparchus", row -> row.plan.theirs()),
-                column("evaluations", row -> row.pair.oursFound().evaluations()),
-                column("its evaluations", row -> row.pair.theirsFound().evaluations()),
-                column("error", 2, row -> row.pair.oursFound().error()),
-                column("its error", 2, row -> row.pair.theirsFound().error()),
-                column("time (\u00b5s)", 3, row -> row.ours / MICRO),
-                column("its time (\u00b5s)", 3, row -> row.theirs / MICRO),
-                column("its time over ours", 2, row -> row.theirs / row.ours));
+                "Beside Hipparchus: the same source, once the same steps, and once the same error", pairs,
+                column("equal", pair -> pair.plan().atEqual()), column("workload", pair -> pair.plan().workload()),
+                column("ours", pair -> pair.plan().ours()), column("Hipparchus", pair -> pair.plan().theirs()),
+                column("evaluations", pair -> pair.oursFound().evaluations()),
+                column("its evaluations", pair -> pair.theirsFound().evaluations()),
+                column("error", 2, pair -> pair.oursFound().error()),
+                column("its error", 2, pair -> pair.theirsFound().error()),
+                column("time (\u00b5s)", 3, pair -> medians.get(pair.ours()) / MICRO),
+                column("its time (\u00b5s)", 3, pair -> medians.get(pair.theirs()) / MICRO),
+                column("its time over ours", 2, pair -> medians.get(pair.theirs()) / medians.get(pair.ours())));
     }
 
     /**

@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import particles.experiments.runs.ProgressListener;
 import particles.output.FrameBenchmark;
@@ -54,24 +55,18 @@ public final class Benchmarks {
     }
 
     private static List<Run> runs() {
-        List<Run> runs = new ArrayList<>();
-        for (String workload : List.of("oscillator", "chain")) {
-            for (String solver : SolverCatalog.names()) {
-                runs.add(Run.steps(workload, solver, STEPS * Workload.of(workload).deltaT(), STEPS));
-            }
-        }
-        return runs;
+        return runs(List.of("oscillator", "chain"), SolverCatalog.names(), workload -> Workload.of(workload).deltaT());
     }
 
     /** Solvers that are measured against loops written by hand. */
     private static List<Run> steps() {
-        List<Run> runs = new ArrayList<>();
-        for (String workload : List.of("oscillator", "chain", "cloth-64", "cloth-256")) {
-            for (String solver : ByHand.METHODS) {
-                runs.add(Run.steps(workload, solver, STEPS * Workload.DELTA_T, STEPS));
-            }
-        }
-        return runs;
+        return runs(List.of("oscillator", "chain", "cloth-64", "cloth-256"), ByHand.METHODS, workload ->
+                Workload.DELTA_T);
+    }
+
+    private static List<Run> runs(List<String> workloads, List<String> solvers, ToDoubleFunction<String> deltaT) {
+        return workloads.stream().flatMap(workload -> solvers.stream().map(solver ->
+                Run.steps(workload, solver, STEPS * deltaT.applyAsDouble(workload), STEPS))).toList();
     }
 
     private static String name(String kind, Run run) {
@@ -80,13 +75,8 @@ public final class Benchmarks {
 
     /** @return a table for each kind of benchmark, the comparison first */
     public List<DataTable> measure() {
-        List<Comparison> comparisons = new ArrayList<>();
-        List<Comparison.Plan> plans = Comparison.plans().stream().filter(plan -> included.test(plan.toString()))
-                .toList();
-        for (Comparison.Plan plan : plans) {
-            progress.reached(0, "settings for " + plan);
-            comparisons.add(Comparison.of(plan));
-        }
+        List<Comparison> comparisons = progress.part(0, 0).each(Comparison.plans().stream().filter(plan ->
+                included.test(plan.toString())).toList(), plan -> "settings for " + plan, Comparison::of);
         List<Run> both = comparisons.stream().flatMap(pair -> List.of(pair.ours(), pair.theirs()).stream()).distinct()
                 .toList();
         List<Run> runs = runs().stream().filter(run -> included.test(name("solver", run))).toList();
@@ -95,8 +85,8 @@ public final class Benchmarks {
         List<String> scenes = chosen("scene ", SCENES);
         List<String> frames = chosen("frame ", FRAMES);
         int all = both.size() + runs.size() + steps.size() + scenes.size() + frames.size();
-        return Stream.of(BenchmarkTables.comparison(plans, comparisons,
-                        medians(stopwatch, SolveBenchmark.class, both, all)),
+        return Stream.of(BenchmarkTables.comparison(comparisons, medians(stopwatch, SolveBenchmark.class,
+                        both, all)),
                 BenchmarkTables.solvers(runs, medians(stopwatch, SolveBenchmark.class, runs, all)),
                 BenchmarkTables.steps(medians(inOneProcess, SolveBenchmark.class, steps, all)),
                 timeTable("scenes", "Reading, checking and building a scene",

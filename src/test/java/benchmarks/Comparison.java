@@ -2,6 +2,7 @@ package benchmarks;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import particles.experiments.runs.FewestSteps;
 
 /**
@@ -9,7 +10,7 @@ import particles.experiments.runs.FewestSteps;
  * steps, which compares the overhead between equal evaluations; or each with the coarsest setting that reaches an error
  * of {@value #ERROR}, which also compares step-size control.
  */
-record Comparison(Run ours, Run.Outcome oursFound, Run theirs, Run.Outcome theirsFound) {
+record Comparison(Plan plan, Run ours, Run.Outcome oursFound, Run theirs, Run.Outcome theirsFound) {
     static final double ERROR = 1e-6;
     static final int STEPS = 64;
     private static final double LOOSEST = 1e-2;
@@ -57,11 +58,12 @@ record Comparison(Run ours, Run.Outcome oursFound, Run theirs, Run.Outcome their
         Workload workload = Workload.of(plan.workload());
         double duration = plan.equalError() ? workload.duration() : STEPS * workload.deltaT();
         double[] reference = workload.reference(duration);
-        Run ours = plan.equalError() ? coarsest(workload, plan.ours(), reference)
-                : Run.steps(plan.workload(), plan.ours(), duration, STEPS);
-        Run theirs = plan.equalError() ? coarsest(workload, plan.theirs(), reference)
-                : Run.steps(plan.workload(), plan.theirs(), duration, STEPS);
-        return new Comparison(ours, ours.outcome(workload, reference), theirs, theirs.outcome(workload, reference));
+        Function<String, Run> run = method -> plan.equalError() ? coarsest(workload, method, reference)
+                : Run.steps(plan.workload(), method, duration, STEPS);
+        Run ours = run.apply(plan.ours());
+        Run theirs = run.apply(plan.theirs());
+        return new Comparison(plan, ours, ours.outcome(workload, reference), theirs,
+                theirs.outcome(workload, reference));
     }
 
     private static Run coarsest(Workload workload, String method, double[] reference) {

@@ -19,7 +19,6 @@ import particles.app.cli.Mistakes;
 import particles.app.cli.PrintedProgress;
 import particles.app.cli.ResultsCommand;
 import particles.app.cli.Version;
-import particles.app.student.StudentClasses;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
 import particles.output.files.OutputException;
@@ -28,8 +27,6 @@ import particles.output.report.Report;
 import particles.output.report.Report.Section;
 import particles.output.report.ReportWriter;
 import particles.output.report.ResultPage;
-import particles.scene.SceneFiles;
-import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -42,7 +39,6 @@ import picocli.CommandLine.Option;
         "Runs all experiments, of the course or of a scene, and writes one HTML page.")
 public final class ReportCommand extends ResultsCommand {
     static final String FILE = "report.html";
-    private static final Path SCENES = Path.of("scenes");
     /** The solvers of a report on a scene; all would take long on large scenes. */
     private static final String SOLVERS = "euler,midpoint,rk4,symplectic-euler,verlet";
     private static final String SCENE_OPTION = "--scene";
@@ -122,8 +118,7 @@ public final class ReportCommand extends ResultsCommand {
 
     private Optional<SceneDescription> readScene() {
         // picocli leaves options null that were not given
-        return scene == null ? Optional.empty()
-                : Optional.of(SceneReader.read(SceneFiles.find(SCENES, scene), new StudentClasses()));
+        return Optional.ofNullable(scene).map(SceneOptions::read);
     }
 
     private String solvers() {

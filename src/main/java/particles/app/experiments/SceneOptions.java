@@ -38,9 +38,13 @@ final class SceneOptions {
         Overrides overrides = new Overrides(command.getStyle()::option).with("deltaT", deltaT)
                 .with("duration", duration);
         mistakes.check(overrides::check);
-        description = mistakes.value(() -> overrides.applyTo(SceneReader.read(
-                SceneFiles.find(SCENES, scene == null ? standardScene : scene), new StudentClasses())));
+        description = mistakes.value(() -> overrides.applyTo(read(scene == null ? standardScene : scene)));
         choices = mistakes.value(() -> command.solverChoices(solvers == null ? standardSolvers : solvers));
+    }
+
+    /** @return a scene: a file, or the name or number of one in scenes */
+    static SceneDescription read(String scene) {
+        return SceneReader.read(SceneFiles.find(SCENES, scene), new StudentClasses());
     }
 
     /** @return whether the options have another duration than the scene's */

@@ -1,10 +1,8 @@
 package particles.app.experiments;
 
-import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Supplier;
 import particles.app.cli.Mistakes;
-import particles.app.student.StudentClasses;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.spectrum.Spectrum;
@@ -17,8 +15,6 @@ import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
 import particles.scene.Overrides;
-import particles.scene.SceneFiles;
-import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 import particles.view.DataTable;
 import picocli.CommandLine.Command;
@@ -27,8 +23,6 @@ import picocli.CommandLine.Option;
 /** {@code gradle stability}: measures the longest stable step, on every solver's real code or in one scene. */
 @Command(name = "stability", description = "Measures the longest stable step of each solver.")
 public final class StabilityCommand extends ExperimentCommand {
-    private static final Path SCENES = Path.of("scenes");
-
     @Option(names = "--scene", paramLabel = "NAME",
             description = "Finds the longest step in this scene: a file, or the name or number of one in scenes"
                     + " (default: each solver by itself).")
@@ -53,8 +47,7 @@ public final class StabilityCommand extends ExperimentCommand {
         choices = mistakes.value(() -> solverChoices(solvers == null ? "all" : solvers));
         if (!scene.isEmpty()) {
             Overrides overrides = new Overrides(getStyle()::option).with("deltaT", deltaT);
-            description = mistakes.value(() -> overrides.applyTo(
-                    SceneReader.read(SceneFiles.find(SCENES, scene), new StudentClasses())));
+            description = mistakes.value(() -> overrides.applyTo(SceneOptions.read(scene)));
             spectrum = mistakes.value(this::readSpectrum);
         }
         super.read(mistakes);
@@ -111,7 +104,7 @@ public final class StabilityCommand extends ExperimentCommand {
                                 "One sub-step. Longer steps are divided, so these"
                                         + " outlines show the cost of a stiff system.",
                                 List.of("step-doubling", "dormand-prince", "bulirsch-stoer"),
-                                new Window(-14, 4, 12, 0.15), 18).draw(progress, 0.6),
+                                new Window(-8, 2.5, 6.5, 0.08), 9.5).draw(progress, 0.6),
                         new Region("symplectic",
                                 "A damped spring. Without damping, on the imaginary axis, the limit is 2 (1.57 for"
                                         + " yoshida4); damping lowers it.",

@@ -48,7 +48,7 @@ class RaceTest {
         assertFalse(race.equalTime());
         assertEquals(300, race.shares().work());                             // 75 steps of rk4
         assertEqualWork(race);
-        assertTrue(RaceCharts.title(race).contains("equal work, 300 evaluations each"), RaceCharts.title(race));
+        assertSays("equal work, 300 evaluations each", RaceCharts.title(race));
     }
 
     /** x = cos t, v = -sin t. */
@@ -89,6 +89,10 @@ class RaceTest {
                 assertArrayEquals(measured.get(f), seen.get(k).getStates().get(f));
             }
         }
+    }
+
+    private static void assertSays(String part, String text) {
+        assertTrue(text.contains(part), text);
     }
 
     private static Object cell(DataTable table, int row, String column) {
@@ -151,7 +155,7 @@ class RaceTest {
         }
         assertEquals(150, Math.round(3 / result.lanes().get(2).match().setting().deltaT()), 1.5,
                 "verlet: steps of 1 + 2");
-        assertTrue(RaceCharts.title(result).contains("equal time, 0.450 ms each"), RaceCharts.title(result));
+        assertSays("equal time, 0.450 ms each", RaceCharts.title(result));
     }
 
     /** Radau's loosest tolerance needs more than rk4 at the scene's step: now all take as long as that. */
@@ -209,13 +213,10 @@ class RaceTest {
      */
     @Test
     void whatCannotBeEqualIsSaid() {
-        double[] most = {0};
-        Result result = timed(lasting(CHAIN, 3), "rk4, radau", 30, outcome -> {
-            most[0] = Math.max(most[0], outcome.evaluations());
-            return outcome.steps() == 30 || outcome.steps() == 15 ? 1 : 1e-6 * outcome.evaluations();
-        });
-        assertTrue(RaceCharts.title(result).contains("no equal time, up to"), RaceCharts.title(result));
-        assertTrue(RaceCharts.finding(result).contains("radau cannot do with less than"), RaceCharts.finding(result));
+        Result result = timed(lasting(CHAIN, 3), "rk4, radau", 30, outcome ->
+                outcome.steps() == 30 || outcome.steps() == 15 ? 1 : 1e-6 * outcome.evaluations());
+        assertSays("no equal time, up to", RaceCharts.title(result));
+        assertSays("radau cannot do with less than", RaceCharts.finding(result));
     }
 
     /** By evaluations too: bulirsch-stoer needs more than the 800 of rk4 with a step of 0.06 s. */
