@@ -39,12 +39,16 @@ public final class LectureFiguresCommand extends ExperimentCommand {
     @Override
     protected void read(Mistakes mistakes) {
         if (deltaT != null) {                           // picocli leaves an option null that was not given
-            mistakes.check(() -> positive("deltaT", deltaT));
-            mistakes.check(() -> requireSolver("deltaT"));
+            mistakes.check(() -> {
+                positive("deltaT", deltaT);
+                requireSolver("deltaT");
+            });
         }
         if (steps != null) {
-            mistakes.check(() -> requireWithin("steps", steps, 1, MOST_STEPS));
-            mistakes.check(() -> requireSolver("steps"));
+            mistakes.check(() -> {
+                requireWithin("steps", steps, 1, MOST_STEPS);
+                requireSolver("steps");
+            });
         }
         mistakes.check(this::checkSolver);
         super.read(mistakes);
