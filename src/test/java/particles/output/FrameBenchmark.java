@@ -3,6 +3,7 @@ package particles.output;
 import deSolvers.DESolver;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -48,8 +49,8 @@ public class FrameBenchmark {
         for (int n = 0; n < STEPS; n++) {
             solver.stepState(system, scene.description().deltaT());
         }
-        state.take(system.getStateArray(), system.getParticles().count(), system.getTime());
-        state.takeStructure(system, false);
+        state.take(system.getStateArray(), system.getParticles().count(), system.getTime(), false);
+        state.takeStructure(system, false, List.of());
         Drawing drawing = scene.description().drawing();
         renderer = new FrameRenderer(new FrameSetup(drawing.camera().orElseThrow(), drawing.look(), scene.scenery(),
                 scene.description().title(), ""), WIDTH, HEIGHT, 2);

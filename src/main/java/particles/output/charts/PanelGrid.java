@@ -89,16 +89,14 @@ public final class PanelGrid {
         for (int trial = 0; trial < TRIALS; trial++) {
             List<Rectangle2D> frames = charts.stream().map(chart -> chart.frame(g,
                     new Rectangle2D.Double(0, 0, cellWidth, cellHeight))).toList();
-            double left = frames.stream().mapToDouble(Rectangle2D::getMinX).max().orElse(0);
-            double top = frames.stream().mapToDouble(Rectangle2D::getMinY).max().orElse(0);
-            double right = frames.stream().mapToDouble(Rectangle2D::getMaxX).min().orElse(0);
-            double bottom = frames.stream().mapToDouble(Rectangle2D::getMaxY).min().orElse(0);
+            Rectangle2D common = frames.stream().reduce(Rectangle2D::createIntersection).orElseThrow();
             for (int k = 0; k < charts.size(); k++) {
                 RectangleInsets padding = charts.get(k).getPadding();
                 Rectangle2D frame = frames.get(k);
-                charts.get(k).setPadding(new RectangleInsets(padding.getTop() + top - frame.getMinY(),
-                        padding.getLeft() + left - frame.getMinX(), padding.getBottom() + frame.getMaxY() - bottom,
-                        padding.getRight() + frame.getMaxX() - right));
+                charts.get(k).setPadding(new RectangleInsets(padding.getTop() + common.getMinY() - frame.getMinY(),
+                        padding.getLeft() + common.getMinX() - frame.getMinX(),
+                        padding.getBottom() + frame.getMaxY() - common.getMaxY(),
+                        padding.getRight() + frame.getMaxX() - common.getMaxX()));
             }
         }
     }

@@ -7,12 +7,13 @@ import java.awt.Stroke;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.jfree.chart.axis.NumberAxis;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.chart.ui.Layer;
-import org.jfree.data.Range;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
@@ -99,17 +100,13 @@ final class PhasePlot {
     /** The smallest distance between two different grid lines. */
     private static double spacing(double[] values) {
         double[] sorted = Arrays.stream(values).sorted().distinct().toArray();
-        double spacing = Double.POSITIVE_INFINITY;
-        for (int k = 1; k < sorted.length; k++) {
-            spacing = Math.min(spacing, sorted[k] - sorted[k - 1]);
-        }
-        return spacing;
+        return IntStream.range(1, sorted.length).mapToDouble(k -> sorted[k] - sorted[k - 1]).min()
+                .orElse(Double.POSITIVE_INFINITY);
     }
 
     private static void show(NumberAxis axis, double[] values, double margin) {
-        double low = Arrays.stream(values).min().orElse(0);
-        double high = Arrays.stream(values).max().orElse(0);
-        axis.setRange(new Range(low - margin, high + margin));
+        DoubleSummaryStatistics all = Arrays.stream(values).summaryStatistics();
+        axis.setRange(all.getMin() - margin, all.getMax() + margin);
     }
 
     private static void addHeads(XYLineAndShapeRenderer renderer, Series path, Color colour) {

@@ -10,6 +10,7 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.util.function.Consumer;
 
 /**
  * A file that is written atomically: it has a temporary name in the same folder until {@link #commit} renames it.
@@ -34,19 +35,19 @@ public final class OutputFile extends OutputStream {
 
     private final Path file;
     private final Path part;
-    private final Runnable whenDone;
+    private final Consumer<OutputFile> whenDone;
     private final OutputStream stream;
     private boolean open = true;
 
-    /** Opens the file under its temporary name; {@code whenDone} runs when it is closed or cannot be opened. */
-    OutputFile(Path file, Opener opener, Runnable whenDone) {
+    /** Opens the file under its temporary name; {@code whenDone} is told when it is closed or cannot be opened. */
+    OutputFile(Path file, Opener opener, Consumer<OutputFile> whenDone) {
         this.file = file;
         this.part = partOf(file);
         this.whenDone = whenDone;
         try {
             stream = new BufferedOutputStream(opener.open(part), BUFFER);
         } catch (IOException e) {
-            whenDone.run();
+            whenDone.accept(this);
             throw new OutputException(file, "write", e);
         }
     }
@@ -57,7 +58,7 @@ public final class OutputFile extends OutputStream {
     }
 
     static void write(Path file, Opener opener, byte[] bytes) {
-        try (OutputFile whole = new OutputFile(file, opener, () -> { })) {
+        try (OutputFile whole = new OutputFile(file, opener, done -> { })) {
             whole.write(bytes, 0, bytes.length);
             whole.commit();
         }
@@ -120,7 +121,7 @@ public final class OutputFile extends OutputStream {
             Files.move(part, file, StandardCopyOption.ATOMIC_MOVE);
         });
         open = false;
-        whenDone.run();
+        whenDone.accept(this);
     }
 
     /** Closes the file; without {@link #commit} before, it is deleted. */
@@ -130,7 +131,7 @@ public final class OutputFile extends OutputStream {
             return;
         }
         open = false;
-        whenDone.run();
+        whenDone.accept(this);
         try {
             try {
                 stream.close();

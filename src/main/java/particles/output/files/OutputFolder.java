@@ -171,10 +171,9 @@ public final class OutputFolder implements AutoCloseable {
         if (closed) {
             throw new OutputException(file, "write", "the run is being stopped", null);
         }
-        OutputFile[] self = new OutputFile[1];
-        self[0] = new OutputFile(file, opener, () -> done(self[0]));
-        unfinished.add(self[0]);
-        return self[0];
+        OutputFile begun = new OutputFile(file, opener, this::done);
+        unfinished.add(begun);
+        return begun;
     }
 
     private synchronized void done(OutputFile file) {

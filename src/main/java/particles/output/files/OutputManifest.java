@@ -64,16 +64,12 @@ final class OutputManifest {
 
     /** Removes the listed files. The list itself stays until the new one replaces it. */
     void removeOldRun() {
-        Path list = folder.resolve(NAME);
         try {
-            Files.deleteIfExists(OutputFile.partOf(list));
-            if (!Files.isRegularFile(list, LinkOption.NOFOLLOW_LINKS)) {
-                return;
-            }
-            for (String name : Files.readAllLines(list, StandardCharsets.UTF_8)) {
+            Files.deleteIfExists(OutputFile.partOf(folder.resolve(NAME)));
+            for (String name : names(folder)) {
                 if (name.equals(OutputFolder.FRAMES)) {
                     removeFrames();
-                } else if (PLAIN_NAME.matcher(name).matches()) {
+                } else {
                     remove(folder.resolve(name));
                     remove(OutputFile.partOf(folder.resolve(name)));
                 }

@@ -1,5 +1,7 @@
 package particles.output.painters;
 
+import java.util.Arrays;
+import java.util.stream.IntStream;
 import particles.view.RenderOptions;
 
 /**
@@ -36,15 +38,10 @@ public record DrawnSizes(double ball, double coilBelow) {
         if (state.springs <= MOST_COILS) {
             return Double.POSITIVE_INFINITY;
         }
-        double soft = 0;
-        for (int s = 0; s < state.springs; s++) {
-            soft = Math.max(soft, state.isRigid(s) ? 0 : SOFT * state.stiffness[s]);
-        }
-        int count = 0;
-        for (int s = 0; s < state.springs; s++) {
-            count += state.stiffness[s] < soft ? 1 : 0;
-        }
-        return count <= MOST_COILS ? soft : 0;
+        double soft = SOFT * IntStream.range(0, state.springs).filter(s -> !state.isRigid(s))
+                .mapToDouble(s -> state.stiffness[s]).max().orElse(0);
+        return Arrays.stream(state.stiffness, 0, state.springs).filter(stiffness -> stiffness < soft).count()
+                <= MOST_COILS ? soft : 0;
     }
 
     /** @return whether spring s is drawn as a coil, not as a straight tube */

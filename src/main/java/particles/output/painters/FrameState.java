@@ -51,13 +51,9 @@ public final class FrameState {
     /**
      * Copies the positions.
      *
-     * @param state a state in the layout of the system's state
+     * @param state          a state in the layout of the system's state
+     * @param withVelocities whether arrows are drawn
      */
-    public void take(double[] state, int count, double time) {
-        take(state, count, time, false);
-    }
-
-    /** @param withVelocities whether arrows are drawn */
     public void take(double[] state, int count, double time, boolean withVelocities) {
         this.time = time;
         notes = List.of();
@@ -83,12 +79,8 @@ public final class FrameState {
      * Copies the data that only rules change: springs, rods and fixed particles.
      *
      * @param withLives whether times of birth and death are needed
+     * @param marked    particles that are drawn in their own way
      */
-    public void takeStructure(ParticleSystem system, boolean withLives) {
-        takeStructure(system, withLives, List.of());
-    }
-
-    /** @param marked particles that are drawn in their own way */
     public void takeStructure(ParticleSystem system, boolean withLives, List<ParticleMark> marked) {
         int count = system.getParticles().count();
         Map<String, ParticleMark> byId = marked.stream().collect(Collectors.toMap(ParticleMark::particle, mark -> mark,

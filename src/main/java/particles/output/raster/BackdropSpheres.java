@@ -20,9 +20,7 @@ final class BackdropSpheres {
     private final Lighting lighting;
     // the hit of the current ray
     private double depth;
-    private double nx;
-    private double ny;
-    private double nz;
+    private Vector3 normal;
 
     BackdropSpheres(CameraProjection view, Lighting lighting) {
         this.view = view;
@@ -89,22 +87,19 @@ final class BackdropSpheres {
         if (!view.isInFront(depth)) {
             return false;
         }
-        double side = (sphere.hollow() ? -1 : 1) / radius;
-        nx = side * (from.x() + depth * ray.x());
-        ny = side * (from.y() + depth * ray.y());
-        nz = side * (from.z() + depth * ray.z());
+        normal = from.plus(ray.times(depth)).times((sphere.hollow() ? -1 : 1) / radius);
         return true;
     }
 
     private int shade(Sphere sphere, double radius) {
-        Direction normal = view.turned(new Vector3(nx, ny, nz));
+        Direction seen = view.turned(normal);
         if (!sphere.hollow()) {
-            return lighting.shade(BALL, normal, 1);
+            return lighting.shade(BALL, seen, 1);
         }
-        double ring = Math.sqrt(nx * nx + nz * nz);
-        double foot = 1 / (view.scale(depth) * radius * SPACING * Math.max(0.15, Math.abs(normal.back())));
-        double line = Math.max(GridLines.coverage(Math.asin(Math.max(-1, Math.min(1, ny))) / SPACING, foot),
-                ring > 0.05 ? GridLines.coverage(Math.atan2(nx, nz) / SPACING, foot / ring) : 0);
-        return Colours.lit(Colours.mix(WALL, LINE, line), 0.65f + 0.35f * lighting.light(normal), 0);
+        double ring = Math.sqrt(normal.x() * normal.x() + normal.z() * normal.z());
+        double foot = 1 / (view.scale(depth) * radius * SPACING * Math.max(0.15, Math.abs(seen.back())));
+        double line = Math.max(GridLines.coverage(Math.asin(Math.max(-1, Math.min(1, normal.y()))) / SPACING, foot),
+                ring > 0.05 ? GridLines.coverage(Math.atan2(normal.x(), normal.z()) / SPACING, foot / ring) : 0);
+        return Colours.lit(Colours.mix(WALL, LINE, line), 0.65f + 0.35f * lighting.light(seen), 0);
     }
 }

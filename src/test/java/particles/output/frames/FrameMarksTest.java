@@ -174,8 +174,8 @@ class FrameMarksTest {
         }
         system.addEffect(springs);
         FrameState state = new FrameState();
-        state.take(system.getOwnState(), count + 1, 0);
-        state.takeStructure(system, false);
+        state.take(system.getOwnState(), count + 1, 0, false);
+        state.takeStructure(system, false, List.of());
         double below = DrawnSizes.of(state, RenderOptions.STANDARD, 10).coilBelow();
         return springs.springCount() == count ? IntStream.range(0, count)
                 .filter(s -> state.stiffness[s] < below).count() : -1;
