@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static particles.Systems.GRAVITY;
 import static particles.reactions.Pendulums.chain;
 import static particles.reactions.Pendulums.constraints;
 import static particles.reactions.Pendulums.distance;
@@ -21,9 +20,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.SimulationException;
-import particles.effects.Gravity;
 import particles.law.Vector3;
 import particles.rules.ConstraintProjection;
+import particles.scene.ShortRun;
 
 /** Rods against closed forms: their forces, the errors of their lengths, and the order of solvers. */
 class RodsTest {
@@ -144,50 +143,40 @@ class RodsTest {
         return largest;
     }
 
-    /** A square with both diagonals has a redundant rod; it rotates rigidly all the same. */
+    /** A square with both diagonals has a redundant rod. */
+    private static ShortRun square(String steps, String corners, String effects) {
+        return ShortRun.of("rk4 clamp " + steps, """
+                particles: [%s]
+                effects: [%s]
+                rods: [{from: c0, to: c1}, {from: c0, to: c2}, {from: c0, to: c3}, {from: c1, to: c2},
+                       {from: c1, to: c3}, {from: c2, to: c3}]
+                """.formatted(corners, effects));
+    }
+
+    /** The square rotates rigidly all the same. */
     @Test
     void redundantRodsShareTheLoad() {
-        ParticleSystem system = new ParticleSystem();
-        for (int i = 0; i < 4; i++) {
-            double a = Math.PI / 2 * i;
-            system.addParticle("c" + i, 1, new Vector3(Math.cos(a), Math.sin(a), 0),
-                    new Vector3(-Math.sin(a), Math.cos(a), 0), false);
-        }
-        RigidConstraints rods = new RigidConstraints(system, 5);
-        for (int i = 0; i < 4; i++) {
-            for (int j = i + 1; j < 4; j++) {
-                rods.addRod(i, j, distance(system, i, j));
-            }
-        }
-        system.addReaction(rods);
-        worstLength(system, new RK4Solver(), 0.01, 100);
+        ShortRun run = square("0.01 1", """
+                {id: c0, position: [1, 0, 0], velocity: [0, 1, 0]}, {id: c1, position: [0, 1, 0], velocity: [-1, 0, 0]},
+                {id: c2, position: [-1, 0, 0], velocity: [0, -1, 0]}, {id: c3, position: [0, -1, 0],
+                velocity: [1, 0, 0]}""", "");
         for (int i = 0; i < 4; i++) {
             double a = Math.PI / 2 * i + 1;
-            assertEquals(Math.cos(a), system.getOwnState()[6 * i], 4e-8, "rk4's phase; measured 7e-9");
-            assertEquals(Math.sin(a), system.getOwnState()[6 * i + 1], 4e-8);
+            assertEquals(Math.cos(a), run.at(6 * i), 4e-8, "rk4's phase; measured 7e-9");
+            assertEquals(Math.sin(a), run.at(6 * i + 1), 4e-8);
         }
     }
 
     /** The same square falls, tilted: its rods carry nothing but round-off. */
     @Test
     void redundantRodsFallWithoutLoad() {
-        ParticleSystem system = new ParticleSystem();
+        ShortRun run = square("0.005 1", """
+                {id: c0, position: [0.1, 0.3, 0]}, {id: c1, position: [1.0553, 0.5955, 0]},
+                {id: c2, position: [0.7598, 1.5508, 0]}, {id: c3, position: [-0.1955, 1.2553, 0]}""", "gravity");
         double[][] corners = {{0.1, 0.3}, {1.0553, 0.5955}, {0.7598, 1.5508}, {-0.1955, 1.2553}};
-        for (double[] corner : corners) {
-            system.addParticle("c" + corner[0], 1, new Vector3(corner[0], corner[1], 0), Vector3.ZERO, false);
-        }
-        system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-        RigidConstraints rods = new RigidConstraints(system, 5);
         for (int i = 0; i < 4; i++) {
-            for (int j = i + 1; j < 4; j++) {
-                rods.addRod(i, j, distance(system, i, j));
-            }
-        }
-        system.addReaction(rods);
-        worstLength(system, new RK4Solver(), 0.005, 200);
-        for (int i = 0; i < 4; i++) {
-            assertEquals(corners[i][0], system.getOwnState()[6 * i], 1e-15, "measured: 0");
-            assertEquals(corners[i][1] - G / 2, system.getOwnState()[6 * i + 1], 1.7e-13, "measured: 1.8e-14");
+            assertEquals(corners[i][0], run.at(6 * i), 1e-15, "measured: 0");
+            assertEquals(corners[i][1] - G / 2, run.at(6 * i + 1), 1.7e-13, "measured: 1.8e-14");
         }
     }
 
@@ -252,19 +241,5 @@ class RodsTest {
         worstLength(system, SolverCatalog.create(name), 0.0025, 200);
         double error = difference(expected.getStateArray(), system.getStateArray());
         assertTrue(error <= bound && error > measured / 10, name + ": " + error);
-    }
-
-    @Test
-    void aSystemWithoutRodsStillFalls() {
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("a", 1, Vector3.ZERO, Vector3.ZERO, false);
-        system.addParticle("b", 2, new Vector3(1, 0, 0), Vector3.ZERO, false);
-        system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-        RigidConstraints rods = new RigidConstraints(system, 5);
-        rods.addRod(0, 1, 1);
-        system.addReaction(rods);
-        worstLength(system, new RK4Solver(), 0.01, 100);
-        assertEquals(-G / 2, system.getOwnState()[1], 1e-12);
-        assertEquals(-G / 2, system.getOwnState()[7], 1e-12);
     }
 }

@@ -41,39 +41,36 @@ class OnlyWhatIsNamedTest {
               - {from: wall, to: bob, stiffness: 10, restLength: 1}
             """;
 
-    /** An addition to the scene, and the classes of laws that it needs. */
+    /** Additions to the scene, and the classes of laws that each needs. */
+    private static final String ADDITIONS = """
+            effects: [] |
+            effects: [gravity] | Gravity
+            effects: [drag: {coefficient: 1}] | LinearDrag AirDrag
+            effects: [drag: {coefficient: 1}, wind: {mean: [1, 0, 0]}] | LinearDrag AirDrag
+            effects: [quadraticDrag: {coefficient: 1}] | QuadraticDrag AirDrag
+            effects: [quadraticDrag: {coefficient: 1}, turbulence: {strength: 1}] | QuadraticDrag AirDrag
+            effects: [attraction: {strength: 1}] | PointAttraction
+            effects: [cohesion: {range: 2, depth: 1}] | Cohesion PairForce
+            effects: [repulsion: {radius: 1, stiffness: 1}] | Repulsion PairForce
+            effects: [penaltyPlane: {stiffness: 1}] | PenaltyPlane Penalty
+            effects: [penaltySphere: {centre: [9, 9, 9], radius: 1, stiffness: 1}] | PenaltySphere Penalty
+            impact: clamp; rules: [ground] | RestingContacts ClampedImpacts Impacts
+            impact: exact; rules: [ground] | RestingContacts ExactImpacts Impacts
+            impact: exact; rules: [sphere: {centre: [9, 9, 9], radius: 1}] | RestingContacts ExactImpacts Impacts
+            rules: [tear: {strain: 9}] | SpringTear
+            rules: [shake: {particle: wall, amplitude: [1, 0, 0], period: 1}] |
+            rules: [emitter: {id: e, position: [0, 0, 0], speed: 1, rate: 1}] | Emitter
+            rules: [emitter: {id: e, position: [0, 0, 0], speed: 1, rate: 1, lifetime: 1}] | Emitter Lifetimes
+            rules: [kill: {point: [0, -9, 0]}] | KillPlane
+            rules: [samples: {farthest: 9, lightest: 1}] | ParticleResampler
+            """;
+
     private record Addition(String yaml, Set<String> laws) {
-        static Addition of(String yaml, String... laws) {
-            return new Addition(yaml, Set.of(laws));
-        }
     }
 
     static List<Addition> additions() {
-        return List.of(Addition.of(""),
-                Addition.of("effects: [gravity]\n", "Gravity"),
-                Addition.of("effects:\n  - drag: {coefficient: 1}\n", "LinearDrag", "AirDrag"),
-                Addition.of("effects:\n  - drag: {coefficient: 1}\n  - wind: {mean: [1, 0, 0]}\n", "LinearDrag",
-                "AirDrag"),
-                Addition.of("effects:\n  - quadraticDrag: {coefficient: 1}\n", "QuadraticDrag", "AirDrag"),
-                Addition.of("effects:\n  - quadraticDrag: {coefficient: 1}\n  - turbulence: {strength: 1}\n",
-                "QuadraticDrag", "AirDrag"),
-                Addition.of("effects:\n  - attraction: {strength: 1}\n", "PointAttraction"),
-                Addition.of("effects:\n  - cohesion: {range: 2, depth: 1}\n", "Cohesion", "PairForce"),
-                Addition.of("effects:\n  - repulsion: {radius: 1, stiffness: 1}\n", "Repulsion", "PairForce"),
-                Addition.of("effects:\n  - penaltyPlane: {stiffness: 1}\n", "PenaltyPlane", "Penalty"),
-                Addition.of("effects:\n  - penaltySphere: {centre: [9, 9, 9], radius: 1, stiffness: 1}\n",
-                "PenaltySphere", "Penalty"),
-                Addition.of("impact: clamp\nrules: [ground]\n", "RestingContacts", "ClampedImpacts"),
-                Addition.of("impact: exact\nrules: [ground]\n", "RestingContacts", "ExactImpacts"),
-                Addition.of("impact: exact\nrules:\n  - sphere: {centre: [9, 9, 9], radius: 1}\n", "RestingContacts",
-                        "ExactImpacts"),
-                Addition.of("rules:\n  - tear: {strain: 9}\n", "SpringTear"),
-                Addition.of("rules:\n  - shake: {particle: wall, amplitude: [1, 0, 0], period: 1}\n"),
-                Addition.of("rules:\n  - emitter: {id: e, position: [0, 0, 0], speed: 1, rate: 1}\n", "Emitter"),
-                Addition.of("rules:\n  - emitter: {id: e, position: [0, 0, 0], speed: 1, rate: 1, lifetime: 1}\n",
-                "Emitter", "Lifetimes"),
-                Addition.of("rules:\n  - kill: {point: [0, -9, 0]}\n", "KillPlane"),
-                Addition.of("rules:\n  - samples: {farthest: 9, lightest: 1}\n", "ParticleResampler"));
+        return ADDITIONS.lines().map(line -> line.split(" ?[|] ?", -1)).map(row -> new Addition(
+                row[0].replace("; ", "\n") + "\n", row[1].isEmpty() ? Set.of() : Set.of(row[1].split(" ")))).toList();
     }
 
     @ParameterizedTest
@@ -84,7 +81,7 @@ class OnlyWhatIsNamedTest {
                 scene.system().getReactions().stream().<Class<?>>map(Reaction::getClass),
                 scene.simulation().getRules().stream().<Class<?>>map(Rule::getClass)).flatMap(all -> all);
         List<String> names = built.map(Class::getSimpleName).sorted().toList();
-        Set<String> bases = Set.of("AirDrag", "PairForce", "Penalty");
+        Set<String> bases = Set.of("AirDrag", "PairForce", "Penalty", "Impacts");
         assertEquals(withSprings(addition).stream().filter(name -> !bases.contains(name)).toList(), names);
     }
 
