@@ -2,16 +2,22 @@ package particles;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Systems.GRAVITY;
 
 import deSolvers.DESolver;
 import deSolvers.EulerSolver;
 import deSolvers.RK4Solver;
+import deSolvers.catalog.SolverCatalog;
+import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import particles.effects.Gravity;
+import particles.energy.EnergyRecorder;
 import particles.law.Plane;
 import particles.law.Reaction;
 import particles.law.Vector3;
@@ -21,6 +27,9 @@ import particles.reactions.RigidConstraints;
 import particles.reactions.contact.ContactSurface;
 import particles.reactions.contact.Friction;
 import particles.rules.CircleMotion;
+import particles.scene.Scene;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneReader;
 
 /** A run checks its rods, wires and contacts, and reports the worst at its end. */
 class ConstraintViolationTest {
@@ -116,6 +125,34 @@ class ConstraintViolationTest {
         Violation violation = run.getViolation();
         said = said.isEmpty() && violation.part() > 1e-3 ? violation.what() : said;
         assertEquals(found, said.replaceFirst(" at t = 0.5\\d* s", ""), violation.toString());
+    }
+
+    /**
+     * On shipped scenes with rods, wires and contacts the check says nothing where a solver is right: with less
+     * than 1 % of numerical error. Measured: 4.5e-4 with yoshida4 on the wires, whose error is 0.7 %; those with more
+     * than 1e-3 have errors of 1.4 % and more.
+     */
+    @Tag("slow")
+    @ParameterizedTest
+    @ValueSource(strings = {"21-balls-and-bowl", "40-rigid-pendulum", "42-bead-on-a-wire", "43-rod-on-the-ground"})
+    void theCheckIsSilentWhereASolverIsRight(String name) {
+        int right = 0;
+        for (String solver : SolverCatalog.names()) {
+            Scene scene = SceneBuilder.build(SceneReader.read(Path.of("scenes", name + ".yaml")).withSolver(solver));
+            EnergyRecorder energy = new EnergyRecorder(scene.simulation(), scene.energyEstimate(), 1);
+            scene.simulation().addObserver(energy);
+            try {
+                scene.simulation().run();
+            } catch (SimulationException e) {
+                continue;                               // a solver that ends here is not right
+            }
+            if (energy.getLedger().getLargestNumericalError() < 0.01 * energy.getHistory().getScale()) {
+                right++;
+                assertTrue(scene.simulation().getViolation().part() < 1e-3, solver + ": "
+                        + scene.simulation().getViolation());
+            }
+        }
+        assertTrue(right >= 7, right + " solvers are right");
     }
 
     @Test
