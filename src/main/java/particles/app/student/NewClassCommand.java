@@ -12,7 +12,6 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.ProgramCommand;
 import particles.teaching.effects.EffectSkeleton;
-import particles.teaching.solvers.SolverSkeleton;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 

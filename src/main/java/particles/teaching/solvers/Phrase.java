@@ -75,7 +75,8 @@ enum Phrase {
             method DIFFERS: %s %s; %s says %s%s
             method CHANGED: this is nearly %s
             method PARTS: the parts of the step lead to %s, and have to lead to t + deltaT: is the step made \
-                once only? The last sub-step has to be cut to what is left of deltaT; lengths and signs of the other \
+                once only, and no part of it made once too often? \
+                The last sub-step has to be cut to what is left of deltaT; lengths and signs of the other \
                 parts have to be those of the book
             method WEIGHTS_SUM: the weights of the new state add up to %s; they have to add up to 1
             method LOW_ORDER: the order is %s with %s%s: %s %s; compare the coefficients and the weights with those \

@@ -170,9 +170,9 @@ final class UnreadMethod {
             WindyOscillators source = new WindyOscillators(1);
             maker.get().stepState(source, deltaT);
             double error = source.error();
-            int best = best(source, deltaT);
-            return Phrase.PARTS.when(error > LITTLE && error(source, deltaT, best) < LITTLE * error, Formula.time(
-                    (double) best / PARTS));
+            double place = best(source, deltaT, best(source, deltaT, 1, 1), 1.0 / PARTS);
+            return Phrase.PARTS.when(error > LITTLE && error(source, deltaT, place) < LITTLE * error, Formula.time(
+                    Math.rint(1000 * place) / 1000));
         });
     }
 
@@ -217,17 +217,17 @@ final class UnreadMethod {
         return unlessRefused(() -> {
             WindyOscillators source = new WindyOscillators(1);
             maker.get().stepState(source, deltaT);
-            double here = error(source, deltaT, PARTS);
-            int best = best(source, deltaT);
-            double place = (double) best / PARTS;
-            return Phrase.ELSEWHERE.when(error(source, deltaT, best) <= MUCH_BETTER * here, deltaT, Formula.time(place),
-                    place);
+            double here = error(source, deltaT, 1);
+            double place = best(source, deltaT, 1, 1);
+            return Phrase.ELSEWHERE.when(error(source, deltaT, place) <= MUCH_BETTER * here, deltaT, Formula.time(
+                    place), place);
         });
     }
 
-    private static int best(WindyOscillators source, double deltaT) {
-        return IntStream.rangeClosed(0, 2 * PARTS).boxed().min(Comparator.comparingDouble(part -> error(source, deltaT,
-                part))).orElseThrow();
+    /** The place around another one, in units of deltaT, whose time suits the state best. */
+    private static double best(WindyOscillators source, double deltaT, double centre, double width) {
+        return IntStream.rangeClosed(-PARTS, PARTS).mapToObj(part -> centre + width * part / PARTS).min(
+                Comparator.comparingDouble(place -> error(source, deltaT, place))).orElseThrow();
     }
 
     /** Whether the derivative is evaluated once more for each entry, as for a matrix of differences. */
@@ -235,8 +235,8 @@ final class UnreadMethod {
         return evaluations(2, H) >= evaluations(1, H) + SIZE / 2;
     }
 
-    private static double error(WindyOscillators source, double deltaT, int part) {
-        source.incTime(deltaT * part / PARTS - source.getTime());
+    private static double error(WindyOscillators source, double deltaT, double place) {
+        source.incTime(deltaT * place - source.getTime());
         return source.error();
     }
 }

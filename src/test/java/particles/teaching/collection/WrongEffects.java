@@ -31,26 +31,30 @@ final class WrongEffects {
         return Stream.of(signs(), energies(), claims(), indices(), pairsOfParticles()).flatMap(List::stream).toList();
     }
 
-    private static Law gravity(Particles p, double force, double energy) {
+    static Law gravity(Particles p, double force, double energy) {
         return law("Gravity", Trait.CONSERVATIVE).force(each(p, (s, f, x, m) -> f[x + 4] -= force * m * G))
                 .energy(sum(p, (s, x, m) -> energy * m * G * s[x + 1]));
     }
 
-    private static Law drag(Particles p, double force, double heat, Trait... traits) {
+    static Law drag(Particles p, double force, double heat, Trait... traits) {
         return law("Drag", traits).moving().force(each(p, (s, f, x, m) -> push(f, x, -0.4 * force, s, x + 3)))
                 .heat(sum(p, (s, x, m) -> 0.4 * heat * square(s, x + 3)));
     }
 
-    private static Law tether(Particles p, double force, double energy, Trait... traits) {
+    static Law tether(Particles p, double force, double energy, Trait... traits) {
         return law("Tether", traits).force(each(p, (s, f, x, m) -> push(f, x, -4 * force, s, x)))
                 .energy(sum(p, (s, x, m) -> 2 * energy * square(s, x)));
     }
 
     private static List<EffectSpecimen> signs() {
         return List.of(
-                wrong("Gravity.", "force upwards", "sign", p -> gravity(p, -1, 1)),
+                wrong("Gravity.", "force upwards",
+                        "^method: component y of the force on particle 'p0'.*the sign is wrong",
+                        p -> gravity(p, -1, 1)),
                 wrong("Gravity.", "energy falls with height", "sign", p -> gravity(p, 1, -1)),
-                wrong("Drag.", "pushes along", "sign", p -> drag(p, -1, 1, Trait.DISSIPATIVE)),
+                wrong("Drag.", "pushes along",
+                        "the sign is wrong; damping has to push against the velocity",
+                        p -> drag(p, -1, 1, Trait.DISSIPATIVE)),
                 wrong("Drag.", "heat negative", "sign of the dissipated power", p -> drag(p, 1, -1,
                         Trait.DISSIPATIVE)),
                 wrong("Drag.", "pushes along and cools", "sign|against the velocity", p -> drag(p, -1, -1,
@@ -67,18 +71,22 @@ final class WrongEffects {
 
     private static List<EffectSpecimen> energies() {
         return List.of(
-                wrong("Gravity.", "no mass in the force", "mass is missing in the force", p -> gravity(p, 1, 1)
-                        .force(each(p, (s, f, x, m) -> f[x + 4] -= G))),
+                wrong("Gravity.", "no mass in the force",
+                        "component y of the force on particle 'p0'.*the mass is missing in the force",
+                        p -> gravity(p, 1, 1).force(each(p, (s, f, x, m) -> f[x + 4] -= G))),
                 wrong("Gravity.", "no mass in the energy", "mass is missing in the potential energy",
                         p -> gravity(p, 1, 1).energy(sum(p, (s, x, m) -> G * s[x + 1]))),
                 wrong("Gravity.", "no energy", "getPotentialEnergy is missing", p -> gravity(p, 1, 0)),
-                wrong("Gravity.", "energy goes with x", "x and y", p -> gravity(p, 1, 1).energy(sum(p, (s, x, m)
+                wrong("Gravity.", "energy goes with x",
+                        "only x and y are wrong", p -> gravity(p, 1, 1).energy(sum(p, (s, x, m)
                         -> m * G * s[x]))),
-                wrong("A spring to the origin.", "no half in the energy", "half", p -> tether(p, 1, 2,
-                        Trait.CONSERVATIVE)),
+                wrong("A spring to the origin.", "no half in the energy",
+                        "the half is missing in the potential energy", p -> tether(p, 1, 2, Trait.CONSERVATIVE)),
                 wrong("A spring to the origin.", "1/2 of whole numbers", "1/2 is 0", p -> tether(p, 1, 1,
                         Trait.CONSERVATIVE).energy(sum(p, (s, x, m) -> 1 / 2 * 4 * square(s, x)))),
-                wrong("Drag.", "a half in the heat", "half", p -> drag(p, 1, 0.5, Trait.DISSIPATIVE)),
+                wrong("Drag.", "a half in the heat",
+                        "twice as much; a half stands in the dissipated power",
+                        p -> drag(p, 1, 0.5, Trait.DISSIPATIVE)),
                 wrong("Drag.", "no heat", "getDissipatedPower is missing", p -> drag(p, 1, 0, Trait.DISSIPATIVE)),
                 wrong("Chain of springs", "rest length left out of the energy", "slope|potential energy",
                         p -> law("Chain", Trait.CONSERVATIVE)
@@ -144,7 +152,8 @@ final class WrongEffects {
                         f[3 * i + 1] -= p.mass(i) * G;
                     }
                 })),
-                wrong("Gravity.", "written over the position", "position stands", p -> gravity(p, 1, 1).force(each(p,
+                wrong("Gravity.", "written over the position", "^state: component y of the force on particle 'p0'"
+                        + " is written to entry 1, where the position stands", p -> gravity(p, 1, 1).force(each(p,
                         (s, f, x, m) -> f[x + 1] -= m * G))),
                 wrong("A spring to the origin.", "positions read with stride 3", "six entries",
                         p -> tether(p, 1, 1, Trait.CONSERVATIVE).force(each(p, (s, f, x, m)
@@ -182,7 +191,9 @@ final class WrongEffects {
                                 f[6 * i + 4] -= p.mass(i) * G;
                             }
                         })),
-                wrong("Drag.", "six particles are expected", "particles", p -> drag(p, 1, 1, Trait.DISSIPATIVE)
+                wrong("Drag.", "six particles are expected",
+                        "there is no force on particle 'p6', 'p7', 'p8', and the right"
+                        + " one on all others; the loop has to", p -> drag(p, 1, 1, Trait.DISSIPATIVE)
                         .force((s, t, f) -> {
                             for (int i = 0; i < 6; i++) {
                                 push(f, 6 * i, -0.4, s, 6 * i + 3);
@@ -190,7 +201,9 @@ final class WrongEffects {
                         })),
                 wrong("Gravity.", "all of it in every range", "range", p -> new InRanges(p, false)),
                 wrong("Gravity.", "the last of each range left out", "range|loop", p -> new InRanges(p, true)),
-                wrong("Gravity.", "set and not added", "= instead of \\+=", p -> gravity(p, 1, 1).force(each(p,
+                wrong("Gravity.", "set and not added",
+                        "^state: component y of the force on particle 'p0' is set and not"
+                        + " added .= instead of", p -> gravity(p, 1, 1).force(each(p,
                         (s, f, x, m) -> f[x + 4] = -m * G))),
                 wrong("Drag.", "y forgotten", "only y|y is", p -> drag(p, 1, 1, Trait.DISSIPATIVE).force(each(p,
                         (s, f, x, m) -> {
@@ -217,8 +230,10 @@ final class WrongEffects {
 
     private static List<EffectSpecimen> pairsOfParticles() {
         return List.of(
-                wrong("Springs between neighbours.", "partner forgotten", "partner", p -> law("Chain", Trait.INTERNAL,
-                        Trait.CONSERVATIVE).force((s, t, f) -> {
+                wrong("Springs between neighbours.", "partner forgotten",
+                        "^method: particle 'p1' pushes 'p0', and is not"
+                        + " pushed itself: the partner's force F_ji = -F_ij is missing",
+                        p -> law("Chain", Trait.INTERNAL, Trait.CONSERVATIVE).force((s, t, f) -> {
                             for (int x = 0; x + 6 < s.length; x += 6) {
                                 double size = 20 - 16 / Law.distance(s, x, x + 6);
                                 for (int k = x; k < x + 3; k++) {
@@ -226,7 +241,8 @@ final class WrongEffects {
                                 }
                             }
                         }).energy((s, t) -> RightEffects.chainEnergy(p, s, 20, 0.8, false))),
-                wrong("Attraction", "partner pushed the same way", "opposite", p -> law("Attraction", Trait.INTERNAL,
+                wrong("Attraction", "partner pushed the same way",
+                        "'p1' pushes 'p0', and gets the same force itself", p -> law("Attraction", Trait.INTERNAL,
                         Trait.CONSERVATIVE).force(pairs(p, 1, (r, mm) -> mm / (r * r)))
                         .energy(pairEnergy(p, (r, mm) -> -mm / r))),
                 wrong("Attraction", "each pair twice", "twice", p -> law("Attraction", Trait.INTERNAL,

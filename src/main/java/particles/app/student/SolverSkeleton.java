@@ -1,13 +1,15 @@
-package particles.teaching.solvers;
+package particles.app.student;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /** The template of a student's solver: it compiles, and has the algorithm's outline as comments. */
-public final class SolverSkeleton {
+final class SolverSkeleton {
     private static final String MIDPOINT = """
                     // 1. deltaS = deltaT * derivative at (s, t)                 the Euler step
                     // 2. gMid   = derivative at (s + deltaS/2, t + deltaT/2)    after half the time and half of deltaS
@@ -31,10 +33,16 @@ public final class SolverSkeleton {
                     // 3. new s = s + deltaT * a mean of the derivatives; the weights add up to 1
             """;
 
+    /** The outlines for words in a class's name; no two of them are in one method's name. */
+    private static final Map<String, String> OUTLINES = Map.of(
+            "midpoint|rk2|rungekutta2|modifiedeuler|improvedeuler", MIDPOINT,
+            "rk4|rungekutta(?!\\d)|rungekutta4", RK4,
+            "symplectic|semiimplicit|cromer|verlet|leapfrog|simplealgorithm|simpleparticle", SIMPLE);
+
     /** The class that solvers extend on the slides. */
-    public static final String SLIDES_WAY = "DESolver";
+    static final String SLIDES_WAY = "DESolver";
     /** The classes that a solver may extend to begin with. */
-    public static final List<String> SOLVER_BASES = List.of(SLIDES_WAY, "FixedStepSolver");
+    static final List<String> SOLVER_BASES = List.of(SLIDES_WAY, "FixedStepSolver");
 
     private static final String ON_DE_SOLVER = """
             package exercises;
@@ -119,7 +127,7 @@ public final class SolverSkeleton {
     }
 
     /** @return the names of the methods with an example */
-    public static Set<String> examples() {
+    static Set<String> examples() {
         return new TreeSet<>(EXAMPLES.keySet());
     }
 
@@ -128,7 +136,7 @@ public final class SolverSkeleton {
      * @param method one of {@link #examples()}
      * @return the text of a whole solver, to compare one's own with
      */
-    public static String example(String name, String method) {
+    static String example(String name, String method) {
         String outline = ON_DE_SOLVER.replaceFirst("(?s)OUTLINE.*add up to deltaT\n", Matcher.quoteReplacement(
                 EXAMPLES.get(method)));
         return outline.replace("My own solver", "An example: " + method).replace("NAME", name);
@@ -139,7 +147,7 @@ public final class SolverSkeleton {
      * @return whether that is a class's name: a capital, then letters and digits;
      *         no word of the language begins with a capital
      */
-    public static boolean isClassName(String name) {
+    static boolean isClassName(String name) {
         return name.matches("[A-Z]\\w*");
     }
 
@@ -148,16 +156,10 @@ public final class SolverSkeleton {
      * @param base the class that it extends, one of {@link #SOLVER_BASES}
      * @return the text of a solver
      */
-    public static String solver(String name, String base) {
-        return (base.equals(SLIDES_WAY) ? ON_DE_SOLVER : ON_FIXED_STEP_SOLVER).replace("OUTLINE\n", NamePromise.of(name)
-                .map(SolverSkeleton::outline).orElse(GENERAL)).replace("NAME", name);
-    }
-
-    private static String outline(NamePromise name) {
-        List<String> methods = name.methods();
-        boolean any = methods.isEmpty() && name.says().startsWith("a Runge-Kutta method");
-        return methods.contains(KnownMethods.SYMPLECTIC) || methods.contains(KnownMethods.VERLET) ? SIMPLE
-                : any && name.order() == 4 ? RK4 : any && name.order() == 2 || methods.contains(KnownMethods.MIDPOINT)
-                ? MIDPOINT : GENERAL;
+    static String solver(String name, String base) {
+        String outline = OUTLINES.entrySet().stream().filter(entry -> Pattern.compile(entry.getKey()).matcher(
+                name.toLowerCase(Locale.ROOT)).find()).findFirst().map(Map.Entry::getValue).orElse(GENERAL);
+        return (base.equals(SLIDES_WAY) ? ON_DE_SOLVER : ON_FIXED_STEP_SOLVER).replace("OUTLINE\n", outline).replace(
+                "NAME", name);
     }
 }
