@@ -1,6 +1,7 @@
 package particles.scene;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import particles.scene.checks.SceneChecks;
 import particles.scene.format.SceneDescription;
@@ -74,6 +75,13 @@ public final class SceneReader {
         return readValues(bytes, new Reading(source, problems, classes))
                 .flatMap(values -> new SceneChecks(values, problems).describe())
                 .orElseThrow(() -> new SceneException(problems.lines()));
+    }
+
+    /** @return the numbers in a scene's text, in the order in which they are read; of what has mistakes, the others */
+    public static List<Reading.NumberInText> numbers(byte[] bytes, ClassNames classes) {
+        Reading in = new Reading("", new Problems(), classes);
+        readValues(bytes, in);
+        return in.numbers();
     }
 
     /** Reads the values and checks each by itself, as the schema does; conditions between parts are checked later. */

@@ -58,7 +58,8 @@ public final class MappingType extends Type<Values> {
      * @return all values without mistakes
      */
     public Values readRoot(Node root, Reading in) {
-        Reading inFormat = new Reading(in.source(), in.problems(), in.classes(), Optional.of(this));
+        Reading inFormat = new Reading(in.source(), in.problems(), in.classes(), in.numbers(),
+                Optional.of(this));
         return read(root, name, inFormat).orElseThrow();
     }
 

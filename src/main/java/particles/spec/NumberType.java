@@ -61,6 +61,7 @@ public final class NumberType extends Type<Double> {
             return wrong(node, what, "positive numbers in a scene are at least " + Digits.exact(TINY), in);
         }
         if (value <= most && value >= smallest()) {
+            in.numbers().add(new Reading.NumberInText(what, value, in.place(node), smallest(), most, unit));
             return number;
         }
         if (Double.isNaN(value) && !isNotANumber(node) || Math.abs(value) > HUGE) {

@@ -1,5 +1,6 @@
 package particles.spec;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
@@ -15,15 +16,30 @@ import particles.spec.messages.Wording;
  * @param source   its name in messages
  * @param problems receives the problems
  * @param classes  finds students' classes by name
+ * @param numbers  receives the numbers that are right
  * @param format   the format of the whole source, once it is known; for hints about misplaced keys
  */
-public record Reading(String source, Problems problems, ClassNames classes, Optional<MappingType> format) {
+public record Reading(String source, Problems problems, ClassNames classes, List<NumberInText> numbers,
+                      Optional<MappingType> format) {
+
+    /**
+     * A number that a text gives.
+     *
+     * @param what  its name in messages, such as {@code 'mass'}
+     * @param value its value
+     * @param place where it is
+     * @param least the smallest value allowed
+     * @param most  the largest value allowed
+     * @param unit  its unit; empty for pure numbers
+     */
+    public record NumberInText(String what, double value, Place place, double least, double most, String unit) {
+    }
 
     private static final Pattern CURLY_QUOTED = Pattern.compile("^[" + Wording.CURLY_QUOTES + "]");
 
     /** A source whose format is not known yet. */
     public Reading(String source, Problems problems, ClassNames classes) {
-        this(source, problems, classes, Optional.empty());
+        this(source, problems, classes, new ArrayList<>(), Optional.empty());
     }
 
     /** A source that names no classes. */
