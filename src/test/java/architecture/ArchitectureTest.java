@@ -99,8 +99,9 @@ class ArchitectureTest {
                                            particles.scene particles.view
             particles.javac:               javax.tools
             particles.lab:                 deSolvers deSolvers.catalog particles particles.effects.springs
-                                           particles.energy particles.law particles.messages particles.scene
-                                           particles.scene.format particles.spec particles.view
+                                           particles.energy particles.experiments.stability particles.law
+                                           particles.messages particles.scene particles.scene.format
+                                           particles.spec particles.view
             particles.lab.browser:         deSolvers particles.effects particles.lab particles.spec org.teavm
             particles.lab.compile:         particles.javac particles.lab org.teavm
             particles.law:                 deSolvers

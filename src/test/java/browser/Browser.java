@@ -139,15 +139,21 @@ final class Browser implements AutoCloseable {
         ChromeOptions options = new ChromeOptions();
         options.setBinary(program("chromium"));
         options.addArguments("--headless=new", "--no-sandbox", "--disable-dev-shm-usage",
-                "--enable-unsafe-swiftshader");
+                "--enable-unsafe-swiftshader", "--force-prefers-reduced-motion");    // scenes wait for Start
         ChromeDriverService service = new ChromeDriverService.Builder().usingDriverExecutable(program("chromedriver"))
                 .usingAnyFreePort().build();
         Browser browser = new Browser(new ChromeDriver(service, options));
         browser.driver.manage().window().setSize(new Dimension(width, height));
         browser.driver.manage().timeouts().scriptTimeout(Duration.ofMinutes(5));
-        browser.driver.get(page().toUri().toString());
-        browser.await("the first scene", () -> !browser.text("steps").isEmpty() && !browser.text("limit").isEmpty());
+        browser.go(page().toUri().toString());
         return browser;
+    }
+
+    /** Goes to an address of the page, even if it differs from the present one only after #. */
+    void go(String address) {
+        driver.get("about:blank");
+        driver.get(address);
+        await("the first scene", () -> !text("steps").isEmpty() && !text("limit").isEmpty());
     }
 
     private static File program(String name) {

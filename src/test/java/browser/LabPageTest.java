@@ -24,7 +24,7 @@ class LabPageTest extends LabPageTestCase {
         assertEquals("1008", page.text("evaluations"));
         assertEquals(1, energyRatio(), 1e-5);           // measured 5e-7
         page.choose("solver", "euler");
-        page.await("euler", () -> page.text("steps").equals("0"));
+        until("text('steps') === '0'");
         runToTheEnd();
         assertEquals("252", page.text("evaluations"));
         // each step multiplies by 1 + h^2, the last by less: (1 + 0.05^2)^251.3 = 1.873
@@ -44,7 +44,7 @@ class LabPageTest extends LabPageTestCase {
         assertEquals(1, page.driver().findElements(org.openqa.selenium.By.className("wrong-place")).size());
         page.screenshot("error");
         edit("solver: rk5", "solver: verlet");
-        page.await("no error", () -> page.text("errors").isEmpty());
+        until("text('errors') === ''");
         runToTheEnd();
         assertEquals("verlet", page.element("solver").getAttribute("value"));
         assertEquals("254", page.text("evaluations"));  // one a step, one more for the first and for the shorter last
@@ -55,7 +55,7 @@ class LabPageTest extends LabPageTestCase {
         page.openScene("12-stiff-network");
         setStep("0.01");
         page.click("start");
-        page.await("the blow-up", () -> page.text("message").contains("stopped at t = "));
+        until("text('message').includes('stopped at t = ')");
         assertTrue(page.text("message").contains("deltaT"), page.text("message"));
         String steps = page.text("steps");
         Browser.sleep(500);
@@ -67,7 +67,7 @@ class LabPageTest extends LabPageTestCase {
     void oneStepIsOneStep() {
         page.openScene("02-one-spring");
         page.click("step");
-        page.await("one step", () -> page.text("steps").equals("1"));
+        until("text('steps') === '1'");
         assertEquals("0.05 s", page.text("clock"));
         assertEquals("4", page.text("evaluations"));
     }
@@ -79,7 +79,7 @@ class LabPageTest extends LabPageTestCase {
         double end = page.number("clock");
         page.script("const time = document.getElementById('time'); time.value = 3.14;"
                 + " time.dispatchEvent(new Event('input'));");
-        page.await("an earlier moment", () -> page.number("clock") < 4);
+        until("number('clock') < 4");
         assertEquals(3.1, page.number("clock"), 0.011);         // the step before, 62 times 0.05 s
         page.click("start");
         page.await("the end again", () -> page.number("clock") == end);
@@ -105,11 +105,11 @@ class LabPageTest extends LabPageTestCase {
     void plotsShowTheStatesOfStepsAndNothingBetweenThem() {
         page.openScene("02-one-spring");
         page.choose("solver", "euler");
-        page.await("euler", () -> page.text("sentence").contains("straight"));
+        until("text('sentence').includes('straight')");
         setStep("0.5");
         page.choose("speed", "1");
         page.click("start");
-        page.await("five steps", () -> page.number("steps") >= 5);
+        until("number('steps') >= 5");
         page.click("start");
         assertEquals("Continue", page.text("start"));
         assertEquals(true, page.script("""
@@ -133,15 +133,15 @@ class LabPageTest extends LabPageTestCase {
                 send('pointermove', -80);
                 """);
         page.await("the pull's work", () -> page.text("work").matches("(?s).*pointer \\(driven\\): [0-9].*"));
-        page.await("its force", () -> page.text("forceList").contains("pointer"));
+        until("text('forceList').includes('pointer')");
         page.script("document.getElementById('view').dispatchEvent(new PointerEvent('pointerup', {pointerId: 1}));");
-        page.await("no force of the pointer", () -> !page.text("forceList").contains("pointer"));
+        until("!text('forceList').includes('pointer')");
         page.script("const time = document.getElementById('time'); time.value = 0.1;"
                 + " time.dispatchEvent(new Event('input'));");
-        page.await("an earlier moment", () -> page.number("clock") <= 0.1);
+        until("number('clock') <= 0.1");
         page.click("start");
-        page.await("what became of the pull", () -> page.text("message").contains("without your earlier pulls"));
-        page.await("no work", () -> page.text("work").isEmpty());
+        until("text('message').includes('without your earlier pulls')");
+        until("text('work') === ''");
     }
 
     @Test
@@ -150,7 +150,7 @@ class LabPageTest extends LabPageTestCase {
         setStep("2");
         page.choose("speed", "0.1");
         page.click("start");
-        page.await("a moment within the first step", () -> page.number("clock") > 0.05);
+        until("number('clock') > 0.05");
         assertEquals("1", page.text("steps"));
         assertTrue(page.number("clock") < 2, page.text("clock"));
     }
@@ -159,25 +159,24 @@ class LabPageTest extends LabPageTestCase {
     void aSolverOfOnesOwnRunsAndOneThatIsNotThereIsNamedWithTheCommand() {
         page.openScene("02-one-spring");
         page.choose("solver", Browser.SOLVER);
-        page.await("Heun", () -> page.text("sentence").contains("your own"));
+        until("text('sentence').includes('your own')");
         runToTheEnd();
         assertEquals("504", page.text("evaluations"));  // two a step
         assertEquals(1 + 251.3 * Math.pow(0.05, 4) / 4, energyRatio(), 1e-4);
         edit("solver: rk4", "solver: exercises.Other");
-        page.await("the line", () -> page.text("errors").contains("gradle lab -Psolver=exercises.Other"));
+        until("text('errors').includes('gradle lab -Psolver=exercises.Other')");
     }
 
     @Test
     void anEffectOfOnesOwnActsInASceneAndOneThatIsMissingIsNamedWithTheCommand() {
         page.openScene("01-falling-particle");
         edit("  - gravity ", "  - gravity\n  - exercises.Lift: {acceleration: 9.81} #");
-        page.await("the scene with lift", () -> (Boolean) page.script(
-                "return window.lab.view.facts.energies.some(name => name.includes('Lift'));"));
+        until("window.lab.view.facts.energies.some(name => name.includes('Lift'))");
         runToTheEnd();
         // Lift cancels gravity: 7 m/s up for 1.5 s from height 0
-        assertEquals(10.5, ((Number) page.script("return window.lab.view.moment.state[1];")).doubleValue(), 1e-9);
+        assertEquals(10.5, value("window.lab.view.moment.state[1]"), 1e-9);
         edit("exercises.Lift: {acceleration: 9.81}", "exercises.Other: {acceleration: 9.81}");
-        page.await("the line", () -> page.text("errors").contains("gradle lab"));
+        until("text('errors').includes('gradle lab')");
         assertTrue(page.text("errors").contains("exercises.Other"), page.text("errors"));
     }
 
@@ -185,16 +184,15 @@ class LabPageTest extends LabPageTestCase {
     void anErrorInAClassIsToldInItsOwnWordsAndThePageStaysUsable() {
         page.openScene("01-falling-particle");
         edit("  - gravity ", "  - gravity\n  - exercises.Lift: {acceleration: 2000} #");
-        page.await("the scene with lift", () -> (Boolean) page.script(
-                "return window.lab.view.facts.energies.some(name => name.includes('Lift'));"));
+        until("window.lab.view.facts.energies.some(name => name.includes('Lift'))");
         page.click("start");
-        page.await("the error", () -> page.text("message").contains("no wing lifts like that"));
+        until("text('message').includes('no wing lifts like that')");
         assertEquals("Start", page.text("start"));
         edit("acceleration: 2000", "acceleration: 9.81");
-        page.await("the scene without the error", () -> page.text("message").isEmpty());
+        until("text('message') === ''");
         runToTheEnd();
         page.choose("scene", "02-one-spring.yaml");
-        page.await("another scene", () -> page.text("steps").equals("0"));
+        until("text('steps') === '0'");
         runToTheEnd();
         assertEquals("252", page.text("steps"));
     }
@@ -237,8 +235,7 @@ class LabPageTest extends LabPageTestCase {
                   return kind.startsWith('webgl') ? null : original.call(this, kind, ...more);
                 };
                 """));
-        page.driver().navigate().refresh();
-        page.await("the first scene", () -> !page.text("steps").isEmpty() && !page.text("limit").isEmpty());
+        page.go(page.driver().getCurrentUrl());
         assertTrue(page.text("view").contains("no WebGL 2"), page.text("view"));
         runToTheEnd();
         assertEquals("252", page.text("steps"));

@@ -10,6 +10,13 @@ import org.openqa.selenium.logging.LogType;
 
 /** Opens the page for each test, and fails where the page reports an error of its own. */
 abstract class LabPageTestCase {
+    private static final String WORDS = """
+            const element = id => document.getElementById(id), text = id => element(id).innerText.trim();
+            const number = id => parseFloat(text(id)), value = id => element(id).value;
+            const {view, energy, phase, comparison} = window.lab, state = view.moment?.state;
+            const caption = () => document.querySelector('figcaption').textContent;
+            const scene = () => document.querySelector('.CodeMirror').CodeMirror.getValue();
+            """;
     Browser page;
 
     @BeforeEach
@@ -23,6 +30,15 @@ abstract class LabPageTestCase {
                 .filter(entry -> entry.getLevel() == Level.SEVERE).map(Object::toString).toList();
         page.close();
         assertEquals(List.of(), mistakes);
+    }
+
+    /** Waits until a script's expression holds; text(id), number(id) and value(id) are an element's. */
+    void until(String expression) {
+        page.await(expression, () -> (Boolean) page.script(WORDS + "return Boolean(" + expression + ");"));
+    }
+
+    double value(String expression) {
+        return ((Number) page.script(WORDS + "return " + expression + ";")).doubleValue();
     }
 
     void edit(String from, String to) {

@@ -22,7 +22,7 @@ class PictureTest extends LabPageTestCase {
         page.await("the cloth", () -> redPixels("#view canvas") > 1000);
         long before = redPixels("#view canvas");
         page.click("start");
-        page.await("a second", () -> page.number("clock") > 0.5);
+        until("number('clock') > 0.5");
         page.click("start");
         assertTrue(redPixels("#view canvas") != before);
         assertTrue(linePixels("#energy canvas") > 200);

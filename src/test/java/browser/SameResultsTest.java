@@ -63,7 +63,7 @@ class SameResultsTest {
     /** Makes runs one after the other in a worker of their own: for each, its mistakes or failure, and its bits. */
     private static final String RUNS = """
             const [runs, done] = arguments, found = [];
-            const worker = new Worker(URL.createObjectURL(new Blob([document.getElementById('engine').textContent])));
+            const worker = new Worker(window.lab.engine);
             const tell = (words, state) => {
               found.push([words, ...[...new BigUint64Array(state)].map(number => number.toString(16))]);
               found.length < runs.length ? next() : done(found, worker.terminate());

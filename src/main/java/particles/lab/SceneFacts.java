@@ -42,11 +42,15 @@ final class SceneFacts {
                 "teaches", description.lesson().teaches(), "solver", description.solver(),
                 "deltaT", description.deltaT(), "duration", description.duration(),
                 "energyScale", scene.energyEstimate(), "energies", energies.getNames(), "uniform", energies.uniform(),
-                "limits", limits(scene), "look", look(description.drawing().look()),
+                "look", look(description.drawing().look()),
                 "planes", scenery.planes().stream().map(SceneFacts::plane).toList(),
                 "spheres", scenery.spheres().stream().map(SceneFacts::sphere).toList(),
                 "wires", scenery.wires().stream().map(SceneFacts::wire).toList(),
                 "surfaces", scenery.surfaces().stream().map(SceneFacts::surface).toList());
+        SpringRates rates = SpringRates.of(scene.springs(), scene.system().getParticles());
+        facts.put("limits", limits(rates));
+        facts.put("omega", rates.omega());
+        facts.put("damping", rates.dampingRate());
         description.settings().solver().tolerances().ifPresent(given -> facts.put("tolerance", given.relative()));
         description.drawing().camera().ifPresent(camera -> facts.put("camera", camera(camera)));
         description.output().phase().ifPresent(phase -> facts.put("phase", List.of(phase.particle(),
@@ -57,8 +61,7 @@ final class SceneFacts {
     /**
      * The longest stable step of each solver, by the springs of the scene; null if there is none or it is not known.
      */
-    private static Map<String, Object> limits(Scene scene) {
-        SpringRates rates = SpringRates.of(scene.springs(), scene.system().getParticles());
+    private static Map<String, Object> limits(SpringRates rates) {
         Map<String, Object> limits = Ordered.map();
         for (SolverInfo solver : SolverCatalog.all()) {
             boolean damped = rates.dampingRate() > 0 && !Double.isNaN(solver.realLimit());

@@ -11,6 +11,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.SimulationException;
+import particles.experiments.stability.Amplification;
 import particles.law.Particles;
 import particles.law.Vector3;
 import particles.messages.BlowUpMessage;
@@ -24,6 +25,7 @@ import particles.scene.format.SolverDescription;
 import particles.scene.format.Tolerances;
 import particles.spec.ClassNames;
 import particles.spec.Ordered;
+import particles.spec.Reading;
 
 /** The session of a page: opens a scene, runs it for a while, looks back at earlier times. One scene at a time. */
 public final class Session {
@@ -47,7 +49,8 @@ public final class Session {
     }
 
     private static Map<String, Object> solver(SolverInfo solver) {
-        return Map.of("name", solver.name(), "adaptive", solver.adaptive(), "sentence", solver.sentence());
+        return Map.of("name", solver.name(), "adaptive", solver.adaptive(), "sentence", solver.sentence(),
+                "evaluations", solver.evaluations());
     }
 
     /**
@@ -62,7 +65,8 @@ public final class Session {
      */
     public String open(String file, String text, String solver, String deltaT, double tolerance) {
         try {
-            SceneDescription described = SceneReader.read(file, text.getBytes(StandardCharsets.UTF_8), classes);
+            byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+            SceneDescription described = SceneReader.read(file, bytes, classes);
             boolean same = solver.isEmpty() || solver.equals(described.solver());
             Optional<Tolerances> tolerances = tolerance > 0
                     ? Optional.of(new Tolerances(tolerance, ABSOLUTE_PART * tolerance))
@@ -74,10 +78,17 @@ public final class Session {
             shown = run.getShown();
             failure = "";
             nanoseconds = 0;
-            return Json.of(SceneFacts.of(scene, run.getEnergies()));
+            Map<String, Object> facts = SceneFacts.of(scene, run.getEnergies());
+            facts.put("numbers", SceneReader.numbers(bytes, classes).stream().map(Session::number).toList());
+            return Json.of(facts);
         } catch (SceneException e) {
             return Json.of(Map.of("errors", e.getLines()));
         }
+    }
+
+    private static Map<String, Object> number(Reading.NumberInText number) {
+        return Map.of("key", number.what(), "value", number.value(), "line", number.place().line(), "column",
+                number.place().column(), "least", number.least(), "most", number.most(), "unit", number.unit());
     }
 
     /**
@@ -176,6 +187,24 @@ public final class Session {
             rows.add(row);
         }
         return joined(rows);
+    }
+
+    /**
+     * @param solver  a solver
+     * @param left    the smallest real part of h lambda
+     * @param bottom  the smallest imaginary part
+     * @param cell    the side of the squares of a grid
+     * @param columns its columns
+     * @param rows    its rows
+     * @return the factor by which a step multiplies the solution of s' = lambda s, in the middle of each square, row by
+     *         row; of a spring, with a solver of your own
+     */
+    public double[] region(String solver, double left, double bottom, double cell, int columns, int rows) {
+        Amplification amplification = SolverCatalog.names().contains(solver)
+                ? Amplification.of(SolverCatalog.info(solver))
+                : new Amplification(() -> SolverCatalog.create(solver), true, false);
+        return IntStream.range(0, columns * rows).mapToDouble(k -> amplification.at(
+                left + (k % columns + 0.5) * cell, bottom + (k / columns + 0.5) * cell)).toArray();
     }
 
     /** @return the present state of the run in full precision */

@@ -70,6 +70,12 @@ public final class Engine {
     }
 
     @JSExport
+    @JSByRef
+    public static double[] region(String solver, double left, double bottom, double cell, int columns, int rows) {
+        return SESSION.region(solver, left, bottom, cell, columns, rows);
+    }
+
+    @JSExport
     public static int structureNumber() {
         return SESSION.structureNumber();
     }

@@ -1,11 +1,13 @@
 package particles.lab.compile;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.URL;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Base64;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
@@ -14,6 +16,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import java.util.zip.DeflaterInputStream;
 import particles.lab.LabBuilder;
 
 /** Builds the page: one file with the compiled classes, the libraries, the scenes, and the licences of all. */
@@ -25,8 +28,9 @@ public final class PageBuilder implements LabBuilder {
     private static final String PAGE = "particles/lab/page/";
 
     /** The scripts of the page that import each other, in an order in which each comes after its imports. */
-    private static final List<String> OWN_MODULES = List.of("camera", "lines", "marks", "scenery", "view",
-            "plots", "editor", "settings", "words", "hand", "inspector", "main");
+    private static final List<String> OWN_MODULES = List.of("packing", "address", "gallery", "keys", "camera",
+            "lines", "marks", "scenery", "view", "plots", "editor", "parameters", "saving", "settings", "panels",
+            "stability", "tables", "words", "hand", "inspector", "main");
     private static final Pattern PLACE = Pattern.compile("<!--\\{(\\w+)}-->");
 
     /** Made without parameters, by its name. */
@@ -51,7 +55,7 @@ public final class PageBuilder implements LabBuilder {
     private static String page(Contents contents, String engine) throws IOException {
         Map<String, String> parts = Map.of(
                 "style", read(UPLOT + "dist/uPlot.min.css", CODEMIRROR + "lib/codemirror.css", PAGE + "lab.css"),
-                "engine", script(" type=\"text/plain\" id=\"engine\"", engine + read(PAGE + "worker.js")),
+                "engine", script(" type=\"text/plain\" id=\"engine\"", packed(engine + read(PAGE + "worker.js"))),
                 "scenes", scenes(contents),
                 "libraries", script("", read(UPLOT + "dist/uPlot.iife.min.js"))
                         + script("", read(CODEMIRROR + "lib/codemirror.js", CODEMIRROR + "mode/yaml/yaml.js")),
@@ -67,10 +71,20 @@ public final class PageBuilder implements LabBuilder {
         for (Path file : contents.scenes()) {
             String first = file.equals(contents.first())
                     ? " data-first=\"" + escaped(contents.solver().orElse("")) + '"' : "";
-            all.append(script(" type=\"text/plain\" class=\"scene\" data-name=\""
-                    + escaped(file.getFileName().toString()) + '"' + first, Files.readString(file)));
+            String name = file.getFileName().toString();
+            Path drawn = file.resolveSibling("pictures").resolve(name.replace(".yaml", ".png"));
+            String picture = Files.exists(drawn)
+                    ? " data-picture=\"" + Base64.getEncoder().encodeToString(Files.readAllBytes(drawn)) + '"' : "";
+            all.append(script(" type=\"text/plain\" class=\"scene\" data-name=\"" + escaped(name) + '"' + first
+                    + picture, Files.readString(file)));
         }
         return all + script(" type=\"text/plain\" id=\"students\"", String.join(" ", contents.solvers()));
+    }
+
+    /** The page stays small although the compiled classes are large. */
+    private static String packed(String text) throws IOException {
+        return Base64.getEncoder().encodeToString(new DeflaterInputStream(
+                new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8))).readAllBytes());
     }
 
     private static String modules() throws IOException {

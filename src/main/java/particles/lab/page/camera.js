@@ -3,6 +3,7 @@ import * as THREE from 'three';
 import {OrbitControls} from 'orbit';
 
 const AHEAD = 0.5;                      // so many seconds of a particle's way at its velocity are in the picture too
+const WIDE = 1.5;                       // width over height; a scene's camera is meant for pictures as wide as that
 const MOST_GROWTH = 20;                 // a run that blows up leaves the picture
 
 export class SceneCamera {
@@ -34,7 +35,7 @@ export class SceneCamera {
     const from = given ? new THREE.Vector3(...given.position).sub(this.target)
         : (flat ? new THREE.Vector3(0.22, 0.16, 1) : new THREE.Vector3(0.55, 0.42, 1));
     const distance = !given ? 1.15 * extent / Math.sin(Math.atan(half * Math.min(1, camera.aspect)))
-        : Math.max(1, 1.5 / camera.aspect) * (given.perspective ? from.length() : given.height / 2 / half);
+        : Math.max(1, WIDE / camera.aspect) * (given.perspective ? from.length() : given.height / 2 / half);
     camera.up.set(...(given?.up ?? [0, 1, 0]));
     camera.near = distance / 1000;
     camera.far = distance * 100;
@@ -48,6 +49,33 @@ export class SceneCamera {
     this.controls.addEventListener('change', this.changed);
     this.controls.update();
     camera.updateMatrixWorld();
+  }
+
+  /** Where somebody has turned it to: its position, its target and how wide the picture is; else undefined. */
+  describe() {
+    return this.turned ? this.pose() : undefined;
+  }
+
+  pose() {
+    return this.controls ? [...this.camera.position.toArray(), ...this.controls.target.toArray(), this.camera.aspect]
+        : [];
+  }
+
+  /** Goes where somebody had turned it to. */
+  restore(numbers) {
+    if (numbers?.length === 7 && numbers.every(Number.isFinite)) {
+      this.turned = true;
+      this.camera.position.fromArray(numbers);
+      this.controls.target.fromArray(numbers, 3);
+      this.fitInto(numbers[6]);
+    }
+  }
+
+  /** Goes farther away where the picture is narrower than it was, as on a phone. */
+  fitInto(aspectBefore) {
+    const away = aspect => Math.max(1, WIDE / aspect), {position, aspect} = this.camera;
+    position.sub(this.controls.target).multiplyScalar(away(aspect) / away(aspectBefore)).add(this.controls.target);
+    this.controls.update();
   }
 
   /** Goes farther away when particles leave the picture, unless the scene or somebody has placed the camera. */
@@ -97,9 +125,12 @@ export class SceneCamera {
   }
 
   resize() {
+    const before = this.camera.aspect;
     this.camera.aspect = this.element.clientWidth / this.element.clientHeight;
     this.camera.updateProjectionMatrix();
-    if (this.box && !this.turned) {
+    if (this.turned) {
+      this.fitInto(before);
+    } else if (this.box) {
       this.place();
     }
   }

@@ -1,4 +1,6 @@
 // The scene's text, with our own error lines at their places.
+import {save} from './packing.js';
+
 const list = document.getElementById('errors');
 
 export class Editor {
@@ -24,17 +26,28 @@ export class Editor {
     this.code.setValue(text);
   }
 
+  /** A mark on a part of the text, which stays on it while the text changes. */
+  mark({from, to}) {
+    return this.code.markText(from, to, {inclusiveLeft: true, inclusiveRight: true, clearWhenEmpty: false});
+  }
+
+  /** Writes a text in place of what is marked, as if it had been typed. */
+  write(marks, text) {
+    this.code.operation(() => marks.forEach(mark => {
+      const {from, to} = mark.find() ?? {};
+      if (from) {
+        this.code.replaceRange(text, from, to, '+input');
+      }
+    }));
+  }
+
   /** Needed after it was hidden. */
   refresh() {
     this.code.refresh();
   }
 
   save(name) {
-    const link = document.createElement('a');
-    link.href = URL.createObjectURL(new Blob([this.text], {type: 'text/yaml'}));
-    link.download = name;
-    link.click();
-    URL.revokeObjectURL(link.href);
+    save(name, new Blob([this.text], {type: 'text/yaml'}));
   }
 
   /** Each line is 'file:line:column: what is wrong', or without a place. */

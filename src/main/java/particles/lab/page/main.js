@@ -1,10 +1,19 @@
 // Ties the page together: what is chosen goes to the worker that runs the compiled classes, what it tells is shown.
+import {Address} from './address.js';
+import {Gallery} from './gallery.js';
+import {listen, toggleFullScreen} from './keys.js';
+import {save, unpack} from './packing.js';
 import {makeView} from './view.js';
-import {EnergyPlot, PhasePlot} from './plots.js';
+import {ComparisonPlot, EnergyPlot, PhasePlot} from './plots.js';
+import {COLOURS, Panels, captionOf} from './panels.js';
 import {Editor} from './editor.js';
 import {Hand} from './hand.js';
 import {Inspector} from './inspector.js';
+import {Parameters} from './parameters.js';
+import {Film, Rates, composed, plotImage, savePicture} from './saving.js';
 import {Settings, few} from './settings.js';
+import {Stability} from './stability.js';
+import {Table} from './tables.js';
 import {ofPage} from './words.js';
 
 const $ = id => document.getElementById(id);
@@ -12,7 +21,8 @@ const REFERENCE_PARTICLES = 40, REFERENCE_MILLISECONDS = 4000;
 const WITHOUT_PULLS = 'The run up to this moment was computed anew, without your earlier pulls.';
 const PLOT_INTERVAL = 80;              // milliseconds: a curve of 4000 points takes 20 to draw
 
-const engine = URL.createObjectURL(new Blob([$('engine').textContent], {type: 'text/javascript'}));
+const STILL = matchMedia('(prefers-reduced-motion: reduce)');
+const engine = URL.createObjectURL(new Blob([await unpack($('engine').textContent)], {type: 'text/javascript'}));
 const worker = new Worker(engine);
 let reference = null;
 let facts = null, structure = null, frame = null;
@@ -24,30 +34,71 @@ const inspector = new Inspector($('view'), id => worker.postMessage({type: 'part
 const energy = new EnergyPlot($('energy'));
 const phase = new PhasePlot($('phase'));
 const editor = new Editor($('text'), edited);
-const settings = new Settings(change);
+const parameters = new Parameters(editor);
+const stability = new Stability(engine), settings = new Settings(change, stability);
+const panels = new Panels(engine, panelsChanged, heard), comparison = new ComparisonPlot($('comparison'));
+const tables = [new Table($('energyTable'), () => energy.table()), new Table($('phaseTable'), () => phase.table())];
+const film = new Film($('view'), note), rates = new Rates();
+const address = new Address(describe, openState, note);
+
+function note(text) {
+  $('note').textContent = text;
+}
 
 // ---- opening scenes ----
 
 const scenes = [...document.querySelectorAll('script.scene')];
-$('scene').append(...scenes.map(scene => new Option(scene.dataset.name.replace(/\.yaml$/, ''), scene.dataset.name)));
+const textOf = name => scenes.find(scene => scene.dataset.name === name)?.textContent;
+new Gallery(scenes, name => { note(''); choose(name); });
 
 function choose(name, solver = '') {
-  openText(scenes.find(scene => scene.dataset.name === name).textContent, solver);
+  openText(textOf(name), {solver});
 }
 
-function openText(newText, solver = '') {
+/** Opens a scene with new settings; it moves at once unless the system asks for reduced motion. */
+function openText(newText, settings = {}) {
   editor.text = text = newText;
+  wanted = null;
+  parameters.forget();
   $('particle').replaceChildren();
-  change({solver, deltaT: '', tolerance: 0});
+  chosen = {solver: '', deltaT: '', tolerance: 0, ...settings};
+  open(!STILL.matches);
+}
+
+// ---- what a link holds ----
+
+/** The state of the page; what is as in the page's own scene is left out. */
+function describe() {
+  const scene = $('scene').value;
+  return {scene, ...(text !== textOf(scene) && {text}), ...chosen, time: playing ? 0 : frame?.time,
+    panels: panels.describe(), equalWork: $('equalWork').checked, camera: view.camera?.describe(),
+    particle: $('particle').value, axis: $('axis').value};
+}
+
+/** Goes to a state that this or another page has described. */
+function openState(state) {
+  const own = textOf(state.scene);
+  if (typeof (state.text ?? own) !== 'string') {
+    throw new Error('no scene');
+  }
+  $('scene').value = own === undefined ? $('scene').value : state.scene;
+  $('equalWork').checked = Boolean(state.equalWork);
+  panels.set((state.panels ?? []).map(({solver, deltaT}) => ({solver: String(solver), deltaT: String(deltaT)})));
+  openText(state.text ?? own, {solver: String(state.solver ?? ''), deltaT: String(state.deltaT ?? ''),
+    tolerance: Number(state.tolerance) || 0});
+  wanted = state;
+  autoplay &&= !(state.time > 0);
 }
 
 /** What was chosen beside the scene's text; what the text says of it later goes before it again. */
 let chosen = {solver: '', deltaT: '', tolerance: 0};
 let text = '', good = null;             // good: the settings of the scene that runs
+let wanted = null;                      // the state that is being opened
 
 const sent = () => ({file: $('scene').value, text, ...chosen});
 
 function change(more) {
+  note('');
   chosen = {...chosen, ...more};
   open();
 }
@@ -62,11 +113,12 @@ function edited() {
 const line = (text, key) => RegExp('^' + key + ':.*', 'm').exec(text)?.[0];
 
 /** Starts anew with what is chosen; the run goes on if one was going. */
-function open() {
-  autoplay = playing;
+function open(play = playing) {
+  autoplay = play;
   pulled = false;
   setPlaying(false);
   worker.postMessage({type: 'open', run: ++run, ...sent()});
+  address.changed();
 }
 
 function opened(message) {
@@ -100,9 +152,15 @@ function opened(message) {
   looking = false;
   $('teaches').textContent = facts.title + ': ' + ofPage(facts.teaches);
   settings.show(facts, chosen.tolerance);
+  parameters.show(facts.numbers);
   energy.start(facts.energies, facts.uniform);
   inspector.start();
+  panels.open(good, facts);
+  startComparison();
   $('time').max = facts.duration;
+  if (wanted?.time > 0) {
+    worker.postMessage({type: 'reach', time: Number(wanted.time)});
+  }
   if (autoplay) {
     start();
   }
@@ -113,7 +171,9 @@ function opened(message) {
 function setPlaying(on) {
   playing = on;
   if (!on && structure) {
+    tables.forEach(table => table.draw(Infinity));
     askForPhase();                      // all steps, also those between the moments shown
+    address.changed();
   }
   showStart();
 }
@@ -142,6 +202,8 @@ function goOn(time, speed) {
   worker.postMessage({type: 'goOn', run: ++run, time, speed});
   if (pulled) {
     pulled = false;
+    panels.open(good, facts);
+    startComparison();
     energy.start(facts.energies, facts.uniform);
     newPhase();
   }
@@ -158,6 +220,7 @@ function shown(message) {
     const first = frame === null || view.facts !== facts;
     if (first) {
       view.open(facts, structure, message.state);
+      view.camera?.restore(wanted?.camera);
       startPhase();
     } else {
       listParticles();
@@ -172,6 +235,8 @@ function shown(message) {
   view.show(message);
   energy.add(message.energies);
   phase.add(message.points);
+  comparison.add(0, message.energies, 1 + facts.energies.length);
+  panels.tell({type: 'follow', time: message.time});
   $('time').value = message.time;
   const particle = structure.ids.indexOf($('particle').value);
   if (particle >= 0) {
@@ -179,6 +244,7 @@ function shown(message) {
     phase.mark(message.state[at], message.state[at + 3]);
     inspector.show($('particle').value, message.state, particle, looking);
   }
+  $('firstCaption').textContent = panels.all.length ? captionOf(facts, message) : '';
   $('clock').textContent = few(message.time) + ' s';
   $('steps').textContent = message.steps;
   $('evaluations').textContent = message.evaluations;
@@ -201,10 +267,14 @@ function shown(message) {
 
 function startPhase() {
   listParticles();
-  if (!$('particle').value && facts.phase) {
+  if (structure.ids.includes(wanted?.particle)) {
+    $('particle').value = wanted.particle;
+    $('axis').value = wanted.axis;
+  } else if (!$('particle').value && facts.phase) {
     $('particle').value = facts.phase[0];
     $('axis').value = facts.phase[1];
   }
+  wanted = null;
   newPhase();
   startReference();
 }
@@ -224,7 +294,8 @@ function listParticles() {
 }
 
 function newPhase() {
-  phase.start('xyz'[$('axis').value]);
+  address.changed();
+  phase.start('xyz'[$('axis').value], COLOURS.slice(0, panels.all.length));
   if ($('particle').value) {
     askForPhase();
   }
@@ -234,6 +305,35 @@ function askForPhase() {
   const wanted = {type: 'phase', id: $('particle').value, axis: Number($('axis').value)};
   worker.postMessage(wanted);
   reference?.postMessage(wanted);
+  panels.tell(wanted);
+}
+
+// ---- runs beside the first ----
+
+/** All runs start anew. */
+function panelsChanged() {
+  $('comparisonSection').hidden = !panels.all.length;
+  resize();
+  if (facts) {
+    open();
+    newPhase();
+  }
+}
+
+function startComparison() {
+  comparison.start(facts.solver, panels.describe().map(({solver}, i) => ({name: solver, colour: COLOURS[i]})));
+}
+
+/** What another run tells. */
+function heard(i, message) {
+  if (message.type === 'opened' && !message.facts.errors && $('particle').value) {
+    panels.all[i].worker.postMessage({type: 'phase', id: $('particle').value, axis: Number($('axis').value)});
+  } else if (message.type === 'frame') {
+    comparison.add(i + 1, message.energies, 1 + facts.energies.length);
+    phase.addTo(i, message.points);
+  } else if (message.type === 'phase' && isChosen(message)) {
+    phase.addTo(i, message.points);
+  }
 }
 
 function pick(id) {
@@ -247,13 +347,16 @@ function drag(id, point) {
     start();
   }
   pulled ||= Boolean(point);
-  worker.postMessage({type: 'drag', id: point ? id : '', point: point ?? [0, 0, 0]});
+  const pull = {type: 'drag', id: point ? id : '', point: point ?? [0, 0, 0]};
+  worker.postMessage(pull);
+  panels.tell(pull);
 }
 
 view.drawn = () => {
   const i = structure?.ids.indexOf($('particle').value) ?? -1;
   inspector.draw(point => view.camera.placeOf(point), i < 0 ? null : [...frame.state.subarray(6 * i, 6 * i + 3)],
       view.camera.viewHeight, $('forces').checked);
+  film.drawn();
 };
 
 /** The curve as good as exact, where a scene is small enough that it is known soon. */
@@ -281,18 +384,25 @@ const isChosen = message => message.id === $('particle').value && message.axis =
 
 worker.onmessage = ({data}) => ({
   solvers: () => {
-    settings.list(data.solvers, $('students').textContent.split(' ').filter(name => name));
-    const first = scenes.find(scene => scene.dataset.first !== undefined);
-    $('scene').value = first.dataset.name;
-    choose(first.dataset.name, first.dataset.first);
+    const own = $('students').textContent.split(' ').filter(name => name);
+    settings.list(data.solvers, own);
+    panels.list(data.solvers, own);
+    address.read().then(found => found || openFirst());
   },
   opened: () => opened(data),
   frame: () => shown(data),
+  table: () => save(nameOfRun() + '.csv', data.table),
   phase: () => isChosen(data) && phase.set(data.points),
   particle: () => { inspector.answer(data); view.stale = true; },
   broken: () => broken(data.message)
 })[data.type]?.();
 worker.onerror = event => broken(event.message);
+
+function openFirst() {
+  const {name, first} = scenes.find(scene => scene.dataset.first !== undefined).dataset;
+  $('scene').value = name;
+  choose(name, first);
+}
 
 function broken(message) {
   if (frame) {
@@ -302,10 +412,19 @@ function broken(message) {
   $('message').textContent = 'Internal error; please report it: ' + message;
 }
 
-$('scene').onchange = () => choose($('scene').value);
-$('start').onclick = () => playing ? pause() : start();
-$('step').onclick = () => { pause(); worker.postMessage({type: 'step'}); };
-$('restart').onclick = open;
+const startOrPause = () => playing ? pause() : start();
+const step = () => { pause(); worker.postMessage({type: 'step'}); };
+/** Back to the end of the step before. */
+const stepBack = () => { setPlaying(false); worker.postMessage({type: 'look', time: frame.time * (1 - 1e-12)}); };
+const fullScreen = () => toggleFullScreen(document.querySelector('.picture'));
+$('start').onclick = startOrPause;
+$('step').onclick = step;
+$('restart').onclick = () => open();
+$('fullScreen').onclick = fullScreen;
+$('fullScreen').hidden = !document.fullscreenEnabled;
+$('copyLink').onclick = () => address.copy();
+listen({' ': () => !$('start').disabled && startOrPause(), ArrowRight: () => !$('step').disabled && step(),
+  ArrowLeft: () => frame && stepBack(), f: fullScreen});
 $('speed').onchange = () => playing && worker.postMessage({type: 'play', speed: Number($('speed').value)});
 $('time').oninput = () => { setPlaying(false); worker.postMessage({type: 'look', time: Number($('time').value)}); };
 $('particle').onchange = $('axis').onchange = newPhase;
@@ -315,7 +434,19 @@ $('labels').onchange = () => view.setLabels($('labels').checked);
 $('logarithmic').onchange = () => energy.setLogarithmic($('logarithmic').checked);
 $('showEditor').onclick = () => showEditor($('editor').hidden);
 $('save').onclick = () => editor.save($('scene').value);
-$('open').onchange = () => $('open').files[0]?.text().then(text => openText(text));
+$('open').onchange = async () => {
+  const file = $('open').files[0], content = await file.text();
+  file.name.endsWith('.json') ? openState(JSON.parse(content)) : openText(content);
+};
+
+/** Scene and solver, in the names of files. */
+const nameOfRun = () => $('scene').value.replace(/\.yaml$/, '') + '-' + facts.solver;
+$('savePicture').onclick = () => savePicture(nameOfRun(), composed($('view')));
+$('saveEnergy').onclick = () => savePicture(nameOfRun() + '-energy', plotImage($('energy')));
+$('savePhase').onclick = () => savePicture(nameOfRun() + '-phase', plotImage($('phase')));
+$('saveTable').onclick = () => worker.postMessage({type: 'table', energies: facts.energies});
+$('savePicture').disabled = $('film').disabled = !view.camera;          // without WebGL there is none
+$('film').onclick = () => film.toggle(nameOfRun());
 
 function showEditor(on) {
   $('editor').hidden = !on;
@@ -325,20 +456,24 @@ function showEditor(on) {
   resize();
 }
 
-const resize = () => [view, energy, phase].forEach(part => part.resize());
+const resize = () => [view, energy, phase, comparison, panels, stability].forEach(part => part.resize());
 addEventListener('resize', resize);
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', resize);
 
 function draw(now = 0) {
-  view.draw();
+  panels.draw(view.camera, $('arrows').checked);
+  if (view.draw()) {
+    playing ? rates.drew(now, frame.time) : address.changed();          // somebody may have turned the picture
+  }
   if (now - plotted > PLOT_INTERVAL) {
     plotted = now;
-    [energy, phase].forEach(plot => plot.draw());
+    [energy, phase, comparison].forEach(plot => plot.draw());
+    tables.forEach(table => playing && table.draw(now));
   }
   requestAnimationFrame(draw);
 }
 new ResizeObserver(resize).observe($('view'));
 showEditor(!matchMedia('(max-width: 1699px)').matches);
-window.lab = {view, energy, phase};          // for the browser's console, and for tests
+window.lab = {view, energy, phase, comparison, panels, engine, address};    // for the browser's console and tests
 worker.postMessage({type: 'solvers'});
 draw();

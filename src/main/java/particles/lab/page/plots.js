@@ -97,6 +97,13 @@ export class EnergyPlot {
     return columns;
   }
 
+  /** The names of the columns that are not all 0, and their numbers. */
+  table() {
+    const kept = this.data.map((column, i) => i).filter(i => i === 0 || this.plot.series[i].show);
+    const columns = this.shown();
+    return [kept.map(i => i ? this.plot.series[i].label + ' (J)' : 'time (s)'), kept.map(i => columns[i])];
+  }
+
   setLogarithmic(on) {
     this.logarithmic = on;
     this.build();
@@ -105,6 +112,60 @@ export class EnergyPlot {
   draw() {
     if (this.stale) {
       this.plot.setData(this.shown());
+      this.stale = false;
+    }
+  }
+
+  resize() {
+    this.plot?.setSize(size(this.element));
+  }
+}
+
+/** Drops every second point of a long curve. */
+function thin(curve) {
+  if (curve?.[0].length > MOST) {
+    curve.forEach(column => column.splice(0, Infinity, ...column.filter((value, k) => k % 2 === 0)));
+  }
+}
+
+/** How the total energies of several runs change. */
+export class ComparisonPlot {
+  constructor(element) {
+    this.element = element;
+  }
+
+  /** solver: of the first run; others: name and colour of each of the others */
+  start(solver, others) {
+    const facets = [{scale: 'x', auto: true}, {scale: 'y', auto: true}];
+    const runs = [{name: solver, colour: COLOURS[1]}, ...others];
+    this.data = [null, ...runs.map(() => [[], []])];
+    this.plot?.destroy();
+    this.plot = new uPlot({...size(this.element), mode: 2, axes: axes('time (s)', 'energy change (J)'),
+      scales: {x: {time: false}}, cursor: {show: false}, legend: {show: true, live: false},
+      series: [{}, ...runs.map(({name, colour}) => ({facets, label: name, stroke: colour, width: 1.5,
+        paths: polyline(false)}))]}, this.data, this.element);
+  }
+
+  /** rows: the time and the energies, the total first, after each step of a run; so many numbers in a row */
+  add(run, rows, width) {
+    const curve = this.data?.[1 + run];
+    for (let r = 0; curve && r < rows.length; r += width) {
+      const [times, changes] = curve;
+      if (times.length === 0) {
+        curve.first = rows[r + 1];
+      }
+      if (!times.length || rows[r] > times[times.length - 1]) {
+        times.push(rows[r]);
+        changes.push(rows[r + 1] - curve.first);
+      }
+    }
+    thin(curve);
+    this.stale = true;
+  }
+
+  draw() {
+    if (this.stale && this.plot && this.element.offsetParent) {
+      this.plot.setData(this.data);
       this.stale = false;
     }
   }
@@ -147,9 +208,13 @@ export class PhasePlot {
     this.element = element;
   }
 
-  start(axis) {
+  /** others: the colours of other runs' curves */
+  start(axis, others = []) {
+    this.axis = axis;
+    this.others = others.map(() => -Infinity);                  // until when they are known
     const facets = [{scale: 'x', auto: true}, {scale: 'y', auto: true}];
-    this.data = [null, [[], []], [[], []], [[], []]];
+    this.data = [null, [[], []], [[], []], [[], []], ...others.map(() => [[], []])];
+    this.times = [];
     this.lastTime = -Infinity;
     this.plot?.destroy();
     const range = (u, low, high, scale) => this.ranges(u)[scale];
@@ -157,7 +222,9 @@ export class PhasePlot {
       scales: {x: {time: false, range}, y: {range}}, legend: {show: false}, cursor: {show: false},
       series: [{}, {facets, stroke: () => ink('--line'), width: 7, paths: polyline(false)},
         {facets, stroke: COLOURS[1], width: 1.5, dots: true, paths: polyline(false)},
-        {facets, stroke: COLOURS[0], width: 1, paths: polyline(true)}]}, this.data, this.element);
+        {facets, stroke: COLOURS[0], width: 1, paths: polyline(true)},
+        ...others.map(colour => ({facets, stroke: colour, width: 1.5, paths: polyline(false)}))]},
+        this.data, this.element);
   }
 
   /** A metre is as long as a metre a second where both fit: with omega = 1 an exact circle is seen as one. */
@@ -177,6 +244,7 @@ export class PhasePlot {
   /** points: time, position and velocity after each step, one after the other; in place of those before */
   set(points) {
     this.data[2] = [[], []];
+    this.times = [];
     this.lastTime = -Infinity;
     this.add(points);
   }
@@ -188,13 +256,33 @@ export class PhasePlot {
       if (points[i] > this.lastTime) {
         xs.push(points[i + 1]);
         ys.push(points[i + 2]);
+        this.times.push(points[i]);
         this.lastTime = points[i];
       }
     }
     if (xs.length > MOST) {
-      this.data[2] = [xs, ys].map(column => column.filter((value, i) => i % 2 === 0));
+      [this.times, ...this.data[2]] = [this.times, xs, ys].map(column => column.filter((value, i) => i % 2 === 0));
     }
     this.stale = true;
+  }
+
+  /** Adds to the curve of another run what is later than its points before. */
+  addTo(other, points) {
+    const curve = this.data?.[4 + other];
+    for (let i = 0; curve && i < points.length; i += 3) {
+      if (points[i] > this.others[other]) {
+        curve[0].push(points[i + 1]);
+        curve[1].push(points[i + 2]);
+        this.others[other] = points[i];
+      }
+    }
+    thin(curve);
+    this.stale = true;
+  }
+
+  /** The names of the columns, and their numbers. */
+  table() {
+    return [['time (s)', this.axis + ' (m)', 'v (m/s)'], [this.times, ...this.data[2]]];
   }
 
   setReference(points) {

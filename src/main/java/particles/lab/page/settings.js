@@ -3,8 +3,9 @@ const $ = id => document.getElementById(id);
 export const few = number => Number(number.toPrecision(4)).toString();
 
 export class Settings {
-  /** changed(what): called with the settings that somebody has changed */
-  constructor(changed) {
+  /** changed(what): called with the settings that somebody has changed; stability: shows what deltaT does */
+  constructor(changed, stability) {
+    this.stability = stability;
     const slider = $('deltaT'), typed = $('deltaTNumber');
     $('solver').onchange = () => changed({solver: $('solver').value, tolerance: 0});
     $('tolerance').onchange = () => changed({tolerance: Number($('tolerance').value)});
@@ -45,7 +46,7 @@ export class Settings {
   }
 
   showStability(deltaT) {
-    this.stability?.show(this.facts, deltaT);
+    this.stability.show(this.facts, deltaT);
   }
 
   /** Says beside the field why what was typed is not taken; the last valid one is shown again. */

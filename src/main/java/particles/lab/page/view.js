@@ -26,6 +26,7 @@ class NoPicture {
     return -1;
   }
 
+  close() {}
   setStructure() {}
   setLabels() {}
   setArrows() {}
@@ -220,9 +221,10 @@ class View {
 
   // ---- the picture ----
 
+  /** @returns whether it had changed */
   draw() {
     if (!this.stale || !this.moment || !this.scene) {
-      return;
+      return false;
     }
     if (this.changed) {
       this.place();
@@ -237,6 +239,7 @@ class View {
     this.marks.drawPull(pulled < 0 ? null : this.onScreen(pulled), pulled < 0 ? null
         : this.camera.placeOf(this.pull.point));
     this.drawn?.();
+    return true;
   }
 
   /** Where a particle is seen, or will be at its velocity; null behind the camera. */
@@ -265,6 +268,12 @@ class View {
     point.x = 2 * (clientX - bounds.left) / bounds.width - 1;
     point.y = 1 - 2 * (clientY - bounds.top) / bounds.height;
     return point.unproject(this.camera.camera).toArray();
+  }
+
+  /** Gives back what the graphics processor holds for it. */
+  close() {
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
   }
 
   resize() {

@@ -1,7 +1,8 @@
 
 // Runs in a worker, after the compiled classes: makes steps while the page wants them, and tells what there is to see.
 const SLICE = 25;                       // milliseconds of steps between two messages, at most
-let playing = false, ticking = false, speed = 1, target = 0, lastTick = 0, catchUp = null, pull = null;
+let playing = false, ticking = false, speed = 1, target = 0, lastTick = 0, catchUp = null, stops = false, pull = null;
+let followed = 0;                       // the moment of another run that this one has gone to
 let knownStructure = null, file = null, plotted = -1, chosen = null;
 
 function tell(more) {
@@ -39,6 +40,8 @@ function open(message) {
     target = 0;
     plotted = -1;
     catchUp = pull = null;
+    stops = false;
+    followed = 0;
   }
   postMessage({type: 'opened', run: message.run, facts});
   if (!facts.errors) {
@@ -62,8 +65,8 @@ function tick() {
     dragged();
   }
   target = Math.min(target, time + speed * SLICE / 1000);       // what is too slow for real time does not run after it
-  if (over || failure) {
-    playing = false;
+  if (over || failure || catchUp === null && stops) {
+    playing = stops = false;
     return;
   }
   later(now);
@@ -89,6 +92,36 @@ function play() {
   later(lastTick - 16);
 }
 
+/**
+ * The energies, places and velocities after each step that was kept, as text; a particle has empty cells before its
+ * birth and after its death. The moment shown stays.
+ */
+function tableOfRun(names) {
+  const rows = energies(-1).slice(), width = 1 + names.length, shown = JSON.parse(status()).time;
+  const moments = [], columns = new Map();
+  let ids = null, known = null;
+  for (let r = 0; r < rows.length; r += width) {
+    look(rows[r] + 1e-7 * Math.abs(rows[r]));           // its time is rounded to 7 digits
+    if (structureNumber() !== known) {
+      known = structureNumber();
+      ids = JSON.parse(structure()).ids;
+      ids.forEach(id => columns.has(id) || columns.set(id, columns.size));
+    }
+    moments.push({time: JSON.parse(status()).time, energies: rows.subarray(r + 1, r + width), ids,
+      state: state().slice()});
+  }
+  look(shown);
+  const ofParticle = id => [' (m)', ' (m/s)'].flatMap(
+      (unit, k) => [...'xyz'].map(axis => ['', 'v'][k] + axis + ' of ' + id + unit));
+  const head = ['time (s)', ...names.map(name => name + ' (J)'), ...[...columns.keys()].flatMap(ofParticle)]
+      .map(name => /[",]/.test(name) ? '"' + name.replace(/"/g, '""') + '"' : name).join();
+  return new Blob([head + '\n', ...moments.map(({time, energies, ids, state}) => {
+    const cells = Array(6 * columns.size).fill('');
+    ids.forEach((id, i) => cells.splice(6 * columns.get(id), 6, ...state.subarray(6 * i, 6 * i + 6)));
+    return [time, ...energies, ...cells].map(one => one === '' ? '' : Number(one.toPrecision(8))).join() + '\n';
+  })], {type: 'text/csv'});
+}
+
 const commands = {
   solvers: () => postMessage({type: 'solvers', solvers: JSON.parse(solvers())}),
   open,
@@ -103,12 +136,30 @@ const commands = {
   look: message => { playing = false; look(message.time); tell({looking: true}); },
   // What comes after a moment seen long ago is computed anew from the start.
   goOn: message => { if (open(file)) { speed = message.speed; catchUp = message.time; play(); } },
+  // Another run's moment.
+  follow: ({time}) => {
+    if (time === followed) {
+      return;
+    }
+    followed = time;
+    if (time < JSON.parse(status()).reached) {
+      playing = stops = false;
+      look(time);
+      tell({looking: true});
+    } else {
+      commands.reach({time});
+    }
+  },
+  reach: message => { catchUp = message.time; stops = true; play(); },
   run: message => { advance(Infinity, message.milliseconds); postMessage({type: 'ran', ...JSON.parse(status())}); },
   phase: message => {
     chosen = message;
     postMessage({...message, points: phase(message.id, message.axis, -1).slice()});
   },
+  table: ({energies}) => postMessage({type: 'table', table: tableOfRun(energies)}),
   particle: ({id}) => postMessage({type: 'particle', id, ...JSON.parse(particle(id))}),
+  region: message => postMessage({...message, values: region(message.solver, message.left, message.bottom,
+      message.cell, message.columns, message.rows).slice()}),
   drag: message => { pull = message; dragged(); },
   state: message => {
     advance(message.time, 1e9);

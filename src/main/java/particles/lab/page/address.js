@@ -1,0 +1,72 @@
+// What the page shows is in its address, so that a link, a bookmark or the reload button brings it back.
+import {pack, save, unpack} from './packing.js';
+
+export const MOST = 8000;               // characters; some mail programs and chats cut longer ones
+const PAUSE = 400;                      // milliseconds without a change, then the address is written
+
+export class Address {
+  /** describe() gives the state to be kept, open(state) goes there, tell(text) says something to the person */
+  constructor(describe, open, tell) {
+    Object.assign(this, {describe, open, tell});
+    addEventListener('hashchange', () => this.read());
+  }
+
+  /** Opens the state of the address. @returns whether it has one that can be read */
+  async read() {
+    const packed = location.hash.slice(1);
+    if (!packed) {
+      return false;
+    }
+    try {
+      this.open(JSON.parse(await unpack(packed)));
+      return true;
+    } catch {
+      this.tell('The part of the address after # is damaged or incomplete, so nothing could be opened from it.');
+      return false;
+    }
+  }
+
+  /** Something has changed. */
+  changed() {
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.write(), PAUSE);
+  }
+
+  /** @returns the address of the present state, or null if it is too long; then the page's address has no state */
+  async write() {
+    clearTimeout(this.timer);
+    const url = new URL(location.href);
+    url.hash = await pack(JSON.stringify(this.describe()));
+    const fits = url.href.length <= MOST;
+    url.hash = fits ? url.hash : '';
+    history.replaceState(null, '', url);
+    return fits ? url.href : null;
+  }
+
+  async copy() {
+    const link = await this.write();
+    if (link === null) {
+      save('lab.json', new Blob([JSON.stringify(this.describe())], {type: 'application/json'}));
+      this.tell('This scene is too long for a link, so it was saved as lab.json: send that file. "Open", above the '
+          + 'scene\'s text, opens it.');
+      return;
+    }
+    this.tell(await copied(link) ? 'The link is in the clipboard.' : 'The link is in the address bar; copy it there.');
+  }
+}
+
+/** The newer way needs https or a file and a page in front; the older one does not. */
+async function copied(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    const field = document.createElement('textarea');
+    field.value = text;
+    document.body.append(field);
+    field.select();
+    const done = document.execCommand('copy');
+    field.remove();
+    return done;
+  }
+}

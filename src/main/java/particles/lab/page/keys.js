@@ -1,0 +1,21 @@
+// Keys that work anywhere on the page, except where they are typed into a field or mean something to a control.
+const FIELDS = 'input:not([type=checkbox], [type=range]), select, textarea, .CodeMirror, dialog';
+const TAKERS = {' ': 'button, input, summary, a', ArrowLeft: 'input', ArrowRight: 'input'};
+
+/** actions: what is done, by key */
+export function listen(actions) {
+  addEventListener('keydown', event => {
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    if (!actions[key] || event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey
+        || event.target.closest?.(FIELDS) || TAKERS[key] && event.target.closest?.(TAKERS[key])) {
+      return;
+    }
+    event.preventDefault();
+    actions[key]();
+  });
+}
+
+/** Shows an element alone on the screen, or the page again. */
+export function toggleFullScreen(element) {
+  document.fullscreenElement ? document.exitFullscreen() : element.requestFullscreen();
+}

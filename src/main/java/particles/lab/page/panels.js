@@ -1,0 +1,173 @@
+// Up to three more runs of the same scene beside the first, each with its own solver and deltaT; they follow its time.
+import {few} from './settings.js';
+import {makeView} from './view.js';
+
+const $ = id => document.getElementById(id);
+const MOST = 3;
+export const COLOURS = ['#e69f00', '#009e73', '#cc79a7'];       // the first run is blue
+
+export const captionOf = ({solver, deltaT}, {time, evaluations}) =>
+    `${solver}, deltaT = ${few(deltaT)} s: ${few(time)} s, ${evaluations} evaluations`;
+
+export class Panels {
+  /** engine: the address of the compiled classes; changed(): one came, went, or has another solver or deltaT */
+  constructor(engine, changed, heard) {
+    Object.assign(this, {engine, changed, heard, all: []});
+    $('addPanel').onclick = () => this.set([...this.describe(), {}]);
+    $('equalWork').onchange = () => this.set(this.describe());
+  }
+
+  /** solvers: the catalogue's, and the names of students' own */
+  list(solvers, own) {
+    this.solvers = [...solvers, ...own.map(name => ({name}))];
+  }
+
+  describe() {
+    return this.all.map(panel => panel.choice);
+  }
+
+  /** Replaces all runs by those with these choices, {solver, deltaT}. */
+  set(choices) {
+    this.all.forEach(panel => panel.close());
+    this.all = choices.slice(0, MOST).map((choice, i) => new Panel(this, i, choice));
+    $('addPanel').disabled = this.all.length === MOST;
+    $('equalWorkLabel').hidden = !this.all.length;
+    this.changed();
+  }
+
+  remove(panel) {
+    this.set(this.all.filter(one => one !== panel).map(one => one.choice));
+  }
+
+  /** Opens the scene of the first run; facts are what is known of that run. */
+  open(sent, facts) {
+    this.all.forEach(panel => panel.open(sent, facts));
+  }
+
+  tell(message) {
+    this.all.forEach(panel => panel.worker.postMessage(message));
+  }
+
+  /** The time step that costs as many evaluations per simulated second as the first run; null if that is not known. */
+  equalStep(solver, facts) {
+    const cost = name => Number(this.solvers.find(one => one.name === name)?.evaluations);
+    const step = facts.deltaT * cost(solver) / cost(facts.solver);
+    return step > 0 ? Number(step.toPrecision(6)) : null;
+  }
+
+  draw(camera, arrows) {
+    this.all.forEach(panel => panel.draw(camera, arrows));
+  }
+
+  resize() {
+    this.all.forEach(panel => panel.view.resize());
+  }
+}
+
+class Panel {
+  constructor(panels, index, choice) {
+    Object.assign(this, {panels, index, choice: {solver: 'euler', deltaT: '', ...choice}});
+    this.figure = document.createElement('figure');
+    this.caption = document.createElement('figcaption');
+    this.caption.className = 'caption';
+    this.caption.style.borderColor = COLOURS[this.index];
+    const picture = document.createElement('div');
+    picture.className = 'view';
+    picture.setAttribute('role', 'img');
+    this.figure.append(picture, this.caption);
+    $('views').append(this.figure);
+    this.view = makeView(picture);
+    this.addControls();
+    this.worker = new Worker(panels.engine);
+    this.worker.onmessage = ({data}) => this.hear(data);
+  }
+
+  addControls() {
+    const label = text => {
+      const element = document.createElement('label');
+      element.append(text);
+      return element;
+    };
+    this.row = document.createElement('li');
+    this.row.style.borderColor = COLOURS[this.index];
+    const solver = document.createElement('select'), remove = document.createElement('button');
+    this.step = document.createElement('input');
+    solver.append(...this.panels.solvers.map(one => new Option(one.name)));
+    solver.value = this.choice.solver;
+    solver.onchange = () => this.choose({solver: solver.value});
+    Object.assign(this.step, {type: 'text', inputMode: 'decimal', disabled: $('equalWork').checked});
+    this.step.onchange = () => this.choose({deltaT: this.step.value.trim()});
+    Object.assign(remove, {type: 'button', textContent: 'Remove', onclick: () => this.panels.remove(this)});
+    this.error = document.createElement('p');
+    this.error.setAttribute('role', 'alert');
+    const name = label('Solver of run ' + (this.index + 2) + ' '), step = label('Its deltaT (s) ');
+    name.append(solver);
+    step.append(this.step);
+    this.row.append(name, step, remove, this.error);
+    $('panelList').append(this.row);
+  }
+
+  choose(more) {
+    Object.assign(this.choice, more);
+    this.panels.changed();
+  }
+
+  open(sent, facts) {
+    const equal = $('equalWork').checked ? this.panels.equalStep(this.choice.solver, facts) : null;
+    this.note = $('equalWork').checked && equal === null
+        ? 'No fixed number of evaluations per step, so its own deltaT.' : '';
+    this.facts = null;
+    this.worker.postMessage({type: 'open', ...sent, solver: this.choice.solver,
+      deltaT: String(equal ?? (this.choice.deltaT || facts.deltaT)), tolerance: 0});
+  }
+
+  hear(message) {
+    if (message.type === 'opened') {
+      const {errors} = message.facts;
+      this.error.textContent = errors ? errors.join('\n').replace(/^deltaT: /gm, '') : this.note;
+      this.facts = errors ? this.facts : message.facts;
+      this.opened = false;
+      this.step.value = message.facts.deltaT ?? this.step.value;
+    } else if (message.type === 'frame' && this.facts) {
+      this.show(message);
+    } else if (message.type === 'broken') {
+      this.error.textContent = message.message;
+    }
+    this.panels.heard(this.index, message);
+  }
+
+  show(message) {
+    if (message.structure) {
+      if (!this.opened) {
+        this.view.open(this.facts, message.structure, message.state);
+        this.opened = true;
+      }
+      this.view.setStructure(message.structure);
+    }
+    this.view.show(message);
+    this.error.textContent = message.failure || this.note;
+    this.caption.textContent = captionOf(this.facts, message);
+  }
+
+  /** Looks at the scene from where the first picture does. */
+  draw(camera, arrows) {
+    if (this.opened && camera) {
+      const pose = camera.pose();
+      if (pose.join() !== this.pose) {
+        this.pose = pose.join();
+        this.view.camera.restore(pose);
+      }
+      if (this.view.showArrows !== arrows) {
+        this.view.setArrows(arrows);
+      }
+    }
+    this.view.draw();
+  }
+
+  close() {
+    this.worker.terminate();
+    this.view.close();
+    this.figure.remove();
+    this.row.remove();
+  }
+}

@@ -1,0 +1,147 @@
+package browser;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** The scene's numbers on sliders, and files of what was seen and computed. */
+class LabPlayTest extends LabPageTestCase {
+
+    /** Moves a slider of the scene's numbers to a part of its way, and waits until the scene has the new number. */
+    private double slide(String label, double part) {
+        page.script("""
+                window.before = window.lab.view.facts;
+                const input = [...document.querySelectorAll('#parameters label')]
+                  .find(one => one.textContent.startsWith(arguments[0])).querySelector('input');
+                input.value = arguments[1] * input.max;
+                input.dispatchEvent(new Event('input'));
+                """, label, part);
+        until("view.facts !== window.before");
+        return ((Number) page.script("""
+                return parseFloat([...document.querySelectorAll('#parameters label')]
+                  .find(one => one.textContent.startsWith(arguments[0])).querySelector('output').textContent);
+                """, label)).doubleValue();
+    }
+
+    @Test
+    void slidersWriteTheScenesNumbersIntoItsText() {
+        page.openScene("02-one-spring");
+        double stiffness = slide("stiffness", 0.65);            // 20^0.3 = 2.46
+        assertEquals(2.46, stiffness);
+        until("scene().includes('stiffness: 2.46')");
+        runToTheEnd();
+        // of rk4's phase, (omega h)^4 / 120 is wrong: 6e-6 of 20
+        assertEquals(Math.cos(Math.sqrt(stiffness) * 4 * Math.PI), value("state[6]"), 4e-5);
+        page.openScene("01-falling-particle");
+        double gravity = slide("gravity", 0.54);                // from -20 to 20
+        assertEquals(1.6, gravity);
+        until("scene().includes('- gravity: {acceleration: [0, -1.6, 0]}')");
+        runToTheEnd();
+        assertEquals(7 * 1.5 - 1.6 / 2 * 1.5 * 1.5, value("state[1]"), 1e-6);
+        assertEquals(0, slide("gravity", 0.5));
+        page.openScene("07-sliding-friction");
+        assertEquals(1, slide("restitution", 1));               // no more than the scene's format allows
+    }
+
+    @Test
+    void theStiffestVibrationMovesInTheStabilityRegionWithDeltaT() {
+        page.openScene("02-one-spring");
+        page.script("document.getElementById('stability').open = true;");
+        until("text('growth') === 'h λ = 0 ± 0.05 i: each step keeps its size.'");
+        page.script("const slider = document.getElementById('deltaT'); slider.value = Math.log10(2.9);"
+                + " slider.dispatchEvent(new Event('input'));");
+        page.await("growth beyond 2.83", () -> page.text("growth").startsWith("h λ = 0 ± 2.9 i: ")
+                && page.text("growth").endsWith("so it grows."));
+        page.choose("solver", "euler");
+        // sqrt(1 + 0.05^2) = 1.00125
+        until("text('growth').includes('by 1 + 0.00125, so it grows')");
+        page.choose("solver", Browser.SOLVER);                  // Heun: sqrt(1 + h^4 / 4)
+        setStep("0.5");
+        until("text('growth').includes('by 1 + 0.00778, so it grows')");
+        page.await("the region", () -> (Boolean) page.script("""
+                const canvas = document.getElementById('region'), {width, height} = canvas;
+                return canvas.getContext('2d').getImageData(0.6 * width, 0.55 * height, 1, 1).data[3] > 0;
+                """));
+        page.openScene("01-falling-particle");
+        assertFalse(page.element("stability").isDisplayed());
+    }
+
+    @Test
+    void runsBesideTheFirstFollowItsTimeAndAreOverlaid() {
+        page.openScene("02-one-spring");
+        page.click("addPanel");
+        until("caption() === 'euler, deltaT = 0.05 s: 0 s, 0 evaluations'");
+        runToTheEnd();
+        until("caption().endsWith(': 12.57 s, 252 evaluations')");
+        assertEquals((Math.pow(1.0025, 251.3) - 1) / 2, value("comparison.data[2][1].at(-1)"), 1e-3);
+        until("phase.data[4][0].length === 253");
+        page.script("const time = document.getElementById('time'); time.value = 3;"
+                + " time.dispatchEvent(new Event('input'));");
+        until("caption().includes(': 3 s, 252')");
+        page.screenshot("compare");
+        page.click("equalWork");
+        until("caption().startsWith('euler, deltaT = 0.0125 s: 0 s')");
+        runToTheEnd();
+        until("caption().endsWith(': 12.57 s, 1006 evaluations')");     // 4 pi / 0.0125 = 1005.3
+        page.choose("solver", "radau");
+        until("text('panelList').includes('No fixed number of evaluations')");
+        page.click("equalWork");
+        page.script("const step = document.querySelector('#panelList input'); step.value = '0,5';"
+                + " step.dispatchEvent(new Event('change'));");
+        until("text('panelList').includes('a decimal point, not a comma')");
+        page.script("document.querySelector('#panelList button').click();");
+        until("!document.querySelector('figure')");
+    }
+
+    @Test
+    void tablesHoldTheNumbersBehindThePlots() {
+        page.openScene("02-one-spring");
+        page.script("document.querySelectorAll('.plots details').forEach(details => { details.open = true; });");
+        runToTheEnd();
+        assertEquals(List.of(), page.script("""
+                const {energy, phase} = window.lab;
+                const plots = {energy: energy.data, phase: [phase.times, ...phase.data[2]]};
+                return Object.entries(plots).flatMap(([plot, columns]) => {
+                  const cells = [...document.querySelectorAll(`#${plot}Table tr:last-child td`)];
+                  return [0, 1, 2].map(i => [Number(cells[i].textContent), columns[i].at(-1)])
+                    .filter(([cell, number]) => !(Math.abs(cell - number) <= 1e-3 * Math.abs(number)));
+                });
+                """));
+    }
+
+    @Test
+    void pictureTableAndFilmAreSaved() {
+        page.script("window.saved = {}; HTMLAnchorElement.prototype.click = function () {"
+                + " fetch(this.href).then(file => file.blob())"
+                + ".then(blob => { window.saved[this.download] = blob; }); };"
+                + " document.querySelector('.picture details').open = true;");
+        page.openScene("14-thrown-dumbbell");
+        page.click("film");
+        runToTheEnd();
+        page.click("film");
+        for (String button : List.of("savePicture", "saveEnergy", "savePhase", "saveTable")) {
+            page.click(button);
+        }
+        until("Object.keys(window.saved).length === 5");
+        assertEquals(List.of(), page.later("""
+                const [done] = arguments, name = end => window.saved['14-thrown-dumbbell-verlet' + end];
+                Promise.all([createImageBitmap(name('.png')), createImageBitmap(name('-energy.png')),
+                  createImageBitmap(name('-phase.png')), name('.csv').text(), name('.webm').arrayBuffer()])
+                  .then(([picture, energy, phase, table, film]) => {
+                    const rows = table.trim().split('\\n'), last = rows.at(-1).split(',').map(Number);
+                    const right = {
+                      picture: picture.width === document.querySelector('#view canvas').width,
+                      plots: Math.min(energy.width, phase.width) > 200,
+                      head: rows[0].startsWith('time (s),total (J),kinetic (J),'),
+                      rows: rows.length === 2 + Number(document.getElementById('steps').textContent),
+                      time: Math.abs(last[0] - 1.6) < 1e-12,
+                      x: Math.abs(last[6] - window.lab.view.moment.state[0]) < 1e-6,
+                      film: new DataView(film).getUint32(0) === 0x1A45DFA3 && film.byteLength > 3000
+                    };
+                    done(Object.keys(right).filter(name => !right[name]));
+                  });
+                """));
+    }
+}

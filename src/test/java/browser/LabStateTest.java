@@ -1,0 +1,136 @@
+package browser;
+
+import static java.util.stream.Collectors.joining;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.sun.net.httpserver.HttpServer;
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.openqa.selenium.By;
+import org.openqa.selenium.Keys;
+
+/** How the page starts, is steered by keys, and keeps its state in its address. */
+class LabStateTest extends LabPageTestCase {
+    private static final String STATE = """
+            const value = id => document.getElementById(id).value;
+            return [value('scene'), value('solver'), value('deltaTNumber'), value('particle'), value('axis'),
+              document.querySelector('.CodeMirror').CodeMirror.getValue(), document.getElementById('clock').textContent,
+              ...window.lab.view.camera.describe().map(number => number.toFixed(9)),
+              ...window.lab.view.moment.state].join();
+            """;
+
+    @ParameterizedTest
+    @ValueSource(strings = {"file", "http"})
+    void aLinkBringsSceneSolverCameraAndMomentBackInAFreshBrowser(String scheme) throws IOException {
+        HttpServer server = HttpServer.create(new InetSocketAddress("localhost", 0), 0);
+        server.createContext("/", exchange -> {
+            exchange.sendResponseHeaders(200, Files.size(Browser.page()));
+            Files.copy(Browser.page(), exchange.getResponseBody());
+            exchange.close();
+        });
+        server.start();
+        try {
+            if (scheme.equals("http")) {
+                page.go("http://localhost:" + server.getAddress().getPort());
+            }
+            page.openScene("41-double-pendulum");
+            edit("duration: ", "duration: 3 #");
+            page.choose("solver", "euler");
+            setStep("0.002");
+            page.choose("axis", "1");
+            page.element("view").sendKeys(Keys.ARROW_RIGHT, "-");
+            press(" ");
+            until("number('clock') > 0.3");
+            press(" ");
+            until("text('start') === 'Continue'");
+            page.click("copyLink");
+            until("text('note').includes('link is in the')");
+            String link = page.driver().getCurrentUrl();
+            assertTrue(link.startsWith(scheme) && link.length() < 2500, link);
+            try (Browser fresh = Browser.open(1280, 900)) {
+                fresh.go(link);
+                fresh.await("the moment", () -> fresh.text("clock").equals(page.text("clock"))
+                        && fresh.text("start").equals("Continue"));
+                assertEquals(page.script(STATE), fresh.script(STATE));
+                fresh.go(link.substring(0, link.length() - 30));
+                assertTrue(fresh.text("note").contains("damaged"), fresh.text("note"));
+            }
+        } finally {
+            server.stop(0);
+        }
+    }
+
+    private void press(CharSequence key) {
+        page.driver().findElement(By.tagName("body")).sendKeys(key);
+    }
+
+    @Test
+    void aSceneTooLongForALinkIsSavedAsAFileThatThePageOpens() throws IOException {
+        page.script("document.activeElement.blur(); "
+                + " HTMLAnchorElement.prototype.click = function () { window.saved = [this.download, this.href]; };");
+        edit("title:", "# " + new Random(1).ints(20_000, 'a', 'z').mapToObj(Character::toString).collect(joining())
+                + "\ntitle:");
+        page.choose("solver", "verlet");
+        page.click("copyLink");
+        until("text('note').includes('too long for a link')");
+        assertFalse(page.driver().getCurrentUrl().contains("#"));
+        Path file = Files.writeString(Browser.page().resolveSibling("lab.json"), (String) page.later("""
+                const [done] = arguments; fetch(window.saved[1]).then(file => file.text()).then(done);"""));
+        page.openScene("01-falling-particle");
+        page.click("showEditor");
+        page.element("open").sendKeys(file.toAbsolutePath().toString());
+        page.await("the scene of the file", () -> page.element("scene").getAttribute("value").startsWith("02")
+                && page.element("solver").getAttribute("value").equals("verlet"));
+    }
+
+    @Test
+    void keysStepBothWaysAndFillTheScreen() {
+        page.openScene("02-one-spring");
+        for (String clock : List.of("0.05 s", "0.1 s", "0.15 s")) {
+            press(Keys.ARROW_RIGHT);
+            page.await(clock, () -> page.text("clock").equals(clock));
+        }
+        press(Keys.ARROW_LEFT);
+        until("text('clock') === '0.1 s'");
+        assertEquals("3", page.text("steps"));
+        page.element("deltaTNumber").sendKeys("f", " ", Keys.ARROW_RIGHT);
+        press("f");
+        until("Boolean(document.fullscreenElement)");
+        assertEquals("0.1 s", page.text("clock"));
+        press("f");
+        until("!document.fullscreenElement");
+    }
+
+    @Test
+    void aSceneMovesAtOnceUnlessTheSystemAsksForReducedMotion() {
+        Browser.sleep(500);
+        assertEquals("0", page.text("steps"));
+        page.driver().executeCdpCommand("Emulation.setEmulatedMedia", Map.of("features",
+                List.of(Map.of("name", "prefers-reduced-motion", "value", "no-preference"))));
+        page.go(Browser.page().toUri().toString());
+        until("number('steps') > 0 && number('rate') > 0 && number('pace') > 0");
+        page.choose("scene", "06-bouncing-ball.yaml");
+        until("text('teaches').includes('bounce') && number('steps') > 0");
+    }
+
+    @Test
+    void scenesAreChosenByPictureAndTitle() {
+        page.click("showGallery");
+        assertEquals(0L, page.script("return [...document.querySelectorAll('#pictures img')]"
+                + ".filter(picture => picture.naturalWidth !== 320).length;"));
+        page.screenshot("gallery");
+        page.driver().findElement(By.xpath("//button[contains(., '06 A bouncing ball')]")).click();
+        page.await("its text", () -> page.text("teaches").startsWith("A bouncing ball: "));
+        assertFalse(page.element("gallery").isDisplayed());
+    }
+}
