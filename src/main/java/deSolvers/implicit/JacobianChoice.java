@@ -6,17 +6,18 @@ import deSolvers.SecondOrderStateSource;
 
 /**
  * Chooses how I - g J is solved, by the kind and the size of the source: particles with blocks by sparse matrices for
- * the velocities, other small sources by a full matrix, and other large ones by products J w alone.
+ * the velocities, other sources by a full matrix.
  */
 final class JacobianChoice {
-    /** States up to this size get a full matrix if they have no blocks. */
-    static final int LARGEST_DENSE = 600;
+    /** Up to this size a full matrix is faster than GMRES with blocks that are only a preconditioner. */
+    private static final int SMALL = 600;
+    /** A full matrix of this size has 200 MB. */
+    static final int LARGEST_DENSE = 5000;
 
     private final ImplicitWork.Counter work;
     private int n = -1;
     private ShiftedJacobian dense;
     private ShiftedJacobian blocks;
-    private ShiftedJacobian products;
 
     JacobianChoice(ImplicitWork.Counter work) {
         this.work = work;
@@ -29,28 +30,27 @@ final class JacobianChoice {
             n = size;
             dense = null;
             blocks = null;
-            products = null;
         }
         if (givesBlocks(source)) {
             blocks = blocks == null ? new ReducedVelocitySystem(work, n) : blocks;
             return blocks;
         }
-        if (n <= LARGEST_DENSE) {
-            dense = dense == null ? new DenseSystem(work, n) : dense;
-            return dense;
+        if (n > LARGEST_DENSE) {
+            throw new IllegalArgumentException("an implicit solver needs a full matrix for "
+                    + source.getClass().getName() + ", whose state has " + n + " entries; at most " + LARGEST_DENSE
+                    + " are possible without " + JacobianStateSource.class.getName() + "'s blocks");
         }
-        products = products == null ? new ProductSystem(work, n) : products;
-        return products;
+        dense = dense == null ? new DenseSystem(work, n) : dense;
+        return dense;
     }
 
-    /** Blocks that are only a preconditioner pay where a full matrix would be large. */
     private boolean givesBlocks(DEStateSource source) {
-        if (!(source instanceof JacobianStateSource && source instanceof SecondOrderStateSource)
-                || ((SecondOrderStateSource) source).getDimension() != 3) {
+        if (!(source instanceof JacobianStateSource known && source instanceof SecondOrderStateSource second)
+                || second.getDimension() != 3) {
             return false;
         }
-        JacobianStateSource.Blocks offered = ((JacobianStateSource) source).getJacobianBlocks();
+        JacobianStateSource.Blocks offered = known.getJacobianBlocks();
         return offered == JacobianStateSource.Blocks.EXACT
-                || offered == JacobianStateSource.Blocks.APPROXIMATE && n > LARGEST_DENSE;
+                || offered == JacobianStateSource.Blocks.APPROXIMATE && n > SMALL;
     }
 }

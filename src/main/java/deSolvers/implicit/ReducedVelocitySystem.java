@@ -21,7 +21,6 @@ import deSolvers.linear.LinearOperator;
 final class ReducedVelocitySystem implements ShiftedJacobian {
     private final ImplicitWork.Counter work;
     private final ForceBlocks blocks;
-    private final DirectionalDerivative derivative;
     private final BlockSolver solver;
     private final LinearOperator products = this::applyReal;
     private final LinearOperator complex = this::applyComplex;
@@ -39,6 +38,8 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
     private final double[] term;
     private final double[] direction;
     private final double[] product;
+    private final double[] base;
+    private StepTransaction source;
     private boolean exact;
     private double g;
     private double gRe;
@@ -48,7 +49,6 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
     ReducedVelocitySystem(ImplicitWork.Counter work, int n) {
         this.work = work;
         blocks = new ForceBlocks(work.linear);
-        derivative = new DirectionalDerivative(work);
         solver = new BlockSolver(work.linear);
         matrix = new BlockMatrix(blocks.getPattern(), work.linear);
         m = n / 2;
@@ -64,6 +64,7 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         term = new double[m];
         direction = new double[n];
         product = new double[n];
+        base = new double[n];
     }
 
     @Override
@@ -71,7 +72,8 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         JacobianStateSource client = (JacobianStateSource) source.getClient();
         exact = client.getJacobianBlocks() == JacobianStateSource.Blocks.EXACT;
         work.jacobians++;
-        derivative.setBase(source, state, slope, h);
+        this.source = source;
+        System.arraycopy(state, 0, base, 0, base.length);
         source.setState(state);
         BlockMatrix before = blocks.getStiffness();
         blocks.collect(client, m / 3, kind != Kind.EXACT);
@@ -202,7 +204,9 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
             direction[place(i)] = x[i];
             direction[place(i) + 3] = v[i];
         }
-        derivative.multiply(direction, product);
+        work.products++;
+        source.setState(base);
+        ((JacobianStateSource) source.getClient()).getJacobianProduct(direction, product);
         for (int i = 0; i < m; i++) {
             force[i] = blocks.mass(i / 3) * product[place(i) + 3];
         }

@@ -14,9 +14,8 @@
  * {@code ShiftedJacobian} solves linear systems with I - g J, whatever the form of the matrix. {@code JacobianChoice}
  * chooses by the kind and size of the source:
  * <ul>
- * <li>{@code DenseSystem}, for small sources: a full matrix, with J from the source or by differences;</li>
- * <li>{@code ProductSystem}, for large ones: no matrix, only products J w, from the source or by one difference
- *     each;</li>
+ * <li>{@code DenseSystem}, for sources of up to 5000 entries: a full matrix, with J from the source or by
+ *     differences;</li>
  * <li>{@code ReducedVelocitySystem}, for particles that offer the 3 x 3 blocks of their force derivatives: the
  *     positions are eliminated, which leaves the sparse matrix M - g dF/dv - g<sup>2</sup> dF/dx for the
  *     velocities.</li>
@@ -31,9 +30,8 @@
  *
  * <h2>When Newton's method stops</h2>
  * It stops when the correction of every entry is at most 1e-10 of that entry, or when all residuals are round-off. So
- * an entry of 1e-3 beside one of 1e6 is right to ten digits too. GMRES, which {@code ProductSystem} uses, may leave out
- * a correction to an entry below 1e-12 of the largest. If f itself loses digits, as (x + 1e8) - 1e8 does, Newton's
- * method takes the round-off for an error, and the step ends in an exception.
+ * an entry of 1e-3 beside one of 1e6 is right to ten digits too. If f itself loses digits, as (x + 1e8) - 1e8 does,
+ * Newton's method takes the round-off for an error, and the step ends in an exception.
  *
  * <p>Reference: E. Hairer, G. Wanner, <i>Solving Ordinary Differential Equations II</i>, 2nd ed., Springer 1996;
  * P. Deuflhard, <i>Newton Methods for Nonlinear Problems</i>, Springer 2004; D. Baraff, A. Witkin, <i>Large Steps in

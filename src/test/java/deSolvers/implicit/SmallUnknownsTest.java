@@ -96,7 +96,7 @@ class SmallUnknownsTest {
         assertEquals(0, left / (h * made), 1e-14);                  // measured 1e-16
     }
 
-    /** 301 pairs of a large and a small entry, 12 powers of ten apart, by GMRES: by differences and by products. */
+    /** Pairs of a large and a small entry, 12 powers of ten apart: by differences and by products. */
     @ParameterizedTest
     @CsvSource({"1e3, 1e-3, 1", "1e3, 1e-3, 301", "1e6, 1e-6, 301", "1e8, 1e-6, 1"})
     void smallEntriesOfALargeSystem(double large, double small, int pairs) {
@@ -133,21 +133,16 @@ class SmallUnknownsTest {
             for (int i = 1; i < start.length; i += 2) {
                 assertEquals(1, law.getState()[i] / exact, 1e-12, "entry " + i);
             }
-            // Measured 9 with products, up to 30 with differences, and 75 for the large system with differences.
-            assertTrue(law.getEvaluations() < 100, law.getEvaluations() + " evaluations");
+            // Measured 9 with products, up to 30 with differences for one pair and 3621 for 301
+            assertTrue(law.getEvaluations() < 20 * (1 + 2 * pairs), law.getEvaluations() + " evaluations");
         }
     }
 
-    /** Of a large system that GMRES cannot solve the message says so: each entry drives the next, around a circle. */
+    /** The message says so if the matrix is singular: here I - h J = 0. */
     @Test
     void theLinearSolversFailureIsTold() {
-        int n = 2001;
-        Law shift = new Law((t, s, dSdt) -> {
-            for (int i = 0; i < n; i++) {
-                dSdt[i] = s[i] - s[(i + 1) % n] + (i == 0 ? 1 : 0);
-            }
-        }, new double[n]);
+        Law law = new Law((t, s, dSdt) -> dSdt[0] = s[0] + 1, 1);
         Steps.assertFails(DESolverException.class, "the linear solver failed at Newton's iteration",
-                () -> new BackwardEulerSolver().stepState(shift, 1));
+                () -> new BackwardEulerSolver().stepState(law, 1));
     }
 }
