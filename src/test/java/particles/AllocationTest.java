@@ -16,7 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.effects.Cohesion;
 import particles.effects.LinearDrag;
-import particles.effects.PenaltyPlane;
+import particles.effects.Penalty;
 import particles.effects.PointAttraction;
 import particles.effects.QuadraticDrag;
 import particles.effects.Wind;
@@ -76,7 +76,7 @@ class AllocationTest {
         cloth.addEffect(new LinearDrag(particles, 0.01, Wind.STILL));
         cloth.addEffect(new QuadraticDrag(particles, 0.01, new RisingAir()));
         cloth.addEffect(new PointAttraction(particles, Vector3.ZERO, 0.1, 0.1));
-        cloth.addEffect(new PenaltyPlane(particles, new Plane(new Vector3(0, -0.2, 0), new Vector3(0, 1, 0)), 10, 0.1));
+        cloth.addEffect(new Penalty(particles, new Plane(new Vector3(0, -0.2, 0), new Vector3(0, 1, 0)), 10, 0.1));
         // whose matrix changes its pattern with the neighbours
         if (!SolverCatalog.info(solver).family().equals("implicit")) {
             cloth.addEffect(new Cohesion(particles, 0.1, 0.05, 1e-4, 1e-3));

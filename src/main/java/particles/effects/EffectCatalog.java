@@ -14,8 +14,8 @@ public final class EffectCatalog {
             new PointAttraction.Keys(),
             new Cohesion.Keys(),
             new Repulsion.Keys(),
-            new PenaltyPlane.Keys(),
-            new PenaltySphere.Keys());
+            new Penalty.PlaneKeys(),
+            new Penalty.SphereKeys());
 
     private EffectCatalog() {
     }

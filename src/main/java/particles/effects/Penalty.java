@@ -3,68 +3,110 @@ package particles.effects;
 import deSolvers.ForceDerivatives;
 import java.util.Set;
 import particles.law.DifferentiableEffect;
+import particles.law.Obstacle;
 import particles.law.Particles;
 import particles.law.PerParticleEffect;
+import particles.law.Plane;
+import particles.law.Sphere;
+import particles.law.Vector3;
+import particles.spec.Key;
+import particles.spec.NumberType;
+import particles.spec.Values;
+import particles.spec.VectorType;
 
 /**
- * Base class for penalty forces: a particle at depth d inside a solid is pushed out along the surface normal N,
+ * The slides' "penalty force" of a stiff plane or sphere: a particle at depth d inside is pushed out along the surface
+ * normal N,
  * <pre>
  *   F = k d max(0, 1 - b v_n) N        for d &gt; 0
  * </pre>
  * v_n = N . v, k stiffness, b bounce loss. The force is continuous, never pulls, and stores k d&sup2;/2. It does not
- * stop particles at the surface: they enter the solid a little.
+ * stop particles at the surface: they enter the solid a little. Without loss, a particle of mass m is inside a plane for
+ * pi sqrt(m/k) and leaves as fast as it came. At the centre of a ball, which has no normal, there is no push.
  *
  * <p>Source of the damping: K. Hunt, F. Crossley, "Coefficient of restitution interpreted as damping in vibroimpact"
  * (1975).
  */
-abstract class Penalty implements PerParticleEffect, DifferentiableEffect {
-    static final int STRIDE = Particles.STRIDE;
+public final class Penalty implements PerParticleEffect, DifferentiableEffect {
+    private static final int STRIDE = Particles.STRIDE;
 
-    final Particles particles;
-    final double stiffness;
-    final double loss;
+    private final Particles particles;
+    private final Obstacle solid;
+    private final double stiffness;
+    private final double loss;
     private final double[] normal = new double[3];
     private final double[] turning = new double[3];
     private final double[] dFdX = new double[9];
     private final double[] dFdV = new double[9];
 
-    Penalty(Particles particles, double stiffness, double loss) {
+    /**
+     * @param particles the particles on which it acts
+     * @param solid     the solid
+     * @param stiffness k, the force per metre of depth (N/m), 0 or more
+     * @param loss      b, the relative increase of the force per m/s of inward speed (s/m), 0 or more; 0 loses no
+     *                  energy
+     * @throws IllegalArgumentException if a number is out of its range
+     */
+    public Penalty(Particles particles, Obstacle solid, double stiffness, double loss) {
         if (!(stiffness >= 0 && stiffness <= Double.MAX_VALUE && loss >= 0 && loss <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException("a penalty's stiffness and loss have to be 0 or more and finite, not "
-                    + stiffness
-                    + ", " + loss);
+                    + stiffness + ", " + loss);
         }
         this.particles = particles;
+        this.solid = solid;
         this.stiffness = stiffness;
         this.loss = loss;
     }
 
-    /** Writes the surface normal at particle i and returns the depth, negative outside. */
-    abstract double depth(double[] state, int i, double[] normal);
-
-    /** Curvature of the surface (1/m), 0 for a plane: dN/dx = curvature (1 - N N^T). */
-    abstract double curvature(double[] state, int i);
-
-    /** The push along the normal (N) for d > 0. */
-    final double push(double depth, double normalSpeed) {
-        return stiffness * depth * Math.max(0, 1 - loss * normalSpeed);
+    @Override
+    public String getName() {
+        return solid.isFlat() ? "penaltyPlane" : "penaltySphere";
     }
 
     @Override
-    public final Set<Trait> getTraits() {
+    public void addForces(double[] state, double time, double[] force, int from, int to) {
+        for (int x = STRIDE * from; x < STRIDE * to; x += STRIDE) {
+            double depth = -solid.distance(state[x], state[x + 1], state[x + 2]);
+            if (depth > 0) {
+                boolean round = solid instanceof Sphere;        // N = out r
+                double out = round ? solid.curvature(state[x], state[x + 1], state[x + 2]) : 1;
+                Vector3 r = round ? ((Sphere) solid).fromCentre(state[x], state[x + 1], state[x + 2])
+                        : solid.normal(state[x], state[x + 1], state[x + 2]);
+                double speed = out * (r.x() * state[x + 3] + r.y() * state[x + 4] + r.z() * state[x + 5]);
+                double push = out * push(depth, speed);
+                force[x + 3] += push * r.x();
+                force[x + 4] += push * r.y();
+                force[x + 5] += push * r.z();
+            }
+        }
+    }
+
+    /** The push along the normal (N) for d > 0. */
+    private double push(double depth, double normalSpeed) {
+        return stiffness * depth * Math.max(0, 1 - loss * normalSpeed);
+    }
+
+    /** The depth of a free particle, at most 0 outside. */
+    private double depth(double[] state, int i) {
+        int x = STRIDE * i;
+        return particles.isFixed(i) ? 0 : -solid.distance(state[x], state[x + 1], state[x + 2]);
+    }
+
+    @Override
+    public Set<Trait> getTraits() {
         return Set.of(loss > 0 ? Trait.DISSIPATIVE : Trait.CONSERVATIVE);
     }
 
     @Override
-    public final boolean dependsOnVelocity() {
+    public boolean dependsOnVelocity() {
         return loss > 0;
     }
 
     @Override
-    public final double getPotentialEnergy(double[] state, double time) {
+    public double getPotentialEnergy(double[] state, double time) {
         double energy = 0;
         for (int i = 0; i < particles.count(); i++) {
-            double depth = particles.isFixed(i) ? 0 : Math.max(0, depth(state, i, normal));
+            double depth = Math.max(0, depth(state, i));
             energy += stiffness * depth * depth / 2;
         }
         return energy;
@@ -72,37 +114,43 @@ abstract class Penalty implements PerParticleEffect, DifferentiableEffect {
 
     /** {@inheritDoc} The rate at which the potential falls minus the power on the particle. */
     @Override
-    public final double getDissipatedPower(double[] state, double time) {
+    public double getDissipatedPower(double[] state, double time) {
         double power = 0;
         for (int i = 0; loss > 0 && i < particles.count(); i++) {
-            double depth = particles.isFixed(i) ? 0 : depth(state, i, normal);
+            double depth = depth(state, i);
             if (depth > 0) {
-                double speed = normalSpeed(state, i, normal);
+                double speed = normalSpeed(state, i);
                 power += speed * (stiffness * depth - push(depth, speed));
             }
         }
         return power;
     }
 
-    private static double normalSpeed(double[] state, int i, double[] normal) {
-        int v = STRIDE * i + 3;
-        return normal[0] * state[v] + normal[1] * state[v + 1] + normal[2] * state[v + 2];
+    /** The speed outwards; also sets the normal. */
+    private double normalSpeed(double[] state, int i) {
+        int x = STRIDE * i;
+        Vector3 n = solid.normal(state[x], state[x + 1], state[x + 2]);
+        normal[0] = n.x();
+        normal[1] = n.y();
+        normal[2] = n.z();
+        return n.x() * state[x + 3] + n.y() * state[x + 4] + n.z() * state[x + 5];
     }
 
     @Override
-    public final void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
+    public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
         for (int i = 0; i < particles.count(); i++) {
-            double depth = depth(state, i, normal);
+            double depth = depth(state, i);
             if (!(depth > 0)) {
                 continue;
             }
-            double speed = normalSpeed(state, i, normal);
+            double speed = normalSpeed(state, i);
             double push = push(depth, speed);
             double bySpeed = push > 0 ? -stiffness * depth * loss : 0;
-            double curvature = curvature(state, i);
+            int x = STRIDE * i;
+            double curvature = solid.curvature(state[x], state[x + 1], state[x + 2]);
             for (int c = 0; c < 3; c++) {               // d(push)/dx = -dpush/dd N + ...
                 turning[c] = -push / depth * normal[c]
-                        + bySpeed * curvature * (state[STRIDE * i + 3 + c] - speed * normal[c]);
+                        + bySpeed * curvature * (state[x + 3 + c] - speed * normal[c]);
             }
             for (int e = 0; e < 9; e++) {
                 dFdX[e] = normal[e / 3] * turning[e % 3]
@@ -110,6 +158,59 @@ abstract class Penalty implements PerParticleEffect, DifferentiableEffect {
                 dFdV[e] = bySpeed * normal[e / 3] * normal[e % 3];
             }
             derivatives.add(i, i, dFdX, dFdV);
+        }
+    }
+
+    /** Penalty planes in scenes. */
+    public static final class PlaneKeys extends EffectKind {
+        private static final Key<Vector3> POINT = Key.withDefault("point", VectorType.of("m"), Vector3.ZERO,
+                "Any point of the plane (m).");
+        private static final Key<Vector3> NORMAL = Key.withDefault("normal", VectorType.notZero(""),
+                new Vector3(0, 1, 0), "A vector that points out of the solid; its length does not matter.");
+
+        private static final Key<Double> BALL_RADIUS = Key.withDefault("ballRadius", NumberType.notNegative("m"), 0.0,
+                "The distance at which the plane begins to push (m): 0 for points, the radius for balls.");
+
+        /** Called once, by {@link EffectCatalog}. */
+        public PlaneKeys() {
+            super("penaltyPlane", "A stiff plane that pushes back particles below it.", SharedKeys.STIFFNESS,
+                    SharedKeys.LOSS, POINT, NORMAL, BALL_RADIUS);
+        }
+
+        @Override
+        public void build(Values values, EffectContext scene) {
+            Plane plane = new Plane(values.get(POINT), values.get(NORMAL));
+            Vector3 lifted = plane.point().plus(plane.normal().times(values.get(BALL_RADIUS)));
+            scene.add(new Penalty(scene.particles(), new Plane(lifted, plane.normal()),
+                    values.get(SharedKeys.STIFFNESS), values.get(SharedKeys.LOSS)));
+            scene.show(plane);
+        }
+
+        @Override
+        public boolean isRepeatable() {
+            return true;
+        }
+    }
+
+    /** Penalty spheres in scenes. */
+    public static final class SphereKeys extends EffectKind {
+        /** Called once, by {@link EffectCatalog}. */
+        public SphereKeys() {
+            super("penaltySphere", "A stiff ball that pushes particles out, or a hollow one that pushes them in.",
+                    SharedKeys.CENTRE, SharedKeys.RADIUS, SharedKeys.HOLLOW, SharedKeys.STIFFNESS, SharedKeys.LOSS);
+        }
+
+        @Override
+        public void build(Values values, EffectContext scene) {
+            Sphere sphere = SharedKeys.sphere(values);
+            scene.add(new Penalty(scene.particles(), sphere, values.get(SharedKeys.STIFFNESS),
+                    values.get(SharedKeys.LOSS)));
+            scene.show(sphere);
+        }
+
+        @Override
+        public boolean isRepeatable() {
+            return true;
         }
     }
 }

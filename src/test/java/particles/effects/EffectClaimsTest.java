@@ -82,10 +82,10 @@ class EffectClaimsTest {
                 hertz.setRadius(2, 1.5);
                 return hertz;
             });
-            laws.put("plane " + c, p -> new PenaltyPlane(p, new Plane(new Vector3(1, 0.5, 1), new Vector3(1, 2, -1)),
+            laws.put("plane " + c, p -> new Penalty(p, new Plane(new Vector3(1, 0.5, 1), new Vector3(1, 2, -1)),
                     30, c));
-            laws.put("ball " + c, p -> new PenaltySphere(p, new Sphere(at, 1.2, false), 30, c));
-            laws.put("hollow " + c, p -> new PenaltySphere(p, new Sphere(at, 0.8, true), 30, c));
+            laws.put("ball " + c, p -> new Penalty(p, new Sphere(at, 1.2, false), 30, c));
+            laws.put("hollow " + c, p -> new Penalty(p, new Sphere(at, 0.8, true), 30, c));
         }
         return laws.entrySet().stream().map(law -> Arguments.of(law.getKey(), law.getValue()));
     }

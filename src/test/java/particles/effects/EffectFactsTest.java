@@ -54,8 +54,8 @@ class EffectFactsTest {
         assertFacts(new QuadraticDrag(particles, 1, Wind.STILL), "quadraticDrag", true, true, Effect.Trait.DISSIPATIVE);
         for (double damping : new double[] {0, TINY, 1}) {
             Effect.Trait trait = damping > 0 ? Effect.Trait.DISSIPATIVE : Effect.Trait.CONSERVATIVE;
-            assertFacts(new PenaltyPlane(particles, GROUND, 1, damping), "penaltyPlane", true, damping > 0, trait);
-            assertFacts(new PenaltySphere(particles, BALL, 1, damping), "penaltySphere", true, damping > 0, trait);
+            assertFacts(new Penalty(particles, GROUND, 1, damping), "penaltyPlane", true, damping > 0, trait);
+            assertFacts(new Penalty(particles, BALL, 1, damping), "penaltySphere", true, damping > 0, trait);
             assertFacts(new Cohesion(particles, 1, 0.5, 1, damping), "cohesion", false, damping > 0, trait);
             assertFacts(new Repulsion(particles, 1, true, 1, damping), "repulsion", false, damping > 0, trait);
             assertFacts(twoSprings(damping), "springs", false, damping > 0, trait);
@@ -131,8 +131,8 @@ class EffectFactsTest {
         assertRange("softening", s -> new PointAttraction(particles, Vector3.ZERO, 1, s), ZERO_OR_MORE, LESS);
         assertRange("strength", mu -> new PointAttraction(particles, Vector3.ZERO, mu, 0), new double[] {-MAX, 0, MAX},
                 new double[] {NAN, INFINITE, -INFINITE});
-        assertRange("stiffness", k -> new PenaltyPlane(particles, GROUND, k, 0), ZERO_OR_MORE, LESS);
-        assertRange("loss", b -> new PenaltySphere(particles, BALL, 1, b), ZERO_OR_MORE, LESS);
+        assertRange("stiffness", k -> new Penalty(particles, GROUND, k, 0), ZERO_OR_MORE, LESS);
+        assertRange("loss", b -> new Penalty(particles, BALL, 1, b), ZERO_OR_MORE, LESS);
         assertRange("depth", e -> new Cohesion(particles, 1, 0.5, e, 0), MORE_THAN_ZERO, ZERO_OR_LESS);
         assertRange("damping", b -> new Cohesion(particles, 1, 0.5, 1, b), ZERO_OR_MORE, LESS);
         assertRange("distance", d -> new Cohesion(particles, 1, d, 1, 0), new double[] {TINY, 0.5, Math.nextDown(1.0)},
@@ -167,15 +167,15 @@ class EffectFactsTest {
         system.addParticle("b", 1, new Vector3(1, 0, 0), new Vector3(1, 0, 0), false);
         Particles both = system.getParticles();
         double[] state = system.getOwnState();
-        for (Effect effect : List.of(new PenaltyPlane(both, GROUND, 7, 0.5), new Cohesion(both, 1, 0.5, 7, 0.5),
-                new PenaltySphere(both, BALL, 7, 0.5))) {
+        for (Effect effect : List.of(new Penalty(both, GROUND, 7, 0.5), new Cohesion(both, 1, 0.5, 7, 0.5),
+                new Penalty(both, BALL, 7, 0.5))) {
             double[] force = new double[12];
             effect.addForces(state, 0, force);
             assertArrayEquals(new double[12], force, effect.getName());
         }
         // At a ball's centre the depth is largest, but no direction leads out faster than another.
-        assertEquals(3.5, new PenaltySphere(both, BALL, 7, 0.5).getPotentialEnergy(state, 0));
-        assertEquals(0, new PenaltyPlane(both, GROUND, 7, 0.5).getPotentialEnergy(state, 0));
+        assertEquals(3.5, new Penalty(both, BALL, 7, 0.5).getPotentialEnergy(state, 0));
+        assertEquals(0, new Penalty(both, GROUND, 7, 0.5).getPotentialEnergy(state, 0));
         assertEquals(0, new Cohesion(both, 1, 0.5, 7, 0.5).getPotentialEnergy(state, 0));
     }
 }

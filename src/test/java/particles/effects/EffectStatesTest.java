@@ -32,8 +32,8 @@ class EffectStatesTest {
                 p -> new LinearDrag(p, 0.4, Wind.STILL),
                 p -> new LinearDrag(p, 0.4, WIND),
                 p -> new QuadraticDrag(p, 0.4, WIND),
-                p -> new PenaltyPlane(p, Plane.ground(0.5), 30, 0.8),
-                p -> new PenaltySphere(p, new Sphere(new Vector3(0.5, 0.5, 0.5), 1.2, false), 30, 0.8),
+                p -> new Penalty(p, Plane.ground(0.5), 30, 0.8),
+                p -> new Penalty(p, new Sphere(new Vector3(0.5, 0.5, 0.5), 1.2, false), 30, 0.8),
                 p -> new Cohesion(p, 1.5, 0.8, 2, 0.8),
                 p -> new Repulsion(p, 0.4, false, 2, 0.8),
                 EffectStatesTest::springs);

@@ -128,7 +128,7 @@ class RepulsionTest {
             system.addParticle("ball" + i, 2, new Vector3(0, 0.1 + 0.2 * i, 0), Vector3.ZERO, false);
         }
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-        system.addEffect(new PenaltyPlane(system.getParticles(), Plane.ground(0.1), 4000, 0));
+        system.addEffect(new Penalty(system.getParticles(), Plane.ground(0.1), 4000, 0));
         system.addEffect(new Repulsion(system.getParticles(), 0.1, false, 4000, 150));
         run(system, new RK4Solver(), 0.002, 10_000);
         assertEquals(5 * 2 * 9.81 / 4000, 0.1 - entry(system, 1), 1e-14);
