@@ -101,7 +101,7 @@ class ArchitectureTest {
             particles.lab:                 deSolvers deSolvers.catalog particles particles.effects.springs
                                            particles.energy particles.experiments.stability particles.law
                                            particles.messages particles.scene particles.scene.format
-                                           particles.spec particles.view
+                                           particles.spec particles.spec.documents particles.view
             particles.lab.browser:         deSolvers particles.effects particles.lab particles.spec org.teavm
             particles.lab.compile:         particles.javac particles.lab org.teavm
             particles.law:                 deSolvers
@@ -146,7 +146,7 @@ class ArchitectureTest {
                                            particles.reactions particles.reactions.contact particles.reactions.wires
                                            particles.rules particles.spec particles.spec.messages particles.view
             particles.spec:                deSolvers.text particles.law particles.spec.messages org.snakeyaml
-            particles.spec.documents:      deSolvers.text particles.spec com.fasterxml.jackson
+            particles.spec.documents:      deSolvers.text particles.spec
             particles.spec.messages:       deSolvers.text org.snakeyaml
             particles.teaching:
             particles.teaching.contract:   deSolvers particles.teaching particles.teaching.sources

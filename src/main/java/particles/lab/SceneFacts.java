@@ -119,7 +119,7 @@ final class SceneFacts {
     }
 
     private static Map<String, Object> surface(Surface surface) {
-        return Map.of("triangles", Json.list(surface.triangles()), "ofSprings", surface.ofSprings());
+        return Map.of("triangles", surface.triangles(), "ofSprings", surface.ofSprings());
     }
 
     private static List<Double> vector(Vector3 v) {

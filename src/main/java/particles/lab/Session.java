@@ -26,6 +26,7 @@ import particles.scene.format.Tolerances;
 import particles.spec.ClassNames;
 import particles.spec.Ordered;
 import particles.spec.Reading;
+import particles.spec.documents.JsonText;
 
 /** The session of a page: opens a scene, runs it for a while, looks back at earlier times. One scene at a time. */
 public final class Session {
@@ -45,7 +46,7 @@ public final class Session {
 
     /** @return the catalogue's solvers, as JSON */
     public String solvers() {
-        return Json.of(SolverCatalog.all().stream().map(Session::solver).toList());
+        return JsonText.compact(SolverCatalog.all().stream().map(Session::solver).toList());
     }
 
     private static Map<String, Object> solver(SolverInfo solver) {
@@ -80,9 +81,9 @@ public final class Session {
             nanoseconds = 0;
             Map<String, Object> facts = SceneFacts.of(scene, run.getEnergies());
             facts.put("numbers", SceneReader.numbers(bytes, classes).stream().map(Session::number).toList());
-            return Json.of(facts);
+            return JsonText.compact(facts);
         } catch (SceneException e) {
-            return Json.of(Map.of("errors", e.getLines()));
+            return JsonText.compact(Map.of("errors", e.getLines()));
         }
     }
 
@@ -156,13 +157,13 @@ public final class Session {
     public String particle(String id) {
         int i = indexOf(id);
         ParticleSystem system = run.getScene().system();
-        return i < 0 ? "{}" : Json.of(Map.of("mass", system.getParticles().mass(i), "forces",
+        return i < 0 ? "{}" : JsonText.compact(Map.of("mass", system.getParticles().mass(i), "forces",
                 ParticleForces.of(system, i)));
     }
 
     /** @return the time of the run, the time shown, and the cost so far, as JSON */
     public String status() {
-        return Json.of(Ordered.map("time", shown.time(), "reached", run.getScene().system().getTime(),
+        return JsonText.compact(Ordered.map("time", shown.time(), "reached", run.getScene().system().getTime(),
                 "steps", run.getScene().simulation().getSteps(),
                 "evaluations", run.getScene().system().getEvaluations(), "seconds", nanoseconds / (1e3 * NANOSECONDS),
                 "work", run.work(), "historyBytes", run.getHistory().getBytes(),
@@ -222,11 +223,11 @@ public final class Session {
     /** @return the particles, springs and rods at the moment that is shown, as JSON */
     public String structure() {
         Structure structure = shown.structure();
-        return Json.of(Ordered.map("ids", List.of(structure.ids()), "fixed", Json.list(structure.fixed()),
-                "births", Json.list(structure.births()), "lives", Json.list(structure.lives()),
-                "springs", Json.list(structure.links().ends()),
-                "restLengths", Json.list(structure.links().restLengths()),
-                "rigid", Json.list(structure.links().rigid())));
+        return JsonText.compact(Ordered.map("ids", List.of(structure.ids()), "fixed", structure.fixed(),
+                "births", structure.births(), "lives", structure.lives(),
+                "springs", structure.links().ends(),
+                "restLengths", structure.links().restLengths(),
+                "rigid", structure.links().rigid()));
     }
 
     /**

@@ -1,5 +1,6 @@
 package particles.spec;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.snakeyaml.engine.v2.nodes.Node;
@@ -33,6 +34,6 @@ public final class WordType extends Type<String> {
 
     @Override
     Map<String, Object> schema() {
-        return Map.of("type", new String[] {"string", "number", "boolean"});
+        return Map.of("type", List.of("string", "number", "boolean"));
     }
 }

@@ -101,10 +101,4 @@ class SessionTest {
     private static void assertArrayEqualsExactly(float[] expected, float[] found) {
         assertTrue(Arrays.equals(expected, found), Arrays.toString(found));
     }
-
-    @Test
-    void textsAndNumbersAreWrittenAsJson() {
-        assertEquals("{\"a\":[1,0.5,null,true,\"x\\\\\\u000a\\\"\"]}",
-                Json.of(Map.of("a", List.of(1, 0.5, Double.NaN, true, "x\\\n\""))));
-    }
 }

@@ -1,6 +1,7 @@
 package particles.scene.format;
 
 import java.util.List;
+import java.util.Map;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
 import particles.scene.parts.ConstraintDescription;
@@ -17,6 +18,7 @@ import particles.spec.ListType;
 import particles.spec.MappingType;
 import particles.spec.NameType;
 import particles.spec.NumberType;
+import particles.spec.Ordered;
 import particles.spec.TextType;
 import particles.spec.Values;
 import particles.spec.WholeNumberType;
@@ -94,8 +96,11 @@ public final class SceneFormat {
      *         {@code scenes/scene.schema.json}
      */
     public static String jsonSchema() {
-        return JsonText.schema(SCENE, "A scene of DESolver",
+        Map<String, Object> schema = Ordered.map("$schema", "http://json-schema.org/draft-07/schema#", "title",
+                "A scene of DESolver", "description",
                 "Generated from particles.scene.format.SceneFormat; a test keeps the two equal.");
+        schema.putAll(SCENE.schema());
+        return JsonText.of(schema);
     }
 
     /**

@@ -1,81 +1,70 @@
 package particles.spec.documents;
 
-import com.fasterxml.jackson.core.JsonFactory;
-import com.fasterxml.jackson.core.JsonGenerator;
-import com.fasterxml.jackson.core.io.NumberOutput;
-import com.fasterxml.jackson.core.util.DefaultIndenter;
-import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
 import deSolvers.text.Digits;
-import java.io.IOException;
-import java.io.StringWriter;
-import java.io.UncheckedIOException;
-import java.math.BigDecimal;
+import java.util.Arrays;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
-import particles.spec.MappingType;
-import particles.spec.Ordered;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
-/**
- * Writes indented JSON. NaN and infinity are written as {@code null}, since JSON cannot express them; other numbers by
- * one fixed algorithm, the same on every JDK.
- */
+/** Writes JSON. NaN and infinity are written as {@code null}, since JSON cannot express them. */
 public final class JsonText {
     private JsonText() {
     }
 
     /**
+     * Indented, and with numbers as people write them.
+     *
      * @param value maps with texts as keys, lists, numbers, booleans and texts
      * @return the text, ending with a line feed
      */
-    public static String of(Map<String, Object> value) {
-        StringWriter text = new StringWriter();
-        try (JsonGenerator json = new JsonFactory().createGenerator(text)) {
-            DefaultIndenter indenter = new DefaultIndenter("  ", "\n");
-            json.setPrettyPrinter(new DefaultPrettyPrinter().withObjectIndenter(indenter).withArrayIndenter(indenter));
-            write(value, json);
-        } catch (IOException e) {
-            throw new UncheckedIOException("writing into memory failed", e);
-        }
-        return text.append('\n').toString();
+    public static String of(Object value) {
+        return write(value, "\n") + "\n";
     }
 
     /**
-     * Writes a type as a JSON Schema of draft 7, the newest draft that the YAML plug-ins of all common editors know.
+     * In one line, for programs.
      *
-     * @param root        the type of a whole file
-     * @param title       the title of such a file
-     * @param description a description of the schema's origin
-     * @return the schema; the same text for the same type, always
+     * @param value as for {@link #of}, and arrays of numbers
      */
-    public static String schema(MappingType root, String title, String description) {
-        Map<String, Object> schema = Ordered.map("$schema", "http://json-schema.org/draft-07/schema#", "title", title,
-                "description", description);
-        schema.putAll(root.schema());
-        return of(schema);
+    public static String compact(Object value) {
+        return write(value, "");
     }
 
-    private static void write(Object value, JsonGenerator json) throws IOException {
+    /** @param line begins a line of what is around the value; empty without lines */
+    private static String write(Object value, String line) {
+        String inner = line.isEmpty() ? "" : line + "  ";
         if (value instanceof Map<?, ?> map) {
-            json.writeStartObject();
-            for (Map.Entry<?, ?> entry : map.entrySet()) {
-                json.writeFieldName((String) entry.getKey());
-                write(entry.getValue(), json);
-            }
-            json.writeEndObject();
-        } else if (value instanceof List<?> list) {
-            json.writeStartArray();
-            for (Object element : list) {
-                write(element, json);
-            }
-            json.writeEndArray();
-        } else if (value instanceof Double number) {
-            if (Double.isFinite(number)) {
-                json.writeNumber(Digits.exact(new BigDecimal(NumberOutput.toString(number, true))));
-            } else {
-                json.writeNull();
-            }
-        } else {
-            json.writeObject(value);
+            return enclosed("{", map.entrySet().stream().map(entry -> quote(entry.getKey().toString())
+                    + (line.isEmpty() ? ":" : " : ") + write(entry.getValue(), inner)), "}", line, inner);
         }
+        if (value instanceof Collection<?> list) {
+            return enclosed("[", list.stream().map(element -> write(element, inner)), "]", line, inner);
+        }
+        if (value instanceof int[] || value instanceof float[]) {
+            return value instanceof int[] numbers ? Arrays.toString(numbers)
+                    : write(doubles((float[]) value), line);
+        }
+        if (value instanceof Double number && (!line.isEmpty() || !Double.isFinite(number))) {
+            return Double.isFinite(number) ? Digits.exact(number) : "null";
+        }
+        return value instanceof Number || value instanceof Boolean ? value.toString() : quote(value.toString());
+    }
+
+    private static List<Double> doubles(float[] numbers) {
+        return IntStream.range(0, numbers.length).mapToObj(i -> (double) numbers[i]).toList();
+    }
+
+    private static String enclosed(String open, Stream<String> parts, String close, String line, String inner) {
+        String all = parts.collect(Collectors.joining("," + inner));
+        return open + (all.isEmpty() ? line.isEmpty() ? "" : " " : inner + all + line) + close;
+    }
+
+    private static String quote(String text) {
+        return text.codePoints().mapToObj(c -> c == '"' || c == '\\' ? "\\" + (char) c
+                : c < ' ' ? String.format("\\u%04x", c) : Character.toString(c))
+                .collect(Collectors.joining("", "\"", "\""));
     }
 }

@@ -3,6 +3,7 @@ package particles.spec.documents;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import particles.spec.Ordered;
 
@@ -26,5 +27,11 @@ class JsonTextTest {
                 }
                 """, JsonText.of(Ordered.map("numbers", List.of(3.0, -0.0, 0.1, 1e30, Double.NaN,
                 Double.NEGATIVE_INFINITY), "flag", true, "none", List.of())));
+    }
+
+    @Test
+    void textsAndNumbersAreWrittenInOneLine() {
+        assertEquals("{\"a\":[1,0.5,null,true,\"x\\\\\\u000a\\\"\"]}",
+                JsonText.compact(Map.of("a", List.of(1, 0.5, Double.NaN, true, "x\\\n\""))));
     }
 }
