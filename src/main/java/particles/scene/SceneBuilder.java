@@ -87,7 +87,7 @@ public final class SceneBuilder {
         List<Surface> cloths = addParticles(contents, system, springs);
         ParticleIndex index = new ParticleIndex(contents.particles(), contents.shapes());
         for (SpringDescription spring : contents.springs()) {
-            double distance = index.position(spring.to()).minus(index.position(spring.from())).length();
+            double distance = index.way(spring.from(), spring.to()).length();
             springs.addSpring(index.find(spring.from()).orElseThrow(), index.find(spring.to()).orElseThrow(),
                     spring.stiffness(), spring.restLength().orElse(distance), spring.damping());
         }
@@ -123,18 +123,13 @@ public final class SceneBuilder {
 
     /** Adds particles and shapes in the order of {@link ParticleIndex}, and returns the shapes' surfaces. */
     private static List<Surface> addParticles(Contents contents, ParticleSystem system, SpringForce springs) {
-        for (ParticleDescription particle : contents.particles()) {
-            system.addParticle(particle.id(), particle.mass(), particle.position(), particle.velocity(),
-                    particle.fixed());
-        }
+        contents.particles().forEach(particle -> add(particle, system));
         List<Surface> cloths = new ArrayList<>();
         for (ShapeDescription shape : contents.shapes()) {
             int first = system.getParticles().count();
             Lattice lattice = shape.lattice();
             for (int n = 0; n < lattice.size(); n++) {
-                boolean fixed = shape.fixed().get(n);
-                system.addParticle(lattice.idOf(n), shape.mass(), lattice.position(n), fixed ? Vector3.ZERO
-                        : shape.velocity(), fixed);
+                add(shape.particle(n), system);
             }
             for (SpringFamily family : shape.springs()) {
                 family.forEach(lattice, (from, to, stiffness, damping) -> springs.addSpring(first + from, first + to,
@@ -146,5 +141,10 @@ public final class SceneBuilder {
             }
         }
         return cloths;
+    }
+
+    private static void add(ParticleDescription particle, ParticleSystem system) {
+        system.addParticle(particle.id(), particle.mass(), particle.position(), particle.velocity(),
+                particle.fixed());
     }
 }

@@ -40,12 +40,12 @@ final class ConstraintChecks {
     private final Values scene;
     private final Problems problems;
     private final ParticleIndex index;
-    private final BiPredicate<String, Place> isKnown;
+    private final BiPredicate<Values, Key<String>> isKnown;
     private final List<RodDescription> rods = new ArrayList<>();
     private final List<Chosen<WireKind>> wires = new ArrayList<>();
 
     /** @param isKnown tests whether there is a particle with an id, and reports a problem if not */
-    ConstraintChecks(Values scene, Problems problems, ParticleIndex index, BiPredicate<String, Place> isKnown) {
+    ConstraintChecks(Values scene, Problems problems, ParticleIndex index, BiPredicate<Values, Key<String>> isKnown) {
         this.scene = scene;
         this.problems = problems;
         this.index = index;
@@ -54,13 +54,13 @@ final class ConstraintChecks {
 
     void check() {
         for (Values values : scene.list(SceneFormat.RODS)) {
-            if (isKnown(values, RodDescription.FROM) & isKnown(values, RodDescription.TO) && values.isSound()) {
+            if (isKnown.test(values, RodDescription.FROM) & isKnown.test(values, RodDescription.TO) && values.isSound()) {
                 check(values, RodDescription.of(values));
             }
         }
         checkLines();
         for (Chosen<WireKind> wire : scene.list(SceneFormat.WIRES)) {
-            if (isKnown(wire.values(), WireKind.BEAD) && wire.values().isSound()) {
+            if (isKnown.test(wire.values(), WireKind.BEAD) && wire.values().isSound()) {
                 check(wire);
             }
         }
@@ -69,20 +69,30 @@ final class ConstraintChecks {
         }
     }
 
-    private boolean isKnown(Values values, Key<String> key) {
-        return values.find(key).isPresent() && isKnown.test(values.get(key), values.place(key));
-    }
-
     private void check(Values values, RodDescription rod) {
         Place place = values.place(RodDescription.TO);
-        Vector3 way = index.position(rod.to()).minus(index.position(rod.from()));
-        if (rod.from().equals(rod.to())) {
-            problems.add(place, "a rod from " + Wording.quote(rod.from())
+        if (checkEnds("rod", rod.from(), rod.to(), place)) {
+            checkMotion(rod, place);
+        }
+        rods.add(rod);
+    }
+
+    /** Whether a spring or rod has two ends at different places; if not, that is a problem. */
+    boolean checkEnds(String what, String from, String to, Place place) {
+        boolean apart = !index.way(from, to).isZero();
+        if (from.equals(to)) {
+            problems.add(place, "a " + what + " from " + Wording.quote(from)
                     + " to itself; its ends must be two different particles");
-        } else if (way.isZero()) {
-            problems.add(place, Wording.quote(rod.from()) + " and " + Wording.quote(rod.to())
-                    + " are at the same place; a rod between them would have no length");
-        } else if (index.isFixed(rod.from()) && index.isFixed(rod.to())) {
+        } else if (!apart) {
+            problems.add(place, Wording.quote(from) + " and " + Wording.quote(to) + " are at the same place; a " + what
+                    + " between them would have no " + (what.equals("rod") ? "length" : "direction"));
+        }
+        return apart;
+    }
+
+    private void checkMotion(RodDescription rod, Place place) {
+        Vector3 way = index.way(rod.from(), rod.to());
+        if (index.isFixed(rod.from()) && index.isFixed(rod.to())) {
             problems.add(place, Wording.quote(rod.from()) + " and " + Wording.quote(rod.to())
                     + " are fixed; a rod between them has no effect");
         } else {
@@ -94,7 +104,6 @@ final class ConstraintChecks {
                         + " m/s; their relative velocity must be across the rod" + moving(rod));
             }
         }
-        rods.add(rod);
     }
 
     /** The velocity of a particle at the start; for a moving anchor, that of its motion. */
@@ -146,8 +155,8 @@ final class ConstraintChecks {
 
     /** Whether a particle begins on the line of a rod, between its ends. */
     private boolean isOn(RodDescription rod, String id) {
-        Vector3 way = index.position(rod.to()).minus(index.position(rod.from()));
-        Vector3 there = index.position(id).minus(index.position(rod.from()));
+        Vector3 way = index.way(rod.from(), rod.to());
+        Vector3 there = index.way(rod.from(), id);
         double part = there.dot(way) / way.dot(way);
         return part > 0 && part <= 1 && there.minus(way.times(part)).length() <= IN_LINE * way.length();
     }

@@ -70,12 +70,13 @@ public final class SceneChecks {
                             + " 'particles', such as {id: source, position: [0, 0, 0], fixed: true}"
                     : "the scene has no particle; add some under 'particles' or 'shapes'");
         }
-        checkSprings();
         ConstraintChecks constraints = new ConstraintChecks(scene, problems, index, this::isKnown);
+        checkSprings(constraints);
         constraints.check();
         checkEffects();
         OutsideCheck.check(scene.list(SceneFormat.RULES), particles, shapes, problems);
-        new RuleChecks(scene, problems, this::isKnown).check(particles, shapes, springs);
+        new RuleChecks(scene, problems, index, this::isKnown)
+                .check(!springs.isEmpty() || shapes.stream().anyMatch(shape -> shape.springCount() > 0));
         Optional<Camera> camera = scene.find(SceneFormat.CAMERA).filter(Values::isSound)
                 .flatMap(values -> CameraFormat.of(values, problems));
         checkPhase();
@@ -147,21 +148,14 @@ public final class SceneChecks {
         }
     }
 
-    private void checkSprings() {
+    private void checkSprings(ConstraintChecks constraints) {
         for (Values values : scene.list(SceneFormat.SPRINGS)) {
             boolean known = isKnown(values, SpringDescription.FROM) & isKnown(values, SpringDescription.TO);
             if (!known || !values.isSound()) {
                 continue;
             }
             SpringDescription spring = SpringDescription.of(values);
-            if (spring.from().equals(spring.to())) {
-                problems.add(values.place(SpringDescription.TO), "a spring from " + Wording.quote(spring.from())
-                        + " to itself; its ends must be two different particles");
-            } else if (index.position(spring.from()).minus(index.position(spring.to())).isZero()) {
-                problems.add(values.place(SpringDescription.TO), Wording.quote(spring.from()) + " and "
-                        + Wording.quote(spring.to())
-                        + " are at the same place; a spring between them would have no direction");
-            }
+            constraints.checkEnds("spring", spring.from(), spring.to(), values.place(SpringDescription.TO));
             springs.add(spring);
         }
     }

@@ -47,7 +47,7 @@ public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireK
         RigidConstraints constraints = new RigidConstraints(system, feedback);
         for (RodDescription rod : rods) {
             constraints.addRod(index.find(rod.from()).orElseThrow(), index.find(rod.to()).orElseThrow(),
-                    index.position(rod.to()).minus(index.position(rod.from())).length());
+                    index.way(rod.from(), rod.to()).length());
         }
         for (Chosen<WireKind> wire : wires) {
             String bead = wire.values().get(WireKind.BEAD);

@@ -28,11 +28,6 @@ public final class ParticleIndex {
         }
     }
 
-    /** @return the number of particles */
-    int count() {
-        return count;
-    }
-
     /** @return the number of the particle with this id, if there is one */
     public OptionalInt find(String id) {
         if (numbers.containsKey(id)) {
@@ -48,34 +43,36 @@ public final class ParticleIndex {
         return id.contains("[") ? id.substring(0, id.indexOf('[')) : id;
     }
 
-    /** @return whether the particle with this known id is fixed */
-    public boolean isFixed(String id) {
+    private ParticleDescription particle(String id) {
         if (numbers.containsKey(id)) {
-            return particles.get(numbers.get(id)).fixed();
+            return particles.get(numbers.get(id));
         }
         ShapeDescription shape = shapes.get(shapeOf(id));
-        return shape.fixed().get(shape.lattice().find(id).orElseThrow());
+        return shape.particle(shape.lattice().find(id).orElseThrow());
+    }
+
+    /** @return whether the particle with this known id is fixed */
+    public boolean isFixed(String id) {
+        return particle(id).fixed();
     }
 
     /** @return the radius that the particle with this known id has of its own (m) */
     Optional<Double> radius(String id) {
-        return numbers.containsKey(id) ? particles.get(numbers.get(id)).radius() : shapes.get(shapeOf(id)).radius();
+        return particle(id).radius();
     }
 
     /** @return the initial velocity of the particle with this known id (m/s) */
     public Vector3 velocity(String id) {
-        if (numbers.containsKey(id)) {
-            return particles.get(numbers.get(id)).velocity();
-        }
-        return isFixed(id) ? Vector3.ZERO : shapes.get(shapeOf(id)).velocity();
+        return particle(id).velocity();
     }
 
     /** @return the initial position of the particle with this known id (m) */
     public Vector3 position(String id) {
-        if (numbers.containsKey(id)) {
-            return particles.get(numbers.get(id)).position();
-        }
-        Lattice lattice = shapes.get(shapeOf(id)).lattice();
-        return lattice.position(lattice.find(id).orElseThrow());
+        return particle(id).position();
+    }
+
+    /** @return the vector from one known particle to another at the start (m) */
+    public Vector3 way(String from, String to) {
+        return position(to).minus(position(from));
     }
 }

@@ -66,6 +66,12 @@ public record ShapeDescription(Lattice lattice, double mass, Vector3 velocity, B
                 values.find(ParticleDescription.RADIUS), chosen.place()));
     }
 
+    /** @return one of its particles */
+    public ParticleDescription particle(int n) {
+        return new ParticleDescription(lattice.idOf(n), lattice.position(n), fixed.get(n) ? Vector3.ZERO : velocity,
+                mass, fixed.get(n), radius, place);
+    }
+
     private static void addPart(String part, Lattice lattice, ShapeKind kind, BitSet fixed, Place place,
             Problems problems) {
         if (part.endsWith("]")) {
