@@ -34,7 +34,7 @@ public final class DormandPrinceSolver extends AdaptiveSolver {
             -----+-------------------------------------------------------------------------
                  |     35/384           0    500/1113   125/192    -2187/6784     11/84     0
                  | 5179/57600           0  7571/16695   393/640 -92097/339200  187/2100  1/40
-            """, 5, 4);
+            """);
 
     private final RungeKuttaStages stages = new RungeKuttaStages(TABLEAU);
     private final double[] errorWeights = TABLEAU.weights(0);

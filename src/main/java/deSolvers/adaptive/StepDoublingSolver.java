@@ -37,7 +37,7 @@ public final class StepDoublingSolver extends AdaptiveSolver {
               1  |  0    0    1
              ----+--------------------
                  | 1/6  1/3  1/3  1/6
-            """, 4);
+            """);
     private static final double[] WEIGHTS = RK4.weights(0);
 
     private final RungeKuttaStages stages = new RungeKuttaStages(RK4);

@@ -1,7 +1,6 @@
 package deSolvers.rungeKutta;
 
-import java.util.ArrayList;
-import java.util.List;
+import java.util.Arrays;
 
 /**
  * The coefficients of an explicit Runge-Kutta method, read from a printed Butcher tableau:
@@ -15,78 +14,56 @@ import java.util.List;
  * for the same stages.
  */
 public final class ButcherTableau {
-    private final double[] c;
+    private final double[][] c;
     private final double[][] a;
     private final double[][] weights;
-    private final int[] orders;
 
-    private ButcherTableau(double[] c, double[][] a, double[][] weights, int[] orders) {
+    private ButcherTableau(double[][] c, double[][] a, double[][] weights) {
         this.c = c;
         this.a = a;
         this.weights = weights;
-        this.orders = orders;
     }
 
     /**
      * Reads a tableau.
      *
      * @param printed the tableau; numbers are integers or fractions such as {@code -2187/6784}
-     * @param orders  the order of the result with each line of weights
      * @return its coefficients
-     * @throws IllegalArgumentException if the shape or a number is wrong
+     * @throws IllegalArgumentException if a line has too few or too many numbers
      */
-    public static ButcherTableau parse(String printed, int... orders) {
-        List<Double> nodes = new ArrayList<>();
-        List<double[]> rows = new ArrayList<>();
-        List<double[]> weights = new ArrayList<>();
-        boolean below = false;
-        for (String line : printed.strip().split("\n")) {
-            if (line.strip().startsWith("--")) {
-                below = true;
-                continue;
-            }
-            int bar = line.indexOf('|');
-            if (bar < 0) {
-                throw new IllegalArgumentException("a line of a tableau has no '|': " + line);
-            }
-            double[] row = numbers(line.substring(bar + 1));
-            if (!below) {
-                nodes.add(number(line.substring(0, bar).strip()));
-            }
-            int expected = below ? nodes.size() : rows.size();
-            if (row.length != expected) {
-                throw new IllegalArgumentException("a line of a tableau has " + row.length + " numbers instead of "
-                        + expected + ": " + line);
-            }
-            (below ? weights : rows).add(row);
+    public static ButcherTableau parse(String printed) {
+        String[] parts = printed.split("(?m)^\\s*-[-+]*\\s*$");
+        ButcherTableau tableau = new ButcherTableau(numbers(parts[0], 0), numbers(parts[0], 1),
+                numbers(parts[parts.length - 1], 1));
+        for (int stage = 0; stage < tableau.stages(); stage++) {
+            require(tableau.c[stage], 1);
+            require(tableau.a[stage], stage);
         }
-        if (weights.isEmpty() || weights.size() != orders.length) {
-            throw new IllegalArgumentException("a tableau has " + weights.size() + " lines of weights below a rule and "
-                    + orders.length + " orders:\n" + printed);
+        for (double[] line : tableau.weights) {
+            require(line, tableau.stages());
         }
-        double[] c = nodes.stream().mapToDouble(Double::doubleValue).toArray();
-        return new ButcherTableau(c, rows.toArray(new double[0][]), weights.toArray(new double[0][]),
-                orders.clone());
+        return tableau;
     }
 
-    private static double[] numbers(String text) {
-        List<Double> numbers = new ArrayList<>();
-        for (String word : text.strip().split("\\s+")) {
-            if (!word.isEmpty()) {
-                numbers.add(number(word));
-            }
+    private static void require(double[] line, int length) {
+        if (line.length != length) {
+            throw new IllegalArgumentException("a line of a tableau has " + line.length + " numbers instead of "
+                    + length + ": " + Arrays.toString(line));
         }
-        return numbers.stream().mapToDouble(Double::doubleValue).toArray();
+    }
+
+    /** The numbers left or right of the bar. */
+    private static double[][] numbers(String lines, int side) {
+        return lines.strip().lines().map(line -> Arrays.stream((line + "|").split("[|]", 3)[side].split("\\s+"))
+                .filter(word -> !word.isEmpty()).mapToDouble(ButcherTableau::number).toArray())
+                .toArray(double[][]::new);
     }
 
     /** Both parts of a fraction are exact, so the quotient is the double next to it. */
     private static double number(String text) {
-        String[] parts = text.split("/");
-        if (parts.length > 2) {
-            throw new IllegalArgumentException("not a number of a tableau: " + text);
-        }
-        return parts.length == 1 ? Double.parseDouble(text)
-                : Double.parseDouble(parts[0]) / Double.parseDouble(parts[1]);
+        int slash = text.indexOf('/');
+        return slash < 0 ? Double.parseDouble(text)
+                : Double.parseDouble(text.substring(0, slash)) / Double.parseDouble(text.substring(slash + 1));
     }
 
     /** @return the number of stages */
@@ -99,16 +76,15 @@ public final class ButcherTableau {
      * @return c, the stage's place within the step, 0 to 1
      */
     public double node(int stage) {
-        return c[stage];
+        return c[stage][0];
     }
 
     /**
      * @param stage 0 to stages - 1
-     * @param of    an earlier stage
-     * @return a, the weight of the earlier stage's slope in this stage's state
+     * @return a's row, the weights of the earlier stages' slopes in this stage's state; not to be changed
      */
-    public double coefficient(int stage, int of) {
-        return a[stage][of];
+    public double[] row(int stage) {
+        return a[stage];
     }
 
     /**
@@ -117,18 +93,5 @@ public final class ButcherTableau {
      */
     public double[] weights(int line) {
         return weights[line].clone();
-    }
-
-    /**
-     * @param line 0 for the method's own weights, 1 and on for the lines below
-     * @return the order of the result with these weights
-     */
-    public int order(int line) {
-        return orders[line];
-    }
-
-    /** @return the number of lines of weights, 1 or more */
-    public int lines() {
-        return weights.length;
     }
 }

@@ -35,9 +35,9 @@ public final class RungeKuttaStages {
     public void evaluate(StepTransaction source, double[] state, double[] slope, double offset, double h) {
         System.arraycopy(slope, 0, k[0], 0, slope.length);
         for (int stage = 1; stage < k.length; stage++) {
-            sum(stage, trial);
+            combine(tableau.row(stage), h, trial);
             for (int i = 0; i < trial.length; i++) {
-                trial[i] = state[i] + h * trial[i];
+                trial[i] += state[i];
             }
             source.setState(trial);
             source.setOffset(offset + tableau.node(stage) * h);
@@ -45,32 +45,19 @@ public final class RungeKuttaStages {
         }
     }
 
-    private void sum(int stage, double[] result) {
-        Arrays.fill(result, 0);
-        for (int j = 0; j < stage; j++) {
-            add(tableau.coefficient(stage, j), k[j], result);
-        }
-    }
-
-    private static void add(double weight, double[] k, double[] result) {
-        if (weight != 0) {
-            for (int i = 0; i < result.length; i++) {
-                result[i] += weight * k[i];
-            }
-        }
-    }
-
     /**
      * Computes a weighted sum of the slopes.
      *
-     * @param weights the weights, one for each stage
+     * @param weights the weights of the first stages
      * @param h       a factor for all (s)
      * @param result  receives h sum w k
      */
     public void combine(double[] weights, double h, double[] result) {
         Arrays.fill(result, 0);
-        for (int j = 0; j < k.length; j++) {
-            add(weights[j], k[j], result);
+        for (int j = 0; j < weights.length; j++) {
+            for (int i = 0; weights[j] != 0 && i < result.length; i++) {
+                result[i] += weights[j] * k[j][i];
+            }
         }
         for (int i = 0; i < result.length; i++) {
             result[i] *= h;
