@@ -37,8 +37,8 @@ class ArchitectureTest {
             deSolvers.catalog:             deSolvers deSolvers.adaptive deSolvers.extrapolation deSolvers.implicit
                                            deSolvers.multistep deSolvers.symplectic deSolvers.text
             deSolvers.extrapolation:       deSolvers deSolvers.adaptive
-            deSolvers.implicit:            deSolvers deSolvers.adaptive deSolvers.linear deSolvers.text
-            deSolvers.linear:              deSolvers org.ejml
+            deSolvers.implicit:            deSolvers deSolvers.adaptive deSolvers.linear deSolvers.text org.ejml
+            deSolvers.linear:
             deSolvers.multistep:           deSolvers
             deSolvers.problems:            deSolvers
             deSolvers.rungeKutta:          deSolvers

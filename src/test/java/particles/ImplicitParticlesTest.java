@@ -7,8 +7,8 @@ import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.implicit.BackwardEulerSolver;
 import deSolvers.implicit.ImplicitMidpointSolver;
-import deSolvers.implicit.ImplicitWork;
 import deSolvers.implicit.LinearisedEulerSolver;
+import deSolvers.linear.SolverWork;
 import deSolvers.problems.PlainSource;
 import deSolvers.problems.Steps;
 import org.junit.jupiter.api.Test;
@@ -127,9 +127,9 @@ class ImplicitParticlesTest {
         LinearisedEulerSolver solver = new LinearisedEulerSolver();
         ParticleSystem system = Cloth.hanging(24, 1e6, 0.05);
         solver.stepState(system, 1.0 / 60);
-        ImplicitWork work = solver.getWork();
-        assertEquals(1, work.factorisations());
-        assertEquals(1, work.krylovIterations(), work.toString());      // to 1e-4, at a condition of about 1e6
+        SolverWork work = solver.getWork();
+        assertEquals(1, work.factorisations);
+        assertEquals(1, work.iterations, work.toString());      // to 1e-4, at a condition of about 1e6
         assertEquals(1, system.getEvaluations());
     }
 }

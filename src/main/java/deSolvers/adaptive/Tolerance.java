@@ -28,11 +28,6 @@ public final class Tolerance {
         return relative;
     }
 
-    /** @return the error allowed besides, in the entry's own unit */
-    public double getAbsolute() {
-        return absolute;
-    }
-
     /**
      * Computes the largest error relative to the tolerance.
      *

@@ -17,7 +17,6 @@ import deSolvers.symplectic.VelocityVerletSolver;
 import deSolvers.symplectic.Yoshida4Solver;
 import deSolvers.text.DidYouMean;
 import java.lang.reflect.InvocationTargetException;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -107,9 +106,7 @@ public final class SolverCatalog {
 
     /** @return the data of all solvers, in teaching order */
     public static List<SolverInfo> all() {
-        List<SolverInfo> all = new ArrayList<>();
-        ENTRIES.values().forEach(entry -> all.add(entry.info()));
-        return all;
+        return ENTRIES.values().stream().map(Entry::info).toList();
     }
 
     /** @return the names of all solvers, in teaching order */
@@ -146,43 +143,23 @@ public final class SolverCatalog {
     /**
      * Creates a solver.
      *
-     * @param name a catalogue name, or the fully-qualified name of a class of one's own with a public no-arg
-     *             constructor
+     * @param name       a catalogue name, or the fully-qualified name of a class of one's own with a public constructor
+     *                   of as many doubles
+     * @param tolerances none, or for an adaptive solver two: the error allowed for an entry of the state in one
+     *                   sub-step, relative to its size, and the error allowed besides, in the entry's unit
      * @return a new solver
      * @throws NoSuchElementException   if there is neither a solver nor a class of this name
-     * @throws IllegalArgumentException if the class is not a {@link DESolver} or cannot be created
+     * @throws IllegalArgumentException if the class is not a {@link DESolver} or cannot be created, the solver is not
+     *                                  adaptive, or a tolerance is negative or not finite, or both are 0
      */
-    public static DESolver create(String name) {
-        Entry entry = ENTRIES.get(name);
-        if (entry != null) {
-            return entry.maker().get();
+    public static DESolver create(String name, Double... tolerances) {
+        if (!ENTRIES.containsKey(name) && name.indexOf('.') > 0) {
+            return ofClass(name, tolerances);
         }
-        return name.indexOf('.') > 0 ? ofClass(name) : throwUnknown(name);
-    }
-
-    /**
-     * Creates an adaptive solver.
-     *
-     * @param name              a catalogue name, or the fully-qualified name of a class of one's own with a public
-     *                          constructor of two doubles
-     * @param relativeTolerance error allowed for an entry of the state in one sub-step, relative to its size
-     * @param absoluteTolerance error allowed besides, in the entry's unit
-     * @return a new solver
-     * @throws NoSuchElementException   if there is neither a solver nor a class of this name
-     * @throws IllegalArgumentException if the solver is not adaptive, the class is no {@link DESolver} or cannot be
-     *                                  made, or a tolerance is negative or not finite, or both are 0
-     */
-    public static DESolver create(String name, double relativeTolerance, double absoluteTolerance) {
-        Entry entry = ENTRIES.get(name);
-        if (entry != null) {
-            return entry.toleranceMaker().create(relativeTolerance, absoluteTolerance);
-        }
-        return name.indexOf('.') > 0 ? ofClass(name, relativeTolerance, absoluteTolerance) : throwUnknown(name);
-    }
-
-    private static DESolver throwUnknown(String name) {
         info(name);
-        throw new AssertionError("a known name was not in the list: " + name);
+        Entry entry = ENTRIES.get(name);
+        return tolerances.length == 0 ? entry.maker().get()
+                : entry.toleranceMaker().create(tolerances[0], tolerances[1]);
     }
 
     private static DESolver ofClass(String name, Double... tolerances) {

@@ -30,6 +30,14 @@ public record SolverInfo(String name, int order, String family, String evaluatio
         return secondOrder() ? Double.NaN : dampedLimit;
     }
 
+    /**
+     * @param damped whether the fastest vibration is damped
+     * @return the largest stable |lambda| deltaT
+     */
+    public double limit(boolean damped) {
+        return damped && !Double.isNaN(realLimit()) ? Math.min(realLimit(), imaginaryLimit) : imaginaryLimit;
+    }
+
     /** @return whether each step solves equations, so that evaluations are not all its work */
     public boolean implicit() {
         return family.equals("implicit");

@@ -2,6 +2,7 @@ package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
 import deSolvers.FixedStepSolver;
+import deSolvers.linear.SolverWork;
 
 /**
  * The backward Euler method: one straight step along the derivative at its <i>end</i>,
@@ -35,7 +36,7 @@ public final class BackwardEulerSolver extends FixedStepSolver {
     }
 
     /** @return the work of all steps so far */
-    public ImplicitWork getWork() {
+    public SolverWork getWork() {
         return newton.getWork();
     }
 }

@@ -2,6 +2,7 @@ package deSolvers.implicit;
 
 import deSolvers.JacobianStateSource;
 import deSolvers.StepTransaction;
+import deSolvers.linear.SolverWork;
 import java.util.Arrays;
 
 /**
@@ -17,11 +18,11 @@ final class DenseJacobian {
     /** Smaller differences would lose their digits to underflow. */
     private static final double SMALLEST_DELTA = 1e-290;
 
-    private final ImplicitWork.Counter work;
+    private final SolverWork work;
     private double[] varied = {};
     private double[] column = {};
 
-    DenseJacobian(ImplicitWork.Counter work) {
+    DenseJacobian(SolverWork work) {
         this.work = work;
     }
 

@@ -1,33 +1,48 @@
 package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
+import deSolvers.FiniteCheck;
 import deSolvers.JacobianStateSource;
 import deSolvers.StepTransaction;
-import deSolvers.linear.ComplexDenseLU;
-import deSolvers.linear.DenseLU;
+import deSolvers.linear.SolverWork;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.data.ZMatrixRMaj;
+import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
+import org.ejml.dense.row.factory.LinearSolverFactory_ZDRM;
+import org.ejml.interfaces.linsol.LinearSolverDense;
 
 /** I - g J as a full matrix, for small sources. */
 final class DenseSystem implements ShiftedJacobian {
     private final int n;
     private final DenseJacobian differences;
-    private final DenseLU real;
-    private final ComplexDenseLU complex;
+    private final SolverWork work;
+    private final LinearSolverDense<DMatrixRMaj> real;
+    private final LinearSolverDense<ZMatrixRMaj> complex;
     private final double[] unit;
     private final double[] jacobian;
-    private final double[] matrix;
-    private final double[] complexMatrix;
+    private final DMatrixRMaj matrix;
+    private final DMatrixRMaj right;
+    private final DMatrixRMaj solution;
+    private final ZMatrixRMaj complexMatrix;
+    private final ZMatrixRMaj complexRight;
+    private final ZMatrixRMaj complexSolution;
     private DEStateSource client;
 
     /** @param n the state's size */
-    DenseSystem(ImplicitWork.Counter work, int n) {
+    DenseSystem(SolverWork work, int n) {
         this.n = n;
         differences = new DenseJacobian(work);
-        real = new DenseLU(work.linear, n);
-        complex = new ComplexDenseLU(work.linear, n);
+        this.work = work;
+        real = LinearSolverFactory_DDRM.lu(n);
+        complex = LinearSolverFactory_ZDRM.lu(n);
         unit = new double[n];
         jacobian = new double[n * n];
-        matrix = new double[n * n];
-        complexMatrix = new double[2 * n * n];
+        matrix = new DMatrixRMaj(n, n);
+        right = new DMatrixRMaj(n, 1);
+        solution = new DMatrixRMaj(n, 1);
+        complexMatrix = new ZMatrixRMaj(n, n);
+        complexRight = new ZMatrixRMaj(n, 1);
+        complexSolution = new ZMatrixRMaj(n, 1);
     }
 
     @Override
@@ -56,28 +71,40 @@ final class DenseSystem implements ShiftedJacobian {
     @Override
     public boolean prepare(double g) {
         for (int at = 0; at < n * n; at++) {
-            matrix[at] = -g * jacobian[at] + (at % (n + 1) == 0 ? 1 : 0);
+            matrix.data[at] = -g * jacobian[at] + (at % (n + 1) == 0 ? 1 : 0);
         }
-        return real.factorise(matrix);
+        work.factorisations++;
+        return n == 0 || real.setA(matrix);
     }
 
     @Override
     public boolean prepareComplex(double gRe, double gIm) {
         for (int at = 0; at < n * n; at++) {
-            complexMatrix[2 * at] = -gRe * jacobian[at] + (at % (n + 1) == 0 ? 1 : 0);
-            complexMatrix[2 * at + 1] = -gIm * jacobian[at];
+            complexMatrix.data[2 * at] = -gRe * jacobian[at] + (at % (n + 1) == 0 ? 1 : 0);
+            complexMatrix.data[2 * at + 1] = -gIm * jacobian[at];
         }
-        return complex.factorise(complexMatrix);
+        work.factorisations++;
+        return n == 0 || complex.setA(complexMatrix);
     }
 
     @Override
     public boolean solve(double[] b, double[] x, double tolerance) {
-        return real.solve(b, x, tolerance);
+        right.data = b;
+        solution.data = x;
+        if (n > 0) {
+            real.solve(right, solution);
+        }
+        return FiniteCheck.firstNonFinite(x) < 0;
     }
 
     @Override
     public boolean solveComplex(double[] b, double[] x, double tolerance) {
-        return complex.solve(b, x, tolerance);
+        complexRight.data = b;
+        complexSolution.data = x;
+        if (n > 0) {
+            complex.solve(complexRight, complexSolution);
+        }
+        return FiniteCheck.firstNonFinite(x) < 0;
     }
 
     @Override

@@ -4,7 +4,7 @@ import deSolvers.ForceDerivatives;
 import deSolvers.JacobianStateSource;
 import deSolvers.linear.BlockMatrix;
 import deSolvers.linear.BlockPattern;
-import deSolvers.linear.LinearWork;
+import deSolvers.linear.SolverWork;
 import java.util.Arrays;
 
 /**
@@ -13,7 +13,7 @@ import java.util.Arrays;
  * particle counts as 1, and its rows are 0, so that nothing moves it.
  */
 final class ForceBlocks implements ForceDerivatives {
-    private final LinearWork work;
+    private final SolverWork work;
     private final NegativeSemidefinitePart projection = new NegativeSemidefinitePart();
     private final double[] projected = new double[9];
     private final double[] row = new double[9];
@@ -29,7 +29,7 @@ final class ForceBlocks implements ForceDerivatives {
     private int[] first = {};
     private int[] second = {};
 
-    ForceBlocks(LinearWork work) {
+    ForceBlocks(SolverWork work) {
         this.work = work;
         setPattern(0);
     }

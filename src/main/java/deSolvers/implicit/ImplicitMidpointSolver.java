@@ -2,6 +2,7 @@ package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
 import deSolvers.FixedStepSolver;
+import deSolvers.linear.SolverWork;
 
 /**
  * The implicit midpoint rule: one straight step along the derivative at the middle of itself,
@@ -39,7 +40,7 @@ public final class ImplicitMidpointSolver extends FixedStepSolver {
     }
 
     /** @return the work of all steps so far */
-    public ImplicitWork getWork() {
+    public SolverWork getWork() {
         return newton.getWork();
     }
 }

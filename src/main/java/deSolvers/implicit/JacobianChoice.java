@@ -3,6 +3,7 @@ package deSolvers.implicit;
 import deSolvers.DEStateSource;
 import deSolvers.JacobianStateSource;
 import deSolvers.SecondOrderStateSource;
+import deSolvers.linear.SolverWork;
 
 /**
  * Chooses how I - g J is solved, by the kind and the size of the source: particles with blocks by sparse matrices for
@@ -14,37 +15,35 @@ final class JacobianChoice {
     /** A full matrix of this size has 200 MB. */
     static final int LARGEST_DENSE = 5000;
 
-    private final ImplicitWork.Counter work;
+    private final SolverWork work;
     private int n = -1;
-    private ShiftedJacobian dense;
-    private ShiftedJacobian blocks;
+    private ShiftedJacobian form;
 
-    JacobianChoice(ImplicitWork.Counter work) {
+    JacobianChoice(SolverWork work) {
         this.work = work;
     }
 
-    /** The form of I - g J for a source; each is made when it is first needed. */
+    /** The form of I - g J for a source; it is made anew when its kind or size changes. */
     ShiftedJacobian of(DEStateSource source) {
         int size = source.getStateSize();
-        if (size != n) {
+        boolean blocks = givesBlocks(source, size);
+        if (size != n || blocks != form instanceof ReducedVelocitySystem) {
+            form = blocks ? new ReducedVelocitySystem(work, size) : dense(source, size);
             n = size;
-            dense = null;
-            blocks = null;
         }
-        if (givesBlocks(source)) {
-            blocks = blocks == null ? new ReducedVelocitySystem(work, n) : blocks;
-            return blocks;
-        }
+        return form;
+    }
+
+    private ShiftedJacobian dense(DEStateSource source, int n) {
         if (n > LARGEST_DENSE) {
             throw new IllegalArgumentException("an implicit solver needs a full matrix for "
                     + source.getClass().getName() + ", whose state has " + n + " entries; at most " + LARGEST_DENSE
                     + " are possible without " + JacobianStateSource.class.getName() + "'s blocks");
         }
-        dense = dense == null ? new DenseSystem(work, n) : dense;
-        return dense;
+        return new DenseSystem(work, n);
     }
 
-    private boolean givesBlocks(DEStateSource source) {
+    private static boolean givesBlocks(DEStateSource source, int n) {
         if (!(source instanceof JacobianStateSource known && source instanceof SecondOrderStateSource second)
                 || second.getDimension() != 3) {
             return false;

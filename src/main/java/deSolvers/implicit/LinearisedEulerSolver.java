@@ -2,6 +2,7 @@ package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
 import deSolvers.FixedStepSolver;
+import deSolvers.linear.SolverWork;
 
 /**
  * The linearised backward Euler method: f is linearised at the beginning of the step, so that one linear system
@@ -35,7 +36,7 @@ public final class LinearisedEulerSolver extends FixedStepSolver {
     }
 
     /** @return the work of all steps so far */
-    public ImplicitWork getWork() {
+    public SolverWork getWork() {
         return newton.getWork();
     }
 }

@@ -4,6 +4,7 @@ import deSolvers.DESolverException;
 import deSolvers.FiniteCheck;
 import deSolvers.StepTransaction;
 import deSolvers.implicit.ShiftedJacobian.Kind;
+import deSolvers.linear.SolverWork;
 import deSolvers.text.Digits;
 import java.util.Arrays;
 
@@ -50,7 +51,7 @@ final class Newton {
      */
     private static final double LINEAR_TOLERANCE = 1e-4;
 
-    private final ImplicitWork.Counter work = new ImplicitWork.Counter();
+    private final SolverWork work = new SolverWork();
     private final JacobianChoice choice = new JacobianChoice(work);
     private StepTransaction source;
     private ShiftedJacobian jacobian;
@@ -69,8 +70,8 @@ final class Newton {
     private int iterations;
 
     /** The work of all steps so far. */
-    ImplicitWork getWork() {
-        return work.read();
+    SolverWork getWork() {
+        return work;
     }
 
     /**

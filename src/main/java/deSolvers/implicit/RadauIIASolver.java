@@ -3,6 +3,7 @@ package deSolvers.implicit;
 import deSolvers.FiniteCheck;
 import deSolvers.StepTransaction;
 import deSolvers.adaptive.AdaptiveSolver;
+import deSolvers.linear.SolverWork;
 
 /**
  * The Radau IIA method with three stages, an implicit Runge-Kutta method of order 5. Its solution in a sub-step is the
@@ -38,7 +39,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
     /** Sub-steps that would grow by less than this stay the same, and keep their factorised matrices. */
     private static final double WORTH_FACTORISING = 1.2;
 
-    private final ImplicitWork.Counter work = new ImplicitWork.Counter();
+    private final SolverWork work = new SolverWork();
     private final JacobianChoice choice = new JacobianChoice(work);
     private ShiftedJacobian jacobian;
     private RadauNewton newton = new RadauNewton(work, getTolerance(), 0);
@@ -213,7 +214,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
     }
 
     /** @return the work of all steps so far */
-    public ImplicitWork getWork() {
-        return work.read();
+    public SolverWork getWork() {
+        return work;
     }
 }

@@ -7,6 +7,7 @@ import static deSolvers.implicit.RadauTableau.MU_RE;
 import deSolvers.FiniteCheck;
 import deSolvers.StepTransaction;
 import deSolvers.adaptive.Tolerance;
+import deSolvers.linear.SolverWork;
 
 /**
  * The simplified Newton iteration for the three stages z<sub>i</sub> = g<sub>i</sub> - s of a sub-step, in the
@@ -25,7 +26,7 @@ final class RadauNewton {
     /** For one correction: so exact that the iteration converges as with exact solutions. */
     static final double LINEAR_TOLERANCE = 1e-4;
 
-    private final ImplicitWork.Counter work;
+    private final SolverWork work;
     private final Tolerance tolerance;
     private final double[][] w;
     private final double[][] f;
@@ -41,7 +42,7 @@ final class RadauNewton {
     private int iterations;
     private double rate;
 
-    RadauNewton(ImplicitWork.Counter work, Tolerance tolerance, int n) {
+    RadauNewton(SolverWork work, Tolerance tolerance, int n) {
         this.work = work;
         this.tolerance = tolerance;
         w = new double[3][n];

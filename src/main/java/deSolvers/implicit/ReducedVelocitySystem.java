@@ -5,6 +5,7 @@ import deSolvers.StepTransaction;
 import deSolvers.linear.BlockMatrix;
 import deSolvers.linear.BlockSolver;
 import deSolvers.linear.LinearOperator;
+import deSolvers.linear.SolverWork;
 
 /**
  * I - g J for particles in space that offer the 3 x 3 blocks of their force derivatives. The positions are eliminated:
@@ -19,7 +20,7 @@ import deSolvers.linear.LinearOperator;
  * and (g<sub>complex</sub>/g<sub>real</sub>)<sup>2</sup>, however stiff the springs are.
  */
 final class ReducedVelocitySystem implements ShiftedJacobian {
-    private final ImplicitWork.Counter work;
+    private final SolverWork work;
     private final ForceBlocks blocks;
     private final BlockSolver solver;
     private final LinearOperator products = this::applyReal;
@@ -46,11 +47,11 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
     private double gIm;
 
     /** @param n the state's size */
-    ReducedVelocitySystem(ImplicitWork.Counter work, int n) {
+    ReducedVelocitySystem(SolverWork work, int n) {
         this.work = work;
-        blocks = new ForceBlocks(work.linear);
-        solver = new BlockSolver(work.linear);
-        matrix = new BlockMatrix(blocks.getPattern(), work.linear);
+        blocks = new ForceBlocks(work);
+        solver = new BlockSolver(work);
+        matrix = new BlockMatrix(blocks.getPattern(), work);
         m = n / 2;
         realRight = new double[m];
         realVelocities = new double[m];
@@ -78,7 +79,7 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         BlockMatrix before = blocks.getStiffness();
         blocks.collect(client, m / 3, kind != Kind.EXACT);
         if (blocks.getStiffness() != before) {
-            matrix = new BlockMatrix(blocks.getPattern(), work.linear);
+            matrix = new BlockMatrix(blocks.getPattern(), work);
         }
     }
 

@@ -21,7 +21,7 @@ final class BlockFactors implements LinearOperator {
     private static final int MOST_BLOCKS = 2_000_000;
     private static final int NONE = -1;
 
-    private final LinearWork work;
+    private final SolverWork work;
     private final BlockPattern pattern;
     private final int[] order;                          // the rows in the order of elimination
     private final int[] place;                          // of each row in it
@@ -42,7 +42,7 @@ final class BlockFactors implements LinearOperator {
     private final double[] part = new double[3];
     private double[] solution = {};
 
-    BlockFactors(BlockPattern pattern, LinearWork work) {
+    BlockFactors(BlockPattern pattern, SolverWork work) {
         this.pattern = pattern;
         this.work = work;
         int n = pattern.rows;

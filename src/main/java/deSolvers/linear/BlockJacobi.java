@@ -4,10 +4,10 @@ import java.util.Arrays;
 
 /** The block Jacobi preconditioner: the inverses of the 3 x 3 diagonal blocks. */
 final class BlockJacobi implements LinearOperator {
-    private final LinearWork work;
+    private final SolverWork work;
     private double[] inverse = {};
 
-    BlockJacobi(LinearWork work) {
+    BlockJacobi(SolverWork work) {
         this.work = work;
     }
 

@@ -7,7 +7,7 @@ public final class BlockMatrix implements LinearOperator {
 
     private final BlockPattern pattern;
     private final double[] values;
-    private final LinearWork work;
+    private final SolverWork work;
 
     /**
      * A matrix of zeros.
@@ -15,7 +15,7 @@ public final class BlockMatrix implements LinearOperator {
      * @param pattern the positions of its blocks
      * @param work    counts the products
      */
-    public BlockMatrix(BlockPattern pattern, LinearWork work) {
+    public BlockMatrix(BlockPattern pattern, SolverWork work) {
         this.pattern = pattern;
         this.work = work;
         values = new double[9 * pattern.blocks()];

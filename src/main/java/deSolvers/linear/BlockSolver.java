@@ -10,7 +10,7 @@ package deSolvers.linear;
  * did so for earlier right-hand sides. Factors of an earlier matrix serve as the preconditioner of GMRES until they
  * cost many more iterations than when they were new.
  */
-public final class BlockSolver implements LinearSolver {
+public final class BlockSolver {
     /** Up to this number of rows the matrix is always factorised. */
     private static final int SMALL = 64;
     /**
@@ -25,7 +25,7 @@ public final class BlockSolver implements LinearSolver {
     /** Factors are old when a solution takes this many iterations more than with new ones. */
     private static final long MOST_MORE = 30;
 
-    private final LinearWork work;
+    private final SolverWork work;
     private final BlockJacobi blockJacobi;
     private final ConjugateGradients conjugateGradients;
     private final Gmres gmres;
@@ -45,7 +45,7 @@ public final class BlockSolver implements LinearSolver {
     private double spent;                               // iterations of this matrix; complex ones count as two
 
     /** @param work counts the operations */
-    public BlockSolver(LinearWork work) {
+    public BlockSolver(SolverWork work) {
         this.work = work;
         blockJacobi = new BlockJacobi(work);
         conjugateGradients = new ConjugateGradients(work);
@@ -109,7 +109,12 @@ public final class BlockSolver implements LinearSolver {
         return factorised;
     }
 
-    @Override
+    /**
+     * Solves A x = b.
+     *
+     * @param tolerance iterations stop at |b - A x| &lt;= tolerance |b|
+     * @return false if the matrix is singular or the iterations did not converge
+     */
     public boolean solve(double[] b, double[] x, double tolerance) {
         boolean direct = factorised || iterationsCostMore(spent) && factorise();
         long before = work.iterations;

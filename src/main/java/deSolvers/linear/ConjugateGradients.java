@@ -10,13 +10,13 @@ import java.util.Arrays;
 final class ConjugateGradients {
     private static final int MOST_ITERATIONS = 5000;
 
-    private final LinearWork work;
+    private final SolverWork work;
     private double[] r = {};
     private double[] z = {};
     private double[] p = {};
     private double[] ap = {};
 
-    ConjugateGradients(LinearWork work) {
+    ConjugateGradients(SolverWork work) {
         this.work = work;
     }
 

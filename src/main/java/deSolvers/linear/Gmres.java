@@ -13,7 +13,7 @@ public final class Gmres {
     /** A remainder of at most this part of a vector is round-off. */
     private static final double ROUNDING = 1e-14;
 
-    private final LinearWork work;
+    private final SolverWork work;
     private double[][] basis = new double[RESTART + 1][0];
     private double[] image = {};
     private double[] preconditioned = {};
@@ -24,7 +24,7 @@ public final class Gmres {
     private final double[] y = new double[RESTART];
 
     /** @param work counts the iterations */
-    public Gmres(LinearWork work) {
+    public Gmres(SolverWork work) {
         this.work = work;
     }
 

@@ -1,9 +1,6 @@
 /**
- * Linear systems A x = b for the implicit solvers. An implicit method uses the interface {@link
- * deSolvers.linear.LinearSolver}; these classes implement it:
+ * Linear systems A x = b for the implicit solvers; EJML solves those with a full matrix.
  * <ul>
- * <li>{@link deSolvers.linear.DenseLU} and {@link deSolvers.linear.ComplexDenseLU}: a full matrix, factorised by
- *     EJML;</li>
  * <li>{@link deSolvers.linear.BlockSolver}: a sparse matrix of 3 x 3 blocks, one for each pair of particles that act on
  *     each other. Conjugate gradients solve it where it is symmetric positive definite, GMRES otherwise, both
  *     preconditioned by the inverses of its diagonal blocks; an ill-conditioned matrix is factorised;</li>

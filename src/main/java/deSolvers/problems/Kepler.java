@@ -47,19 +47,4 @@ public final class Kepler extends SecondOrderProblem {
     public boolean accelerationDependsOnVelocity() {
         return false;
     }
-
-    /** @return the orbit's energy at the present state; -1/2 for the exact solution */
-    public double energy() {
-        double[] s = getState();
-        return (s[2] * s[2] + s[3] * s[3]) / 2 - 1 / Math.sqrt(s[0] * s[0] + s[1] * s[1]);
-    }
-
-    /** @return the squared distance from the exact position at the present time */
-    public double squaredPositionError() {
-        double[] s = getState();
-        double[] exact = exactState(getTime());
-        double dx = s[0] - exact[0];
-        double dy = s[1] - exact[1];
-        return dx * dx + dy * dy;
-    }
 }

@@ -42,10 +42,4 @@ public final class Oscillator extends SecondOrderProblem {
     public boolean accelerationDependsOnVelocity() {
         return false;
     }
-
-    /** @return the present energy divided by the energy at t = 0 */
-    public double energyFactor() {
-        double[] s = getState();
-        return (s[1] * s[1] + omega * omega * s[0] * s[0]) / (v0 * v0 + omega * omega * x0 * x0);
-    }
 }

@@ -13,7 +13,6 @@ class ToleranceTest {
     void theLargestRatioCountsAndItsEntryIsKnown() {
         Tolerance tolerance = new Tolerance(0.5, 0.25);
         assertEquals(0.5, tolerance.getRelative());
-        assertEquals(0.25, tolerance.getAbsolute());
         assertEquals(-1, tolerance.getWorstEntry());
         // allowed: 0.25 + 0.5 * 2, 0.25 + 0.5 * 10, 0.25 + 0
         assertEquals(8, tolerance.ratio(new double[] {0.5, -3, 2}, new double[] {1, 10, 0}, new double[] {-2, 4, 0}));

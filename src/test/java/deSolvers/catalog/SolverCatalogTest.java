@@ -112,7 +112,7 @@ class SolverCatalogTest {
         assertInstanceOf(DormandPrinceSolver.class, SolverCatalog.create(DormandPrinceSolver.class.getName(), 1e-3,
                 1e-3));
         assertThrows(IllegalArgumentException.class, () -> SolverCatalog.create(Own.class.getName(), 1e-3, 1e-3));
-        assertThrows(IllegalArgumentException.class, () -> SolverCatalog.create("dormand-prince", -1, 1e-3));
+        assertThrows(IllegalArgumentException.class, () -> SolverCatalog.create("dormand-prince", -1.0, 1e-3));
     }
 
     private static double errorOf(DESolver solver) {

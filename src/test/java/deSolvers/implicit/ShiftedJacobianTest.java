@@ -9,6 +9,7 @@ import deSolvers.DEStateSource;
 import deSolvers.EulerSolver;
 import deSolvers.JacobianStateSource.Blocks;
 import deSolvers.StepTransaction;
+import deSolvers.linear.SolverWork;
 import deSolvers.problems.Law;
 import deSolvers.problems.PlainSource;
 import java.util.Arrays;
@@ -21,7 +22,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 /** I - g J in its two forms: they solve the same systems. */
 class ShiftedJacobianTest {
-    private final ImplicitWork.Counter work = new ImplicitWork.Counter();
+    private final SolverWork work = new SolverWork();
 
     /** The solutions of a real and a complex system one after the other, with the Jacobian where the source starts. */
     private static double[] solve(DEStateSource source, ShiftedJacobian jacobian, double g) {

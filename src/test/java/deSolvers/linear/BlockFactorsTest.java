@@ -8,12 +8,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.Random;
 import java.util.stream.IntStream;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class BlockFactorsTest {
-    private final LinearWork work = new LinearWork();
+    private final SolverWork work = new SolverWork();
 
     private double[] solve(BlockMatrix matrix, boolean symmetric, double[] b) {
         BlockFactors factors = new BlockFactors(matrix.getPattern(), work);
@@ -24,11 +26,11 @@ class BlockFactorsTest {
     }
 
     private double[] solveInFull(BlockMatrix matrix, double[] b) {
-        DenseLU lu = new DenseLU(work, b.length);
-        assertTrue(lu.factorise(SparseCases.full(matrix)));
-        double[] x = new double[b.length];
-        assertTrue(lu.solve(b, x, 0));
-        return x;
+        int n = b.length;
+        DMatrixRMaj x = new DMatrixRMaj(n, 1);
+        DMatrixRMaj full = DMatrixRMaj.wrap(n, n, SparseCases.full(matrix));
+        assertTrue(CommonOps_DDRM.solve(full, DMatrixRMaj.wrap(n, 1, b), x));
+        return x.data;
     }
 
     /** Against the full matrix; at a condition of 100 the solutions differ by at most 3e-15 (measured). */

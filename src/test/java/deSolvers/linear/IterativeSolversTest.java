@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Conjugate gradients, GMRES, and the solver that chooses between them and a factorisation. */
 class IterativeSolversTest {
-    private final LinearWork work = new LinearWork();
+    private final SolverWork work = new SolverWork();
 
     /** In exact arithmetic n iterations are enough; the condition decides how many are needed for a tolerance. */
     @Test
@@ -78,12 +78,8 @@ class IterativeSolversTest {
 
     @Test
     void aSingularSystemIsNotSolved() {
-        double[] x = new double[2];
         assertFalse(new Gmres(work).solve((v, y) -> y[1] = y[0] = v[0] + v[1], LinearOperator.IDENTITY,
-                new double[] {1, 2}, x,
-                1e-8));
-        DenseLU lu = new DenseLU(work, 2);
-        assertFalse(lu.factorise(new double[] {1, 1, 1, 1}) && lu.solve(new double[] {1, 2}, x, 0));
+                new double[] {1, 2}, new double[2], 1e-8));
     }
 
     /**
@@ -144,9 +140,5 @@ class IterativeSolversTest {
             assertEquals((2 * b[i] + b[m + i]) / 5, x[i], 1e-11);
             assertEquals((2 * b[m + i] - b[i]) / 5, x[m + i], 1e-11);
         }
-        ComplexDenseLU lu = new ComplexDenseLU(work, 1);
-        double[] one = new double[2];
-        assertTrue(lu.factorise(new double[] {2, 1}) && lu.solve(new double[] {5, 5}, one, 0));
-        assertArrayEquals(new double[] {3, 1}, one, 1e-14);
     }
 }

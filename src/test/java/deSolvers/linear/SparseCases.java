@@ -36,7 +36,7 @@ final class SparseCases {
     }
 
     /** Springs of this stiffness between all that touch, and a mass of 1 on each: positive definite. */
-    static BlockMatrix springs(BlockPattern pattern, double stiffness, boolean symmetric, LinearWork work) {
+    static BlockMatrix springs(BlockPattern pattern, double stiffness, boolean symmetric, SolverWork work) {
         Random random = new Random(pattern.getRows());
         BlockMatrix matrix = new BlockMatrix(pattern, work);
         double[] value = matrix.getValues();

@@ -3,8 +3,8 @@ package particles.experiments.work;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.implicit.ImplicitWork;
 import deSolvers.implicit.LinearisedEulerSolver;
+import deSolvers.linear.SolverWork;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
@@ -18,7 +18,7 @@ class StiffClothTest {
      */
     private static final long[] SWEEP = {5, 10, 20, 30, 100, 1000, 5000};
 
-    private static ImplicitWork linearisedWork(double stiffness) {
+    private static SolverWork linearisedWork(double stiffness) {
         LinearisedEulerSolver solver = new LinearisedEulerSolver();
         solver.stepState(StiffCloth.cloth(stiffness), StiffCloth.FRAME);
         return solver.getWork();
@@ -31,10 +31,10 @@ class StiffClothTest {
         for (long steps : SWEEP) {
             double stiffness = StiffCloth.stiffnessFor(steps);
             assertEquals(steps, StiffCloth.rk4Steps(stiffness));
-            ImplicitWork work = linearisedWork(stiffness);
-            assertEquals(steps < 30 ? 0 : 1, work.factorisations());
-            least = Math.min(least, work.blockOperations());
-            most = Math.max(most, work.blockOperations());
+            SolverWork work = linearisedWork(stiffness);
+            assertEquals(steps < 30 ? 0 : 1, work.factorisations);
+            least = Math.min(least, work.blockOperations);
+            most = Math.max(most, work.blockOperations);
         }
         // Measured 2.58e6 products of 3 x 3 blocks at 5, 7.63e6 at 20, and 9.91e6 with elimination, at each of the
         // others: 3.84 times as many. For softer cloths the steps are cheaper still: 1.23e6 at 2.
@@ -43,10 +43,10 @@ class StiffClothTest {
 
     @Test
     void implicitStepsAreCheaperForStiffClothAndRk4ForSoftCloth() {
-        double stiff = linearisedWork(StiffCloth.stiffnessFor(5000)).blockOperations();
+        double stiff = linearisedWork(StiffCloth.stiffnessFor(5000)).blockOperations;
         // A product costs no more than a spring's force. Measured 60 times as many forces at 5,000 steps of RK4 ...
         assertTrue(4 * 5000 * SPRINGS > 25 * stiff, stiff + " products of blocks");
-        double soft = linearisedWork(StiffCloth.stiffnessFor(5)).blockOperations();
+        double soft = linearisedWork(StiffCloth.stiffnessFor(5)).blockOperations;
         assertTrue(4 * 5 * SPRINGS < soft / 4, soft + " products of blocks");       // ... and a thirteenth at 5
     }
 }
