@@ -7,6 +7,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.function.Supplier;
 import particles.law.Particles;
+import particles.law.Require;
 import particles.law.Violation;
 
 /**
@@ -40,16 +41,10 @@ public final class Simulation {
      * @throws IllegalArgumentException if a number is out of its range
      */
     public Simulation(ParticleSystem system, Supplier<DESolver> solver, double deltaT, double duration) {
-        if (!(deltaT > 0) || !(deltaT <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("deltaT has to be positive and finite, not " + deltaT);
-        }
-        if (!(duration >= 0) || !(duration <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("the duration has to be 0 or more and finite, not " + duration);
-        }
         this.system = system;
         this.solver = solver.get();
-        this.deltaT = deltaT;
-        this.duration = duration;
+        this.deltaT = Require.positive("deltaT", deltaT);
+        this.duration = Require.notNegative("the duration", duration);
         this.eventSteps = new EventSteps(system, this.solver, solver, notifier);
         constraints = new ConstraintCheck(duration);
         observers.add(constraints);

@@ -74,8 +74,8 @@ final class Browser implements AutoCloseable {
                 }
 
                 public static final class Keys extends EffectKind {
-                    private static final Key<Double> ACCELERATION = Key.required("acceleration",
-                            NumberType.any("m/s^2"), "Upward acceleration.");
+                    private static final Key<Double> ACCELERATION = NumberType.any("m/s^2").required(
+                            "acceleration", "Upward acceleration.");
 
                     public Keys() {
                         super("exercises.Lift", "Pushes all particles up.", ACCELERATION);

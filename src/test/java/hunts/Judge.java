@@ -136,7 +136,7 @@ final class Judge {
                     .map(why -> "the reference stops: " + why).orElse(""), "no reference");
         }
         boolean struck = exact.struck() || whole.struck() || half.struck();
-        boolean clamped = !scene.settings().exactImpacts() && whole.hasSurfaces();
+        boolean clamped = !scene.exactImpacts() && whole.hasSurfaces();
         double far = whole.distance(exact);
         double near = half.distance(exact);
         boolean resolved = half.ledger() < RESOLVED;

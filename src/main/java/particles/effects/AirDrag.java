@@ -5,6 +5,7 @@ import java.util.Set;
 import particles.law.DifferentiableEffect;
 import particles.law.Particles;
 import particles.law.PerParticleEffect;
+import particles.law.Require;
 
 /**
  * Base class for air drag: the force -c(|w|) w against the velocity w = v - u through the air. Its power is -c
@@ -22,9 +23,7 @@ abstract class AirDrag implements PerParticleEffect, DifferentiableEffect {
     private final double[] dFdV = new double[9];
 
     AirDrag(Particles particles, double c, Wind wind) {
-        if (!(c >= 0) || !(c <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("a drag coefficient has to be 0 or more and finite, not " + c);
-        }
+        Require.notNegative("a drag coefficient", c);
         this.particles = particles;
         this.wind = wind;
     }

@@ -1,6 +1,7 @@
 package particles.effects;
 
 import particles.law.Particles;
+import particles.law.Require;
 import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.Values;
@@ -42,16 +43,12 @@ public final class Cohesion extends PairForce {
                     + " its range, not "
                     + distance + " with a range of " + range);
         }
-        if (!(depth > 0 && depth <= Double.MAX_VALUE && damping >= 0 && damping <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("cohesion needs a positive depth and a damping of 0 or more,"
-                    + " not " + depth + ", "
-                    + damping);
-        }
+        Require.notNegative("cohesion's damping", damping);
         this.range = range;
         inverseSquare = 1 / (range * range);
         double u0 = 1 - distance * distance * inverseSquare;
         scale = 1 / (u0 * u0 * u0 * u0);
-        this.depth = depth;
+        this.depth = Require.positive("cohesion's depth", depth);
     }
 
     @Override
@@ -125,13 +122,13 @@ public final class Cohesion extends PairForce {
 
     /** Cohesion in scenes. */
     public static final class Keys extends EffectKind {
-        private static final Key<Double> RANGE = Key.required("range", NumberType.positive("m"),
+        private static final Key<Double> RANGE = NumberType.positive("m").required("range",
                 "The distance beyond which two particles exert no force on each other (m).");
-        private static final Key<Double> BALANCE = Key.withDefault("balance", NumberType.between(0.05, 0.95, ""), 0.6,
+        private static final Key<Double> BALANCE = NumberType.between(0.05, 0.95, "").withDefault("balance", 0.6,
                 "The fraction of the range at which two particles neither attract nor repel each other.");
-        private static final Key<Double> DEPTH = Key.required("depth", NumberType.positive("J"),
+        private static final Key<Double> DEPTH = NumberType.positive("J").required("depth",
                 "The energy needed to separate two particles (J).");
-        private static final Key<Double> DAMPING = Key.withDefault("damping", NumberType.notNegative("N s/m"), 0.0,
+        private static final Key<Double> DAMPING = NumberType.notNegative("N s/m").withDefault("damping", 0.0,
                 "Damps the relative motion of two near particles along the line between them (N s/m).");
 
         /** Called once, by {@link EffectCatalog}. */

@@ -30,8 +30,10 @@ public interface EffectContext {
     void show(Obstacle solid);
 
     /** @param g an acceleration of every particle (m/s&sup2;), used for the scene's energy scale */
-    void noteAcceleration(Vector3 g);
+    default void noteAcceleration(Vector3 g) {
+    }
 
     /** @param speed a speed that particles may reach, in wind for example (m/s), used for the scene's energy scale */
-    void noteSpeed(double speed);
+    default void noteSpeed(double speed) {
+    }
 }

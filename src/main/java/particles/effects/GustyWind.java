@@ -1,6 +1,7 @@
 package particles.effects;
 
 import java.util.List;
+import particles.law.Require;
 import particles.law.Vector3;
 import particles.spec.Key;
 import particles.spec.NumberType;
@@ -23,14 +24,9 @@ public final class GustyWind implements Wind {
      * @throws IllegalArgumentException if a number is not finite or the period not positive
      */
     public GustyWind(Vector3 mean, Vector3 gust, double period) {
-        if (!mean.isFinite() || !gust.isFinite() || !(period > 0) || !(period <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("a wind needs finite velocities and a positive period,"
-                    + " not " + mean + ", " + gust
-                    + ", " + period);
-        }
-        this.mean = mean;
-        this.gust = gust;
-        this.period = period;
+        this.mean = mean.requireFinite("wind");
+        this.gust = gust.requireFinite("gust");
+        this.period = Require.positive("the period of gusts", period);
     }
 
     /**
@@ -48,24 +44,21 @@ public final class GustyWind implements Wind {
 
     @Override
     public void getVelocities(double[] state, double time, double[] wind, int from, int to) {
-        double swell = StrictMath.sin(2 * Math.PI * time / period);
-        double ux = mean.x() + swell * gust.x();
-        double uy = mean.y() + swell * gust.y();
-        double uz = mean.z() + swell * gust.z();
+        Vector3 u = velocityAt(time);
         for (int v = 6 * from + 3; v < 6 * to; v += 6) {
-            wind[v] = ux;
-            wind[v + 1] = uy;
-            wind[v + 2] = uz;
+            wind[v] = u.x();
+            wind[v + 1] = u.y();
+            wind[v + 2] = u.z();
         }
     }
 
     /** Steady and gusty wind in scenes. */
     public static final class Keys extends EffectKind {
-        private static final Key<Vector3> MEAN = Key.required("mean", VectorType.of("m/s"),
+        private static final Key<Vector3> MEAN = VectorType.of("m/s").required("mean",
                 "The steady part of the wind (m/s).");
-        private static final Key<Vector3> GUST = Key.withDefault("gust", VectorType.of("m/s"), Vector3.ZERO,
+        private static final Key<Vector3> GUST = VectorType.of("m/s").withDefault("gust", Vector3.ZERO,
                 "The amplitude of the gusts (m/s); the wind is mean + gust sin(2 pi t / period).");
-        private static final Key<Double> PERIOD = Key.withDefault("period", NumberType.positive("s"), 1.0,
+        private static final Key<Double> PERIOD = NumberType.positive("s").withDefault("period", 1.0,
                 "The period of the gusts (s).");
 
         /** Called once, by {@link EffectCatalog}. */

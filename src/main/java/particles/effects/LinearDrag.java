@@ -61,7 +61,7 @@ public final class LinearDrag extends AirDrag {
 
     /** The keys of linear drag in scenes: {@code drag: {coefficient: 0.1}}. */
     public static final class Keys extends EffectKind {
-        private static final Key<Double> COEFFICIENT = Key.required("coefficient", NumberType.notNegative("N s/m"),
+        private static final Key<Double> COEFFICIENT = NumberType.notNegative("N s/m").required("coefficient",
                 "c, the force per m/s of speed through the air (N s/m).");
 
         /** Called once, by {@link EffectCatalog}. */

@@ -7,6 +7,7 @@ import particles.law.Obstacle;
 import particles.law.Particles;
 import particles.law.PerParticleEffect;
 import particles.law.Plane;
+import particles.law.Require;
 import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.spec.Key;
@@ -21,8 +22,8 @@ import particles.spec.VectorType;
  *   F = k d max(0, 1 - b v_n) N        for d &gt; 0
  * </pre>
  * v_n = N . v, k stiffness, b bounce loss. The force is continuous, never pulls, and stores k d&sup2;/2. It does not
- * stop particles at the surface: they enter the solid a little. Without loss, a particle of mass m is inside a plane for
- * pi sqrt(m/k) and leaves as fast as it came. At the centre of a ball, which has no normal, there is no push.
+ * stop particles at the surface: they enter the solid a little. Without loss, a particle of mass m is inside a plane
+ * for pi sqrt(m/k) and leaves as fast as it came. At the centre of a ball, which has no normal, there is no push.
  *
  * <p>Source of the damping: K. Hunt, F. Crossley, "Coefficient of restitution interpreted as damping in vibroimpact"
  * (1975).
@@ -48,14 +49,10 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
      * @throws IllegalArgumentException if a number is out of its range
      */
     public Penalty(Particles particles, Obstacle solid, double stiffness, double loss) {
-        if (!(stiffness >= 0 && stiffness <= Double.MAX_VALUE && loss >= 0 && loss <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("a penalty's stiffness and loss have to be 0 or more and finite, not "
-                    + stiffness + ", " + loss);
-        }
         this.particles = particles;
         this.solid = solid;
-        this.stiffness = stiffness;
-        this.loss = loss;
+        this.stiffness = Require.notNegative("a penalty's stiffness", stiffness);
+        this.loss = Require.notNegative("a penalty's loss", loss);
     }
 
     @Override
@@ -163,12 +160,12 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
 
     /** Penalty planes in scenes. */
     public static final class PlaneKeys extends EffectKind {
-        private static final Key<Vector3> POINT = Key.withDefault("point", VectorType.of("m"), Vector3.ZERO,
+        private static final Key<Vector3> POINT = VectorType.of("m").withDefault("point", Vector3.ZERO,
                 "Any point of the plane (m).");
-        private static final Key<Vector3> NORMAL = Key.withDefault("normal", VectorType.notZero(""),
-                new Vector3(0, 1, 0), "A vector that points out of the solid; its length does not matter.");
+        private static final Key<Vector3> NORMAL = VectorType.notZero("").withDefault("normal", new Vector3(0, 1, 0),
+                "A vector that points out of the solid; its length does not matter.");
 
-        private static final Key<Double> BALL_RADIUS = Key.withDefault("ballRadius", NumberType.notNegative("m"), 0.0,
+        private static final Key<Double> BALL_RADIUS = NumberType.notNegative("m").withDefault("ballRadius", 0.0,
                 "The distance at which the plane begins to push (m): 0 for points, the radius for balls.");
 
         /** Called once, by {@link EffectCatalog}. */

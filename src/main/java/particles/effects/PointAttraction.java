@@ -5,6 +5,7 @@ import java.util.Set;
 import particles.law.DifferentiableEffect;
 import particles.law.Particles;
 import particles.law.PerParticleEffect;
+import particles.law.Require;
 import particles.law.Vector3;
 import particles.spec.Key;
 import particles.spec.NumberType;
@@ -43,17 +44,16 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
      * @throws IllegalArgumentException if a number is not finite or the softening negative
      */
     public PointAttraction(Particles particles, Vector3 centre, double strength, double softening) {
-        if (!centre.isFinite() || !Double.isFinite(strength) || !(softening >= 0) || !(softening <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("an attraction needs a finite centre and strength and a"
-                    + " softening of 0 or more,"
-                    + " not " + centre + ", " + strength + ", " + softening);
+        centre.requireFinite("the centre of attraction");
+        if (!Double.isFinite(strength)) {
+            throw new IllegalArgumentException("an attraction needs a finite strength, not " + strength);
         }
         this.particles = particles;
         cx = centre.x();
         cy = centre.y();
         cz = centre.z();
         this.strength = strength;
-        softeningSquare = softening * softening;
+        softeningSquare = softening * Require.notNegative("softening", softening);
     }
 
     @Override
@@ -125,11 +125,11 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
 
     /** Attraction by a point in scenes. */
     public static final class Keys extends EffectKind {
-        private static final Key<Double> STRENGTH = Key.required("strength", NumberType.any("m^3/s^2"),
+        private static final Key<Double> STRENGTH = NumberType.any("m^3/s^2").required("strength",
                 "mu (m^3/s^2): at the distance r the acceleration is mu / r^2; a negative mu repels.");
-        private static final Key<Vector3> CENTRE = Key.withDefault("centre", VectorType.of("m"), Vector3.ZERO,
+        private static final Key<Vector3> CENTRE = VectorType.of("m").withDefault("centre", Vector3.ZERO,
                 "The point that attracts (m).");
-        private static final Key<Double> SOFTENING = Key.withDefault("softening", NumberType.notNegative("m"), 0.0,
+        private static final Key<Double> SOFTENING = NumberType.notNegative("m").withDefault("softening", 0.0,
                 "s (m): the acceleration is mu r / (r^2 + s^2)^1.5, so that particles can pass through the centre.");
 
         /** Called once, by {@link EffectCatalog}. */

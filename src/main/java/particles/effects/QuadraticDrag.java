@@ -54,9 +54,9 @@ public final class QuadraticDrag extends AirDrag {
 
     /** Quadratic drag in scenes. */
     public static final class Keys extends EffectKind {
-        private static final Key<Double> COEFFICIENT = Key.required("coefficient", NumberType.notNegative("kg/m"),
+        private static final Key<Double> COEFFICIENT = NumberType.notNegative("kg/m").required("coefficient",
                 "c (kg/m): the force is c v^2, with v the speed through the air. c is half of air density times"
-                        + " cross-section times drag coefficient.");
+                + " cross-section times drag coefficient.");
 
         /** Called once, by {@link EffectCatalog}. */
         public Keys() {

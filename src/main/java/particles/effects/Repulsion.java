@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import particles.law.DivisibleEffect;
 import particles.law.Particles;
+import particles.law.Require;
 import particles.spec.Key;
 import particles.spec.NameType;
 import particles.spec.NumberType;
@@ -48,20 +49,14 @@ public final class Repulsion extends PairForce implements DivisibleEffect {
      */
     public Repulsion(Particles particles, double radius, boolean hertz, double stiffness, double damping) {
         super(particles, damping);
-        if (!(stiffness > 0 && stiffness <= Double.MAX_VALUE && damping >= 0 && damping <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("repulsion needs a positive stiffness and a damping of 0 or more, not "
-                    + stiffness + ", " + damping);
-        }
+        Require.notNegative("repulsion's damping", damping);
         this.radius = requireRadius(radius);
         this.hertz = hertz;
-        this.stiffness = stiffness;
+        this.stiffness = Require.positive("repulsion's stiffness", stiffness);
     }
 
     private double requireRadius(double radius) {
-        if (!(radius > 0 && radius <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("a ball's radius has to be positive, not " + radius);
-        }
-        largest = Math.max(largest, radius);
+        largest = Math.max(largest, Require.positive("a ball's radius", radius));
         return radius;
     }
 
@@ -186,15 +181,16 @@ public final class Repulsion extends PairForce implements DivisibleEffect {
 
     /** Repulsion in scenes. */
     public static final class Keys extends EffectKind {
-        private static final Key<Double> RADIUS = Key.required("radius", NumberType.positive("m"),
+        private static final Key<Double> RADIUS = NumberType.positive("m").required("radius",
                 "The radius of every ball without a radius of its own (m).");
-        private static final Key<String> LAW = Key.withDefault("law", NameType.of("law", List.of("linear", "hertz")),
-                "linear", "linear: the push is k times the overlap d; hertz: k d^1.5, as of elastic balls.");
-        private static final Key<Double> STIFFNESS = Key.required("stiffness", NumberType.positive("N/m"),
+        private static final Key<String> LAW = NameType.of("law", List.of("linear", "hertz"))
+                .withDefault("law", "linear",
+                "linear: the push is k times the overlap d; hertz: k d^1.5, as of elastic balls.");
+        private static final Key<Double> STIFFNESS = NumberType.positive("N/m").required("stiffness",
                 "k (N/m; for hertz N/m^1.5).");
-        private static final Key<Double> DAMPING = Key.withDefault("damping", NumberType.notNegative("N s/m"), 0.0,
-                "c (N s/m): the push grows by c times the speed of"
-                        + " approach, and is never negative; 0 loses no energy.");
+        private static final Key<Double> DAMPING = NumberType.notNegative("N s/m").withDefault("damping", 0.0,
+                "c (N s/m): the push grows by c times the speed of approach, and is never negative; 0 loses"
+                + " no energy.");
 
         /** Called once, by {@link EffectCatalog}. */
         public Keys() {

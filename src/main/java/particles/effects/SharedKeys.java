@@ -12,22 +12,22 @@ import particles.spec.WholeNumberType;
 /** Scene keys that several effects and rules have in common. */
 public final class SharedKeys {
     /** The seed of random numbers. */
-    public static final Key<Integer> SEED = Key.withDefault("seed", new WholeNumberType(0, 1_000_000_000), 1,
+    public static final Key<Integer> SEED = new WholeNumberType(0, 1_000_000_000).withDefault("seed", 1,
             "The seed of the random numbers; the same seed gives the same run on every machine.");
 
     /** The centre of a sphere. */
-    public static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"), "Its centre (m).");
+    public static final Key<Vector3> CENTRE = VectorType.of("m").required("centre", "Its centre (m).");
     /** The radius of a sphere. */
-    public static final Key<Double> RADIUS = Key.required("radius", NumberType.positive("m"), "Its radius (m).");
+    public static final Key<Double> RADIUS = NumberType.positive("m").required("radius", "Its radius (m).");
     /** Whether a sphere is a hollow: solid outside, particles inside. */
-    public static final Key<Boolean> HOLLOW = Key.withDefault("hollow", FlagType.FLAG, false,
+    public static final Key<Boolean> HOLLOW = FlagType.FLAG.withDefault("hollow", false,
             "true: particles stay inside, as in a bowl or a bubble; false: outside.");
 
     /** The stiffness of a penalty force. */
-    static final Key<Double> STIFFNESS = Key.required("stiffness", NumberType.notNegative("N/m"),
+    static final Key<Double> STIFFNESS = NumberType.notNegative("N/m").required("stiffness",
             "k, the push per metre of depth (N/m).");
     /** The damping of a penalty force. */
-    static final Key<Double> LOSS = Key.withDefault("loss", NumberType.notNegative("s/m"), 0.0,
+    static final Key<Double> LOSS = NumberType.notNegative("s/m").withDefault("loss", 0.0,
             "b (s/m): at depth d and inward speed v the push is k d (1 + b v), and never negative; 0 loses no energy.");
 
     private SharedKeys() {

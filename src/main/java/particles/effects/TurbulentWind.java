@@ -3,6 +3,7 @@ package particles.effects;
 import java.util.Arrays;
 import java.util.List;
 import particles.law.Particles;
+import particles.law.Require;
 import particles.law.SeededRandom;
 import particles.law.Vector3;
 import particles.spec.Key;
@@ -40,13 +41,9 @@ public final class TurbulentWind implements Wind {
      * @throws IllegalArgumentException if a number is out of its range
      */
     public TurbulentWind(Vector3 mean, double strength, double eddySize, long seed) {
-        if (!mean.isFinite() || !(strength >= 0) || !(strength <= Double.MAX_VALUE) || !(eddySize > 0)
-                || !(eddySize <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("turbulence needs a finite mean, a strength of 0 or more and a"
-                    + " positive size of"
-                    + " eddies, not " + mean + ", " + strength + ", " + eddySize);
-        }
-        this.mean = mean;
+        Require.notNegative("the strength of turbulence", strength);
+        Require.positive("the size of eddies", eddySize);
+        this.mean = mean.requireFinite("wind");
         SeededRandom random = new SeededRandom(seed);
         double squares = 0;
         for (int w = 0; w < WAVES; w++) {
@@ -115,11 +112,11 @@ public final class TurbulentWind implements Wind {
 
     /** Turbulence in scenes. */
     public static final class Keys extends EffectKind {
-        private static final Key<Double> STRENGTH = Key.required("strength", NumberType.notNegative("m/s"),
+        private static final Key<Double> STRENGTH = NumberType.notNegative("m/s").required("strength",
                 "The root mean square speed of the eddies (m/s).");
-        private static final Key<Double> EDDY_SIZE = Key.withDefault("eddySize", NumberType.positive("m"), 1.0,
+        private static final Key<Double> EDDY_SIZE = NumberType.positive("m").withDefault("eddySize", 1.0,
                 "The size of the largest eddies (m); the smallest are an eighth of that.");
-        private static final Key<Vector3> MEAN = Key.withDefault("mean", VectorType.of("m/s"), Vector3.ZERO,
+        private static final Key<Vector3> MEAN = VectorType.of("m/s").withDefault("mean", Vector3.ZERO,
                 "The steady wind that carries the eddies along (m/s).");
 
         /** Called once, by {@link EffectCatalog}. */

@@ -41,8 +41,8 @@
  *
  *     // In a scene: - exercises.Coriolis: {angularVelocity: [0, 1.57, 0]}
  *     public static final class Keys extends EffectKind {
- *         private static final Key<Vector3> ANGULAR_VELOCITY = Key.required("angularVelocity",
- *                 VectorType.of("rad/s"), "How fast the frame turns, about which axis (rad/s).");
+ *         private static final Key<Vector3> ANGULAR_VELOCITY = VectorType.of("rad/s").required(
+ *                 "angularVelocity", "How fast the frame turns, about which axis (rad/s).");
  *
  *         public Keys() {
  *             super("exercises.Coriolis", "The Coriolis force of a turning frame.", ANGULAR_VELOCITY);

@@ -40,11 +40,7 @@ final class PointerSpring implements DifferentiableEffect, Rule {
         changed = true;
         if (this.particle >= 0) {
             double mass = particles.mass(particle);
-            double all = 0;
-            for (int i = 0; i < particles.count(); i++) {
-                all += particles.isFixed(i) ? 0 : particles.mass(i);
-            }
-            stiffness = Math.min(all * QUICKNESS * QUICKNESS, mass * mostOmega * mostOmega);
+            stiffness = Math.min(particles.freeMass() * QUICKNESS * QUICKNESS, mass * mostOmega * mostOmega);
             damping = Math.sqrt(stiffness * mass);
         }
     }

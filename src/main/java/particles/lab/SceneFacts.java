@@ -12,6 +12,7 @@ import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.scene.Scene;
 import particles.scene.format.SceneDescription;
+import particles.scene.format.SceneFormat;
 import particles.spec.Ordered;
 import particles.view.Camera;
 import particles.view.CurveView;
@@ -39,7 +40,7 @@ final class SceneFacts {
         SceneDescription description = scene.description();
         Scenery scenery = scene.scenery();
         Map<String, Object> facts = Ordered.map("title", description.title(),
-                "teaches", description.lesson().teaches(), "solver", description.solver(),
+                "teaches", description.values().get(SceneFormat.TEACHES), "solver", description.solver(),
                 "deltaT", description.deltaT(), "duration", description.duration(),
                 "energyScale", scene.energyEstimate(), "energies", energies.getNames(), "uniform", energies.uniform(),
                 "look", look(description.drawing().look()),
@@ -51,7 +52,7 @@ final class SceneFacts {
         facts.put("limits", limits(rates));
         facts.put("omega", rates.omega());
         facts.put("damping", rates.dampingRate());
-        description.settings().solver().tolerances().ifPresent(given -> facts.put("tolerance", given.relative()));
+        description.solving().tolerances().ifPresent(given -> facts.put("tolerance", given.relative()));
         description.drawing().camera().ifPresent(camera -> facts.put("camera", camera(camera)));
         description.output().phase().ifPresent(phase -> facts.put("phase", List.of(phase.particle(),
                 phase.about().isPresent() ? 0 : phase.axis())));       // the page plots positions only
@@ -64,8 +65,7 @@ final class SceneFacts {
     private static Map<String, Object> limits(SpringRates rates) {
         Map<String, Object> limits = Ordered.map();
         for (SolverInfo solver : SolverCatalog.all()) {
-            boolean damped = rates.dampingRate() > 0 && !Double.isNaN(solver.realLimit());
-            double limit = damped ? Math.min(solver.realLimit(), solver.imaginaryLimit()) : solver.imaginaryLimit();
+            double limit = solver.limit(rates.dampingRate() > 0);
             limits.put(solver.name(), solver.adaptive() || rates.omega() == 0 ? Double.NaN : limit / rates.fastest(0));
         }
         return limits;

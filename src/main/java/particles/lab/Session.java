@@ -71,7 +71,7 @@ public final class Session {
             boolean same = solver.isEmpty() || solver.equals(described.solver());
             Optional<Tolerances> tolerances = tolerance > 0
                     ? Optional.of(new Tolerances(tolerance, ABSOLUTE_PART * tolerance))
-                    : same ? described.settings().solver().tolerances() : Optional.empty();
+                    : same ? described.solving().tolerances() : Optional.empty();
             Overrides typed = new Overrides(name -> name).with("deltaT", deltaT.isEmpty() ? null : deltaT);
             Scene scene = SceneBuilder.build(typed.applyTo(described
                     .withSolver(new SolverDescription(same ? described.solver() : solver, tolerances))));

@@ -17,10 +17,6 @@ public final class Particles {
     private double[] birthTimes = new double[8];
     private double[] deathTimes = new double[8];
 
-    /** Creates an empty set. */
-    public Particles() {
-    }
-
     /** Throws if a position or velocity is not finite, or a fixed particle has a velocity. */
     public static void requirePossible(String id, Vector3 position, Vector3 velocity, boolean fixed) {
         if (!position.isFinite() || !velocity.isFinite()) {
@@ -126,6 +122,15 @@ public final class Particles {
     /** @return the array of 1/m (1/kg), 0 for fixed particles; the rules of {@link #getMasses()} apply */
     public double[] getInverseMasses() {
         return inverseMasses;
+    }
+
+    /** @return the mass of all free particles (kg) */
+    public double freeMass() {
+        double mass = 0;
+        for (int i = 0; i < count; i++) {
+            mass += isFixed(i) ? 0 : masses[i];
+        }
+        return mass;
     }
 
     /** The sum of m v&sup2;/2 over all particles that are not fixed, in the order of their indices (J). */

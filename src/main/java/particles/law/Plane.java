@@ -9,9 +9,7 @@ package particles.law;
 public record Plane(Vector3 point, Vector3 normal) implements Obstacle {
     /** @throws IllegalArgumentException if the normal has no direction or the point is not finite */
     public Plane {
-        if (!point.isFinite()) {
-            throw new IllegalArgumentException("a plane's point has to be finite, not " + point);
-        }
+        point.requireFinite("a plane's point");
         normal = normal.normalized();
     }
 

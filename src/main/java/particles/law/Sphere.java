@@ -13,12 +13,8 @@ public record Sphere(Vector3 centre, double radius, boolean hollow) implements O
 
     /** @throws IllegalArgumentException if the centre is not finite or the radius not positive */
     public Sphere {
-        if (!centre.isFinite()) {
-            throw new IllegalArgumentException("a sphere's centre has to be finite, not " + centre);
-        }
-        if (!(radius > 0) || !(radius <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("a sphere's radius has to be positive and finite, not " + radius);
-        }
+        centre.requireFinite("a sphere's centre");
+        Require.positive("a sphere's radius", radius);
     }
 
     @Override

@@ -66,8 +66,7 @@ final class StepLimit {
 
     /** Undamped springs lie on the imaginary axis; damping moves them to the real one, where the limit may differ. */
     private double limit(SolverInfo solver) {
-        boolean damped = fastest > rates.omega() && !Double.isNaN(solver.realLimit());
-        return damped ? Math.min(solver.realLimit(), solver.imaginaryLimit()) : solver.imaginaryLimit();
+        return solver.limit(fastest > rates.omega());
     }
 
     /** By how much deltaT is too long, for which spring, and the two numbers that this comes from. */

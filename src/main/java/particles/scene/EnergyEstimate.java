@@ -38,7 +38,7 @@ final class EnergyEstimate {
      */
     static double of(ParticleSystem system, SpringForce springs, SceneAssembly assembly, double duration) {
         double[] state = system.getOwnState();
-        double mass = freeMass(system.getParticles()) + assembly.getBirths() * duration;
+        double mass = system.getParticles().freeMass() + assembly.getBirths() * duration;
         if (mass == 0) {
             return 1;
         }
@@ -81,14 +81,6 @@ final class EnergyEstimate {
                 Math.max(extent(system, new Vector3(0, 1, 0)), extent(system, new Vector3(0, 0, 1))));
         double speed = (extent > 0 ? extent : 1) / duration;
         return Math.max(Double.MIN_NORMAL, mass * speed * speed / 2);
-    }
-
-    private static double freeMass(Particles particles) {
-        double mass = 0;
-        for (int i = 0; i < particles.count(); i++) {
-            mass += particles.isFixed(i) ? 0 : particles.mass(i);
-        }
-        return mass;
     }
 
     private static double extent(ParticleSystem system, Vector3 direction) {

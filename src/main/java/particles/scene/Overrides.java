@@ -2,7 +2,6 @@ package particles.scene;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.BiFunction;
 import java.util.function.UnaryOperator;
 import particles.scene.checks.RunLimits;
 import particles.scene.format.SceneDescription;
@@ -36,21 +35,20 @@ public final class Overrides {
         }
         Place place = Place.of(option.apply(name));
         switch (name) {
-            case "solver" -> read(SceneFormat.SOLVER, SolverFormat.NAME, SceneDescription::withSolver, text, place);
-            case "deltaT" -> read(SceneFormat.DELTA_T, SceneFormat.DELTA_T, SceneDescription::withDeltaT, text, place);
-            case "duration" -> read(SceneFormat.DURATION, SceneFormat.DURATION, SceneDescription::withDuration, text,
-                    place);
-            case "threads" -> read(SceneFormat.THREADS, SceneFormat.THREADS, SceneDescription::withThreads, text,
-                    place);
+            case "solver" -> SolverFormat.NAME.type().readOption(text, place.toString(), problems)
+                    .ifPresent(value -> changes.add(scene -> scene.withSolver(value)
+                            .with(SceneFormat.SOLVER, scene.values().get(SceneFormat.SOLVER), place)));
+            case "deltaT" -> read(SceneFormat.DELTA_T, text, place);
+            case "duration" -> read(SceneFormat.DURATION, text, place);
+            case "threads" -> read(SceneFormat.THREADS, text, place);
             default -> throw new IllegalArgumentException("no option replaces '" + name + "'");
         }
         return this;
     }
 
-    private <T> void read(Key<?> replaced, Key<T> type, BiFunction<SceneDescription, T, SceneDescription> change,
-            String text, Place place) {
-        type.type().readOption(text, place.toString(), problems).ifPresent(value ->
-                changes.add(scene -> change.apply(scene, value).placed(replaced, place)));
+    private <T> void read(Key<T> key, String text, Place place) {
+        key.type().readOption(text, place.toString(), problems).ifPresent(value ->
+                changes.add(scene -> scene.with(key, value, place)));
     }
 
     /** @throws SceneException with a line for each wrong option */
@@ -70,7 +68,7 @@ public final class Overrides {
             changed = change.apply(changed);
         }
         Problems together = new Problems();
-        RunLimits.check(changed.deltaT(), changed.duration(), changed.places(), together);
+        RunLimits.check(changed.values(), together);
         SceneException.throwIfAny(together);
         return changed;
     }

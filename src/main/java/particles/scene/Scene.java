@@ -3,6 +3,7 @@ package particles.scene;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.scene.format.SceneDescription;
+import particles.scene.format.SceneFormat;
 import particles.view.Scenery;
 import particles.view.SpringView;
 
@@ -20,7 +21,7 @@ public record Scene(SceneDescription description, Simulation simulation, SpringV
 
     /** @return the kinetic energy above which the run counts as blown up and is ended (J) */
     public double energyLimit() {
-        return description.settings().blowUpFactor() * energyEstimate;
+        return description.values().get(SceneFormat.BLOW_UP_FACTOR) * energyEstimate;
     }
 
     /** @return the particles and forces */

@@ -9,7 +9,6 @@ import particles.Simulation;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
 import particles.effects.springs.SpringForce;
-import particles.law.Vector3;
 import particles.reactions.RestingContacts;
 import particles.rules.ClampedImpacts;
 import particles.rules.ExactImpacts;
@@ -48,7 +47,7 @@ public final class SceneBuilder {
     public static Scene build(SceneDescription scene) {
         Problems problems = new Problems();
         SolverFormat.check(scene, problems);
-        RunLimits.check(scene.deltaT(), scene.duration(), scene.places(), problems);
+        RunLimits.check(scene.values(), problems);
         MemoryEstimate.check(scene, Runtime.getRuntime().maxMemory(), problems);
         SceneException.throwIfAny(problems);
         return assemble(scene);
@@ -75,8 +74,8 @@ public final class SceneBuilder {
             if (EffectCatalog.ALL.contains(effect.kind())) {
                 throw e;
             }
-            throw new SceneException(List.of(effect.place() + ": " + effect.kind().getName()
-                    + " cannot be built: " + e));
+            throw new SceneException(effect.place() + ": " + effect.kind().getName()
+                    + " cannot be built: " + e);
         }
     }
 
@@ -100,12 +99,12 @@ public final class SceneBuilder {
         contents.rules().forEach(rule -> rule.kind().build(rule.values(), assembly));
 
         double estimate = EnergyEstimate.of(system, springs, assembly, Math.max(scene.duration(), scene.deltaT()));
-        Simulation simulation = new Simulation(system, scene.settings().solver()::create, scene.deltaT(),
+        Simulation simulation = new Simulation(system, scene.solving()::create, scene.deltaT(),
                 scene.duration());
         if (!assembly.getSurfaces().isEmpty()) {               // the ground and others to collide with
             RestingContacts contacts = new RestingContacts(system, assembly.getSurfaces());
             system.addReaction(contacts);
-            simulation.addRule(scene.settings().exactImpacts() ? new ExactImpacts(contacts)
+            simulation.addRule(scene.exactImpacts() ? new ExactImpacts(contacts)
                     : new ClampedImpacts(contacts));
         }
         contents.constraints().build(system, index, simulation, assembly);     // rods take over contacts

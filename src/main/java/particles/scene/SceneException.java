@@ -15,6 +15,10 @@ public class SceneException extends RuntimeException {
         this.lines = List.copyOf(lines);
     }
 
+    SceneException(String line) {
+        this(List.of(line));
+    }
+
     /** Throws an exception with these problems, if there are any. */
     static void throwIfAny(Problems problems) {
         if (problems.count() > 0) {

@@ -29,10 +29,10 @@ public final class SceneFiles {
      */
     public static List<Path> list(Path folder) {
         try (Stream<Path> files = Files.list(folder)) {
-            return files.filter(file -> name(file).isPresent()).sorted().toList();
+            return files.filter(SceneFiles::isScene).sorted().toList();
         } catch (IOException | UncheckedIOException e) {
-            throw new SceneException(List.of("the folder of scenes, " + folder
-                    + ", cannot be read; run this in the project's folder, or give the path of a scene"));
+            throw new SceneException("the folder of scenes, " + folder
+                    + ", cannot be read; run this in the project's folder, or give the path of a scene");
         }
     }
 
@@ -51,25 +51,24 @@ public final class SceneFiles {
             return typed.get();
         }
         if (typed.isPresent() && isPath(typed.get())) {
-            throw new SceneException(List.of(noFile(folder, typed.get())));
+            throw new SceneException(noFile(folder, typed.get()));
         }
         List<Path> found = new ArrayList<>();
         for (Path file : list(folder)) {
-            if (namesOf(file).contains(wanted.endsWith(ENDING) ? wanted.substring(0, wanted.length() - ENDING.length())
-                    : wanted)) {
+            if (namesOf(file).contains(wanted.replaceFirst("\\.yaml$", ""))) {
                 found.add(file);
             }
         }
         if (found.size() > 1) {
-            throw new SceneException(List.of(Wording.quote(wanted)
+            throw new SceneException(Wording.quote(wanted)
                     + " matches more than one scene: " + String.join(", ",
-                    found.stream().map(Path::toString).toList()) + "; give the whole name"));
+                    found.stream().map(Path::toString).toList()) + "; give the whole name");
         }
         if (found.isEmpty() && typed.isPresent() && Files.exists(typed.get())) {
-            throw new SceneException(List.of(noFile(folder, typed.get())));
+            throw new SceneException(noFile(folder, typed.get()));
         }
         if (found.isEmpty()) {
-            throw new SceneException(List.of("there is no scene " + Wording.quote(wanted) + nearest(folder, wanted)));
+            throw new SceneException("there is no scene " + Wording.quote(wanted) + nearest(folder, wanted));
         }
         return found.get(0);
     }
@@ -107,7 +106,7 @@ public final class SceneFiles {
 
     /** All names by which a scene can be called. */
     private static List<String> namesOf(Path file) {
-        String name = name(file).orElseThrow();
+        String name = name(file);
         if (!name.matches("\\d+-.+")) {
             return List.of(name);
         }
@@ -115,11 +114,13 @@ public final class SceneFiles {
         return List.of(name, name.substring(number.length() + 1), number, number.replaceFirst("^0+(?=.)", ""));
     }
 
-    private static Optional<String> name(Path file) {
+    private static boolean isScene(Path file) {
         String name = file.getFileName().toString();
-        return name.endsWith(ENDING) && !name.startsWith(".") ? Optional.of(name.substring(0,
-                name.length() - ENDING.length()))
-                : Optional.empty();
+        return name.endsWith(ENDING) && !name.startsWith(".");
+    }
+
+    private static String name(Path file) {
+        return file.getFileName().toString().replaceFirst("\\.yaml$", "");
     }
 
     private static String nearest(Path folder, String wanted) {
@@ -127,10 +128,10 @@ public final class SceneFiles {
         List<String> titles = scenes.stream().map(file -> namesOf(file).get(namesOf(file).size() > 1 ? 1 : 0)).toList();
         String bare = wanted.replace('\\', '/').replaceFirst(".*/", "").replaceFirst("\\.yaml$",
                 "").replaceFirst("^\\d+-", "");
-        String known = " scenes: " + String.join(", ", scenes.stream().map(file -> name(file).orElseThrow()).toList());
+        String known = " scenes: " + String.join(", ", scenes.stream().map(SceneFiles::name).toList());
         if (bare.length() < 3 || bare.length() > 60) {
             return ";" + known;
         }
-        return DidYouMean.nearest(bare, titles).map(title -> "; did you mean '" + title + "'?").orElse(";") + known;
+        return DidYouMean.hint(bare, titles, "'%s'"::formatted) + known;
     }
 }

@@ -3,7 +3,7 @@ package particles.spec;
 import java.util.Optional;
 
 /**
- * A key of a mapping: its name, type, default and description.
+ * A key of a mapping: its name, type, default and description. {@link Type} makes keys.
  *
  * @param name         its name in the file
  * @param type         the type of its value
@@ -13,21 +13,6 @@ import java.util.Optional;
  * @param <T>          the Java class of its values
  */
 public record Key<T>(String name, Type<T> type, boolean required, Optional<T> defaultValue, String sentence) {
-
-    /** @return a key that must be given */
-    public static <T> Key<T> required(String name, Type<T> type, String sentence) {
-        return new Key<>(name, type, true, Optional.empty(), sentence);
-    }
-
-    /** @return a key with a default */
-    public static <T> Key<T> withDefault(String name, Type<T> type, T defaultValue, String sentence) {
-        return new Key<>(name, type, false, Optional.of(defaultValue), sentence);
-    }
-
-    /** @return a key that may be absent; its sentence explains the default */
-    public static <T> Key<T> optional(String name, Type<T> type, String sentence) {
-        return new Key<>(name, type, false, Optional.empty(), sentence);
-    }
 
     // Written out because a record's own equals is linked at run time, which takes several per cent of a short run.
 

@@ -40,6 +40,21 @@ public abstract class Type<T> {
         return read(node, "the value", new Reading(option, problems));
     }
 
+    /** @return a key that must be given */
+    public final Key<T> required(String name, String sentence) {
+        return new Key<>(name, this, true, Optional.empty(), sentence);
+    }
+
+    /** @return a key with a default */
+    public final Key<T> withDefault(String name, T defaultValue, String sentence) {
+        return new Key<>(name, this, false, Optional.of(defaultValue), sentence);
+    }
+
+    /** @return a key that may be absent; its sentence explains the default */
+    public final Key<T> optional(String name, String sentence) {
+        return new Key<>(name, this, false, Optional.empty(), sentence);
+    }
+
     /** @return the values allowed, as text that follows "it has to be": {@code a number over 0 (kg)} */
     public abstract String describe();
 

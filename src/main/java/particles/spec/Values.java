@@ -35,6 +35,14 @@ public final class Values {
         return sound;
     }
 
+    /** @return the same values, but for another one of a key, which stands at another place */
+    public <T> Values with(Key<T> key, T value, Place at) {
+        Values changed = new Values(place);
+        changed.found.putAll(found);
+        changed.put(key, Optional.of(value), at, true);
+        return changed;
+    }
+
     <T> void put(Key<T> key, Optional<T> value, Place at, boolean intact) {
         found.put(key, new Found(value, at, intact));
     }

@@ -45,7 +45,7 @@ public class FrameBenchmark {
     public void prepare() {
         Scene scene = SceneBuilder.build(TestScenes.named(what));
         ParticleSystem system = scene.system();
-        DESolver solver = scene.description().settings().solver().create();
+        DESolver solver = scene.description().solving().create();
         for (int n = 0; n < STEPS; n++) {
             solver.stepState(system, scene.description().deltaT());
         }

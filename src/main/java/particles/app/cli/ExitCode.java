@@ -1,24 +1,18 @@
 package particles.app.cli;
 
-/** The exit codes of the program. */
+/** The exit codes of the program, from 0. */
 public enum ExitCode {
     /** Success. */
-    DONE(0),
+    DONE,
     /** An internal error, or a problem with files, such as a full disk. */
-    TROUBLE(1),
+    TROUBLE,
     /** An invalid option, scene or exercise. */
-    BAD_INPUT(2),
+    BAD_INPUT,
     /** The simulation stopped early, for example because it blew up. */
-    STOPPED(3);
-
-    private final int code;
-
-    ExitCode(int code) {
-        this.code = code;
-    }
+    STOPPED;
 
     /** @return the number for the operating system */
     public int code() {
-        return code;
+        return ordinal();
     }
 }

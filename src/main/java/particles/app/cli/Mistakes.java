@@ -21,13 +21,8 @@ public final class Mistakes {
         try {
             T value = reading.get();
             return () -> value;
-        } catch (Failure e) {
-            lines.addAll(e.getLines());
-            return () -> {
-                throw e;
-            };
-        } catch (SceneException e) {
-            lines.addAll(e.getLines());
+        } catch (Failure | SceneException e) {
+            lines.addAll(e instanceof Failure failure ? failure.getLines() : ((SceneException) e).getLines());
             return () -> {
                 throw e;
             };

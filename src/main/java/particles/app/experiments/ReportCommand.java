@@ -28,6 +28,7 @@ import particles.output.report.Report.Section;
 import particles.output.report.ReportWriter;
 import particles.output.report.ResultPage;
 import particles.scene.format.SceneDescription;
+import particles.scene.format.SceneFormat;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -199,7 +200,7 @@ public final class ReportCommand extends ResultsCommand {
     private List<String> text() {
         List<String> text = new ArrayList<>();
         about.get().ifPresent(description -> {
-            text.add(description.lesson().teaches());
+            text.add(description.values().get(SceneFormat.TEACHES));
             text.add("Experiments that run a scene use this one, with " + String.join(", ",
                     choices.get().stream().map(SolverChoice::label).toList())
                     + "; the others use their own problems.");

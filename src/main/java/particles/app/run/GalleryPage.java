@@ -1,7 +1,6 @@
 package particles.app.run;
 
 import java.nio.file.Path;
-import java.util.List;
 import particles.app.student.StudentClasses;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
@@ -55,7 +54,8 @@ public final class GalleryPage {
     }
 
     private static String row(SceneName name, SceneDescription scene) {
-        String teaches = String.join(" ", List.of(scene.lesson().teaches().strip().split("\\s+"))).replace("|", "\\|");
+        String words = String.join(" ", scene.values().get(SceneFormat.TEACHES).strip().split("\\s+"));
+        String teaches = words.replace("|", "\\|");
         return "| ![" + scene.title() + "](" + PICTURES + "/" + name.whole() + ".png) | [" + name.whole() + "]("
                 + name.whole()
                 + ".yaml): **" + scene.title() + "**<br>" + teaches + "<br>Solver: " + scene.solver() + " |";

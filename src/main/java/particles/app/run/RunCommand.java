@@ -27,6 +27,7 @@ import particles.scene.SceneReader;
 import particles.scene.format.OutputDescription;
 import particles.scene.format.OutputDescription.Video;
 import particles.scene.format.SceneDescription;
+import particles.scene.format.SceneFormat;
 import particles.threads.ParallelForces;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -192,7 +193,7 @@ public final class RunCommand extends ResultsCommand {
     /** @return the reason why the run ended early, if it did */
     private Optional<String> simulate(Scene scene, RunObservers observers) {
         ParallelForces.use(scene.system(),
-                description.settings().threads().orElseGet(Runtime.getRuntime()::availableProcessors));
+                description.values().find(SceneFormat.THREADS).orElseGet(Runtime.getRuntime()::availableProcessors));
         try {
             scene.simulation().run();
             return Optional.empty();

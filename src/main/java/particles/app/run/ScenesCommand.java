@@ -12,6 +12,7 @@ import particles.scene.SceneException;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
+import particles.scene.format.SceneFormat;
 import picocli.CommandLine.Command;
 
 /** {@code gradle scenes}: lists the scenes, each with its lesson. */
@@ -51,7 +52,7 @@ public final class ScenesCommand extends ProgramCommand {
         String space = " ".repeat(Math.max(1, INDENT.length() - name.number().length()));
         out.println(name.number() + space + name.bare() + ": " + scene.title() + " (" + scene.solver() + ")");
         StringBuilder line = new StringBuilder(INDENT);
-        for (String word : scene.lesson().teaches().strip().split("\\s+")) {
+        for (String word : scene.values().get(SceneFormat.TEACHES).strip().split("\\s+")) {
             if (line.length() > INDENT.length() && line.length() + word.length() >= WIDTH) {
                 out.println(line.toString().stripTrailing());
                 line.setLength(INDENT.length());

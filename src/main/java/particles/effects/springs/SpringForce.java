@@ -5,6 +5,7 @@ import java.util.Set;
 import particles.law.DifferentiableEffect;
 import particles.law.DivisibleEffect;
 import particles.law.Particles;
+import particles.law.Require;
 import particles.law.Vector3;
 import particles.view.SpringView;
 
@@ -54,17 +55,11 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
         if (i == j) {
             throw new IllegalArgumentException("a spring from particle '" + particles.id(i) + "' to itself");
         }
-        require("stiffness", stiffness);
-        require("rest length", restLength);
-        require("damping", damping);
+        Require.notNegative("a spring's stiffness", stiffness);
+        Require.notNegative("a spring's rest length", restLength);
+        Require.notNegative("a spring's damping", damping);
         table.add(i, j, stiffness, restLength, damping);
         damped |= damping > 0;
-    }
-
-    private static void require(String name, double value) {
-        if (!(value >= 0) || !(value <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("a spring's " + name + " has to be 0 or more and finite, not " + value);
-        }
     }
 
     @Override

@@ -1,5 +1,7 @@
 package particles.effects.springs;
 
+import particles.law.Vector3;
+
 /**
  * The inner loops of the spring force, for springs sorted by their first particle. The law is explained in {@link
  * SpringForce}; a cloth simulation spends most of its time here.
@@ -165,33 +167,24 @@ final class SpringKernel {
         return Long.compareUnsigned(Double.doubleToRawLongBits(square) - SMALLEST, ORDINARY) < 0;
     }
 
-    /** The same law for lengths with squares that overflow or underflow; r is scaled first. */
+    /** The same law for lengths with squares that overflow or underflow. */
     private static void addExtremeForce(SpringTable table, int s, double[] state, double[] force) {
         int i = table.from[s];
         int j = table.to[s];
-        double largest = 0;
-        for (int c = 0; c < 3; c++) {
-            largest = Math.max(largest, Math.abs(state[j + c] - state[i + c]));
-        }
-        if (largest == 0) {
+        Vector3 r = new Vector3(state[j] - state[i], state[j + 1] - state[i + 1], state[j + 2] - state[i + 2]);
+        double length = r.length();
+        if (length == 0) {
             return;                                     // no direction, no force
         }
-        double scaledSquare = 0;
-        for (int c = 0; c < 3; c++) {
-            double scaled = (state[j + c] - state[i + c]) / largest;
-            scaledSquare += scaled * scaled;
-        }
-        double scaledLength = Math.sqrt(scaledSquare);
+        double[] n = {r.x() / length, r.y() / length, r.z() / length};
         double rate = 0;
         for (int c = 0; c < 3; c++) {
-            double direction = (state[j + c] - state[i + c]) / largest / scaledLength;
-            rate += direction * (state[j + 3 + c] - state[i + 3 + c]);
+            rate += n[c] * (state[j + 3 + c] - state[i + 3 + c]);
         }
-        double tension = table.stiffness[s] * (largest * scaledLength - table.restLength[s]) + table.damping[s] * rate;
+        double tension = table.stiffness[s] * (length - table.restLength[s]) + table.damping[s] * rate;
         for (int c = 0; c < 3; c++) {
-            double direction = (state[j + c] - state[i + c]) / largest / scaledLength;
-            force[i + 3 + c] += tension * direction;
-            force[j + 3 + c] -= tension * direction;
+            force[i + 3 + c] += tension * n[c];
+            force[j + 3 + c] -= tension * n[c];
         }
     }
 }

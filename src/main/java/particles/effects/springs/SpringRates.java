@@ -13,11 +13,10 @@ import particles.view.SpringView;
  * simulation", 1998.)
  *
  * @param stiffest    the spring with the largest own omega, or -1 if no spring has an end that can move
- * @param ownOmega    its omega, alone with the particles at its ends (rad/s)
  * @param omega       an upper bound for the omega of any vibration of the whole system (rad/s)
  * @param dampingRate an upper bound for the decay rate of any velocity by the springs' damping (1/s)
  */
-public record SpringRates(int stiffest, double ownOmega, double omega, double dampingRate) {
+public record SpringRates(int stiffest, double omega, double dampingRate) {
 
     /**
      * @param springs   the springs
@@ -51,7 +50,7 @@ public record SpringRates(int stiffest, double ownOmega, double omega, double da
             square = Math.max(square, stiffness[i] * inverseMasses[i]);
             rate = Math.max(rate, damping[i] * inverseMasses[i]);
         }
-        return new SpringRates(stiffest, Math.sqrt(largest), Math.sqrt(square), rate);
+        return new SpringRates(stiffest, Math.sqrt(square), rate);
     }
 
     /**

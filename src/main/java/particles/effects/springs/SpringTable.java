@@ -1,6 +1,7 @@
 package particles.effects.springs;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import particles.law.Particles;
 
 /**
@@ -81,8 +82,8 @@ final class SpringTable {
     }
 
     /**
-     * Sorts the springs by their first particle with a stable counting sort, so that its position, velocity and force
-     * stay in registers for all of its springs; then divides them into blocks.
+     * Sorts the springs by their first particle, so that its position, velocity and force stay in registers for all of
+     * its springs; then divides them into blocks.
      */
     void arrange() {
         if (arranged && owners != NOT_COUNTED) {
@@ -113,45 +114,19 @@ final class SpringTable {
     }
 
     private void sort() {
-        int last = 0;
-        for (int s = 0; s < count; s++) {
-            last = Math.max(last, from[s] / Particles.STRIDE);
-        }
-        int[] place = new int[last + 2];
-        for (int s = 0; s < count; s++) {
-            place[from[s] / Particles.STRIDE + 1]++;
-        }
-        for (int i = 0; i <= last; i++) {
-            place[i + 1] += place[i];
-        }
-        int[] order = new int[count];
-        for (int s = 0; s < count; s++) {
-            order[place[from[s] / Particles.STRIDE]++] = s;
-        }
-        put(order);
+        put(IntStream.range(0, count).mapToLong(s -> (long) from[s] << Integer.SIZE | s).sorted()
+                .mapToInt(key -> (int) key).toArray());
     }
 
     private void put(int[] order) {
-        from = permuted(from, order);
-        to = permuted(to, order);
+        from = Arrays.stream(order).map(s -> from[s]).toArray();
+        to = Arrays.stream(order).map(s -> to[s]).toArray();
         stiffness = permuted(stiffness, order);
         restLength = permuted(restLength, order);
         damping = permuted(damping, order);
     }
 
-    private static int[] permuted(int[] values, int[] order) {
-        int[] result = new int[order.length];
-        for (int s = 0; s < order.length; s++) {
-            result[s] = values[order[s]];
-        }
-        return result;
-    }
-
     private static double[] permuted(double[] values, int[] order) {
-        double[] result = new double[order.length];
-        for (int s = 0; s < order.length; s++) {
-            result[s] = values[order[s]];
-        }
-        return result;
+        return Arrays.stream(order).mapToDouble(s -> values[s]).toArray();
     }
 }

@@ -54,7 +54,8 @@ final class ConstraintChecks {
 
     void check() {
         for (Values values : scene.list(SceneFormat.RODS)) {
-            if (isKnown.test(values, RodDescription.FROM) & isKnown.test(values, RodDescription.TO) && values.isSound()) {
+            boolean known = isKnown.test(values, RodDescription.FROM) & isKnown.test(values, RodDescription.TO);
+            if (known && values.isSound()) {
                 check(values, RodDescription.of(values));
             }
         }

@@ -85,7 +85,7 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
             double gigabytes = Math.ceil(needed.bytes() / MEGABYTE / 1024);
             String more = gigabytes > MOST_GIGABYTES ? ""
                     : ", or give Java more memory: JAVA_TOOL_OPTIONS=-Xmx" + (int) gigabytes + "g";
-            problems.add(scene.places().get(SceneFormat.SHAPES), String.format(Locale.ROOT, """
+            problems.add(scene.values().place(SceneFormat.SHAPES), String.format(Locale.ROOT, """
                     the scene needs about %s MiB of memory for %.0f particles and %.0f springs with %s, and Java may \
                     use %s MiB; use fewer particles%s""", Digits.few(needed.bytes() / MEGABYTE), needed.particles(),
                     needed.springs(), scene.solver(), Digits.few(allowed / MEGABYTE), more));

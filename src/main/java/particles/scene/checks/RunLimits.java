@@ -1,11 +1,10 @@
 package particles.scene.checks;
 
 import deSolvers.text.Digits;
-import java.util.Map;
+import java.util.Optional;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
-import particles.spec.Key;
-import particles.spec.messages.Place;
+import particles.spec.Values;
 import particles.spec.messages.Problems;
 
 /** Limits on the numbers of steps and pictures of a run: more can only be a typing error. */
@@ -17,11 +16,13 @@ public final class RunLimits {
     private RunLimits() {
     }
 
-    /** Adds a problem if a run would have too many steps. */
-    public static void check(double deltaT, double duration, Map<Key<?>, Place> places, Problems problems) {
-        if (duration / deltaT > MOST_STEPS) {
-            problems.add(places.get(SceneFormat.DURATION), "a duration of " + Digits.exact(duration) + " s is "
-                    + Digits.few(duration / deltaT) + " steps of deltaT = " + Digits.exact(deltaT)
+    /** Adds a problem if the run has too many steps; values that are missing or wrong have their own. */
+    public static void check(Values scene, Problems problems) {
+        Optional<Double> deltaT = scene.find(SceneFormat.DELTA_T);
+        double duration = scene.find(SceneFormat.DURATION).orElse(0.0);
+        if (deltaT.isPresent() && duration / deltaT.get() > MOST_STEPS) {
+            problems.add(scene.place(SceneFormat.DURATION), "a duration of " + Digits.exact(duration) + " s is "
+                    + Digits.few(duration / deltaT.get()) + " steps of deltaT = " + Digits.exact(deltaT.get())
                     + " s; a run can have at most 1e10");
         }
     }
@@ -36,7 +37,7 @@ public final class RunLimits {
     public static void checkPictures(SceneDescription scene, String option, Problems problems) {
         double frameRate = scene.output().frames().rate();
         if (scene.output().frames().drawn() && scene.duration() * frameRate > MOST_FRAMES) {
-            problems.add(scene.places().get(SceneFormat.DURATION), "a duration of "
+            problems.add(scene.values().place(SceneFormat.DURATION), "a duration of "
                     + Digits.exact(scene.duration()) + " s needs more than a million pictures at frameRate = "
                     + Digits.exact(frameRate) + "; in the scene, output: {frameRate: "
                     + Digits.roundedDown(SOME_FRAMES / scene.duration()) + "} draws " + (int) SOME_FRAMES + ", and "

@@ -13,8 +13,6 @@ import particles.scene.format.OutputDescription.Phase;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneDescription.Contents;
 import particles.scene.format.SceneDescription.Drawing;
-import particles.scene.format.SceneDescription.Lesson;
-import particles.scene.format.SceneDescription.Settings;
 import particles.scene.format.SceneFormat;
 import particles.scene.format.SolverDescription;
 import particles.scene.format.SolverFormat;
@@ -82,29 +80,19 @@ public final class SceneChecks {
         checkPhase();
         LookCheck look = new LookCheck(particles, shapes);
         look.check(scene, problems, this::isKnown);
-        Map<Key<?>, Place> places = new HashMap<>();
-        for (Key<?> key : List.of(SceneFormat.SOLVER, SceneFormat.DELTA_T, SceneFormat.DURATION, SceneFormat.SHAPES)) {
-            places.put(key, scene.place(key));
-        }
         Optional<Tolerances> tolerances = scene.find(SceneFormat.SOLVER).filter(Values::isSound)
                 .flatMap(values -> SolverFormat.tolerances(values, problems));
-        if (scene.find(SceneFormat.DELTA_T).isPresent() && scene.find(SceneFormat.DURATION).isPresent()) {
-            RunLimits.check(scene.get(SceneFormat.DELTA_T), scene.get(SceneFormat.DURATION), places, problems);
-        }
+        RunLimits.check(scene, problems);
         if (problems.count() > 0) {
             return Optional.empty();
         }
         Values noWords = Values.none(scene.getPlace());
-        return Optional.of(new SceneDescription(
-                new Lesson(scene.get(SceneFormat.TITLE), scene.get(SceneFormat.TEACHES)),
-                new Settings(new SolverDescription(scene.get(SceneFormat.SOLVER).get(SolverFormat.NAME), tolerances),
-                        scene.get(SceneFormat.DELTA_T), scene.get(SceneFormat.DURATION),
-                        scene.get(SceneFormat.IMPACT).equals("exact"), scene.find(SceneFormat.THREADS),
-                        scene.get(SceneFormat.BLOW_UP_FACTOR)),
+        return Optional.of(new SceneDescription(scene,
+                new SolverDescription(scene.get(SceneFormat.SOLVER).get(SolverFormat.NAME), tolerances),
                 new Contents(List.copyOf(particles), List.copyOf(shapes), List.copyOf(springs), constraints.describe(),
                         List.copyOf(scene.get(SceneFormat.EFFECTS)), List.copyOf(scene.get(SceneFormat.RULES))),
                 new Drawing(camera, look.of(scene)),
-                OutputDescription.of(scene.find(SceneFormat.OUTPUT).orElse(noWords)), Map.copyOf(places)));
+                OutputDescription.of(scene.find(SceneFormat.OUTPUT).orElse(noWords))));
     }
 
     private void checkParticles() {

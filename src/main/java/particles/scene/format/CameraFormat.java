@@ -16,18 +16,17 @@ import particles.view.Camera;
 public final class CameraFormat {
     private static final String PERSPECTIVE = "perspective";
 
-    static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"),
-            "The position of the camera (m).");
-    static final Key<Vector3> TARGET = Key.required("target", VectorType.of("m"),
+    static final Key<Vector3> POSITION = VectorType.of("m").required("position", "The position of the camera (m).");
+    static final Key<Vector3> TARGET = VectorType.of("m").required("target",
             "The point at the centre of the picture (m).");
-    static final Key<Vector3> UP = Key.withDefault("up", VectorType.notZero(""), new Vector3(0, 1, 0),
+    static final Key<Vector3> UP = VectorType.notZero("").withDefault("up", new Vector3(0, 1, 0),
             "The direction that is up in the picture.");
-    static final Key<String> PROJECTION = Key.withDefault("projection",
-            NameType.of("projection", List.of(PERSPECTIVE, "orthographic")), PERSPECTIVE,
+    static final Key<String> PROJECTION = NameType.of("projection", List.of(PERSPECTIVE, "orthographic"))
+            .withDefault("projection", PERSPECTIVE,
             "perspective: distant things look smaller; orthographic: parallel lines stay parallel.");
-    static final Key<Double> FIELD_OF_VIEW = Key.withDefault("fieldOfView", NumberType.between(1, 170, "degrees"), 35.0,
+    static final Key<Double> FIELD_OF_VIEW = NumberType.between(1, 170, "degrees").withDefault("fieldOfView", 35.0,
             "The vertical angle of a perspective picture (degrees).");
-    static final Key<Double> HEIGHT = Key.optional("height", NumberType.positive("m"),
+    static final Key<Double> HEIGHT = NumberType.positive("m").optional("height",
             "The height of an orthographic picture (m); by default the height of a perspective one at the target.");
 
     static final MappingType TYPE = MappingType.of("the camera", POSITION, TARGET, UP, PROJECTION, FIELD_OF_VIEW,

@@ -11,13 +11,13 @@ import particles.view.ParticleMark;
 
 /** The keys of a single particle's drawing style. */
 public final class MarkFormat {
-    public static final Key<String> PARTICLE = Key.required("particle", SpringDescription.ANY_ID,
+    public static final Key<String> PARTICLE = SpringDescription.ANY_ID.required("particle",
             "The particle that is drawn in this way, or the id of a shape for all of its particles.");
-    static final Key<String> COLOUR = Key.optional("colour", RenderFormat.COLOUR,
+    static final Key<String> COLOUR = RenderFormat.COLOUR.optional("colour",
             "The colour of the particle and its trail; by default that of its kind.");
-    static final Key<Double> RADIUS = Key.withDefault("radius", NumberType.notNegative("m"), 0.0,
+    static final Key<Double> RADIUS = NumberType.notNegative("m").withDefault("radius", 0.0,
             "The radius of its ball (m); 0 for the radius of all others.");
-    static final Key<String> LABEL = Key.optional("label", TextType.prose(), "A text beside it.");
+    static final Key<String> LABEL = TextType.prose().optional("label", "A text beside it.");
 
     static final MappingType TYPE = MappingType.of("a mark", PARTICLE, COLOUR, RADIUS, LABEL);
 

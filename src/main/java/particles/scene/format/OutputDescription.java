@@ -79,13 +79,13 @@ public record OutputDescription(Frames frames, boolean energy, Optional<Phase> p
         private static final List<String> AXES = List.of("x", "y", "z", "angle");
         /** The name of the axis that is an angle. */
         public static final String ANGLE = AXES.get(3);
-        public static final Key<String> PARTICLE = Key.required("particle", SpringDescription.ANY_ID,
+        public static final Key<String> PARTICLE = SpringDescription.ANY_ID.required("particle",
                 "The particle to plot.");
-        public static final Key<String> AXIS = Key.withDefault("axis", NameType.of("axis", AXES), "y",
+        public static final Key<String> AXIS = NameType.of("axis", AXES).withDefault("axis", "y",
                 "The component of position and velocity to plot; or angle, for the angle about another particle.");
-        public static final Key<String> ABOUT = Key.optional("about", SpringDescription.ANY_ID,
+        public static final Key<String> ABOUT = SpringDescription.ANY_ID.optional("about",
                 "With axis: angle, the particle about which the angle is measured: 0 straight below it,"
-                        + " counter-clockwise in the x-y plane.");
+                + " counter-clockwise in the x-y plane.");
 
         static final MappingType TYPE = MappingType.of("the phase-space plot", PARTICLE, AXIS, ABOUT);
 
@@ -96,9 +96,9 @@ public record OutputDescription(Frames frames, boolean energy, Optional<Phase> p
         }
     }
 
-    public static final Key<Double> FRAME_RATE = Key.withDefault("frameRate", NumberType.positive("1/s"), 25.0,
+    public static final Key<Double> FRAME_RATE = NumberType.positive("1/s").withDefault("frameRate", 25.0,
             "Frames per second of simulated time (1/s). From 1 to 1000 /s, animation and film run in simulated time;"
-                    + " with other rates, such as 1e17 /s for an atom, they show 25 frames a second.");
+            + " with other rates, such as 1e17 /s for an atom, they show 25 frames a second.");
     /** The widest animation, unless an option asks for another one (pixels). */
     private static final int MOST_ANIMATED = 640;
     /** The shortest side of a picture (pixels). */
@@ -106,20 +106,17 @@ public record OutputDescription(Frames frames, boolean energy, Optional<Phase> p
     /** The longest one. */
     public static final int MOST_SIDE = 4096;
     private static final WholeNumberType SIDE = new WholeNumberType(LEAST_SIDE, MOST_SIDE);
-    static final Key<Integer> WIDTH = Key.withDefault("width", SIDE, 960,
-            "The width of a frame (pixels).");
-    static final Key<Integer> HEIGHT = Key.withDefault("height", SIDE, 540,
-            "The height of a frame (pixels).");
-    static final Key<Boolean> ANIMATION = Key.withDefault("animation", FlagType.FLAG, true,
+    static final Key<Integer> WIDTH = SIDE.withDefault("width", 960, "The width of a frame (pixels).");
+    static final Key<Integer> HEIGHT = SIDE.withDefault("height", 540, "The height of a frame (pixels).");
+    static final Key<Boolean> ANIMATION = FlagType.FLAG.withDefault("animation", true,
             "Whether to write the frames as animation.gif.");
-    static final Key<String> VIDEO = Key.withDefault("video", NameType.of("kind of film", Video.names()),
-            Video.NONE.label(),
+    static final Key<String> VIDEO = NameType.of("kind of film", Video.names()).withDefault("video", Video.NONE.label(),
             "mp4: write the frames as film.mp4 too; none: no film.");
-    static final Key<Boolean> ENERGY = Key.withDefault("energy", FlagType.FLAG, true,
+    static final Key<Boolean> ENERGY = FlagType.FLAG.withDefault("energy", true,
             "Whether to plot the energies in energy.png.");
-    public static final Key<Values> PHASE = Key.optional("phase", Phase.TYPE,
+    public static final Key<Values> PHASE = Phase.TYPE.optional("phase",
             "Plots velocity against position of one particle in phase.png; no plot if left out.");
-    static final Key<Integer> TRAJECTORY_STRIDE = Key.optional("trajectoryStride", new WholeNumberType(1, 1_000_000),
+    static final Key<Integer> TRAJECTORY_STRIDE = new WholeNumberType(1, 1_000_000).optional("trajectoryStride",
             "Write every n-th step to trajectory.csv; by default n keeps the file below about 200,000 lines.");
 
     static final MappingType TYPE = MappingType.of("the output", FRAME_RATE, WIDTH, HEIGHT, ANIMATION, VIDEO, ENERGY,

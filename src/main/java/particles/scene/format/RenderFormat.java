@@ -27,28 +27,29 @@ public final class RenderFormat {
     private static final int MOST_COLOURS = 16;
     private static final RenderOptions STANDARD = RenderOptions.STANDARD;
 
-    static final Key<String> PARTICLES = Key.withDefault("particles", NameType.of("choice", SHOWN),
-            nameOf(STANDARD.particles()), "Which particles are drawn. beside-surfaces: all but those of a surface.");
-    static final Key<String> PARTICLES_AS = Key.withDefault("particlesAs", NameType.of("way of drawing", KINDS),
+    static final Key<String> PARTICLES = NameType.of("choice", SHOWN)
+            .withDefault("particles", nameOf(STANDARD.particles()),
+            "Which particles are drawn. beside-surfaces: all but those of a surface.");
+    static final Key<String> PARTICLES_AS = NameType.of("way of drawing", KINDS).withDefault("particlesAs",
             nameOf(ParticleStyle.STANDARD.kind()), """
                     How free particles are drawn. balls: shaded; points: dots of the same size at any distance; \
                     blobs: drops that merge into one smooth surface; glow: spots of light that add up and fade with \
                     age if particles have a lifetime.""");
-    static final Key<List<String>> AGE_COLOURS = Key.optional("ageColours", ListType.of("a colour", COLOUR),
+    static final Key<List<String>> AGE_COLOURS = ListType.of("a colour", COLOUR)
+            .optional("ageColours",
             "The colours of a glow from birth to death, evenly spaced; by default those of a flame.");
-    static final Key<Double> TRAIL = Key.withDefault("trail", NumberType.notNegative("s"),
-            ParticleStyle.STANDARD.trail(),
+    static final Key<Double> TRAIL = NumberType.notNegative("s").withDefault("trail", ParticleStyle.STANDARD.trail(),
             "The time for which a particle's path stays visible as a fading line (s); 0 for no trail.");
-    static final Key<String> SKY = Key.optional("sky", NameType.of("sky", SKIES),
+    static final Key<String> SKY = NameType.of("sky", SKIES)
+            .optional("sky",
             "day or night; by default night for a glow, which does not show by day, and day otherwise.");
-    static final Key<String> SPRINGS = Key.withDefault("springs", NameType.of("choice", SHOWN),
-            nameOf(STANDARD.springs()),
+    static final Key<String> SPRINGS = NameType.of("choice", SHOWN)
+            .withDefault("springs", nameOf(STANDARD.springs()),
             "Which springs and rods are drawn. Stretched springs are red, compressed ones blue.");
-    static final Key<Double> PARTICLE_RADIUS = Key.withDefault("particleRadius", NumberType.notNegative("m"),
-            STANDARD.particleRadius(), "The radius of a ball, a single blob or a spot of light (m); 0 to choose"
-                    + " it from the scene's size.");
-    static final Key<Double> STRAIN_RANGE = Key.withDefault("strainRange", NumberType.positive(""),
-            STANDARD.strainRange(),
+    static final Key<Double> PARTICLE_RADIUS = NumberType.notNegative("m").withDefault("particleRadius",
+            STANDARD.particleRadius(),
+            "The radius of a ball, a single blob or a spot of light (m); 0 to choose it from the scene's size.");
+    static final Key<Double> STRAIN_RANGE = NumberType.positive("").withDefault("strainRange", STANDARD.strainRange(),
             "The strain, stretch divided by rest length, at which a spring has its full colour.");
     static final Key<String> PARTICLE_COLOUR = colour("particleColour", STANDARD.colours().particle(),
             "The colour of particles and trails; a glow has its own.");
@@ -59,11 +60,11 @@ public final class RenderFormat {
     static final Key<String> BACK_COLOUR = colour("backColour", STANDARD.colours().back(),
             "The colour of a surface's back.");
 
-    static final Key<Double> VELOCITY_ARROWS = Key.withDefault("velocityArrows", NumberType.notNegative("s"), 0.0,
+    static final Key<Double> VELOCITY_ARROWS = NumberType.notNegative("s").withDefault("velocityArrows", 0.0,
             "Draws each particle's velocity as an arrow, as long as its path in this time (s) at its present speed;"
-                    + " 0 for no arrows.");
-    public static final Key<List<Values>> MARKS = Key.withDefault("marks", ListType.of("a mark", MarkFormat.TYPE),
-            List.of(), "Particles with a colour, a size or a label of their own.");
+            + " 0 for no arrows.");
+    public static final Key<List<Values>> MARKS = ListType.of("a mark", MarkFormat.TYPE)
+            .withDefault("marks", List.of(), "Particles with a colour, a size or a label of their own.");
 
     static final MappingType TYPE = MappingType.of("the look", PARTICLES, PARTICLES_AS, AGE_COLOURS, TRAIL, SKY,
             SPRINGS, PARTICLE_RADIUS, STRAIN_RANGE,
@@ -106,7 +107,7 @@ public final class RenderFormat {
     }
 
     private static Key<String> colour(String name, int standard, String sentence) {
-        return Key.withDefault(name, COLOUR, String.format("#%06x", standard), sentence);
+        return COLOUR.withDefault(name, String.format("#%06x", standard), sentence);
     }
 
     static int rgb(String colour) {

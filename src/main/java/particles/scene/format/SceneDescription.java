@@ -1,8 +1,6 @@
 package particles.scene.format;
 
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import particles.effects.EffectKind;
 import particles.scene.parts.ConstraintDescription;
@@ -12,6 +10,7 @@ import particles.scene.parts.ShapeDescription;
 import particles.scene.parts.SpringDescription;
 import particles.spec.Chosen;
 import particles.spec.Key;
+import particles.spec.Values;
 import particles.spec.messages.Place;
 import particles.view.Camera;
 import particles.view.RenderOptions;
@@ -19,38 +18,14 @@ import particles.view.RenderOptions;
 /**
  * The checked contents of a scene file, with options in place of the file's values.
  *
- * @param lesson   what the scene is about
- * @param settings how it is solved
+ * @param values   the values by their keys in {@link SceneFormat}
+ * @param solving  the solver
  * @param contents what moves, and by which laws
  * @param drawing  how it is drawn
  * @param output   the files to write
- * @param places   the places of solver, deltaT, duration and shapes, for messages
  */
-public record SceneDescription(Lesson lesson, Settings settings, Contents contents, Drawing drawing,
-        OutputDescription output, Map<Key<?>, Place> places) {
-
-    /**
-     * What a scene is about.
-     *
-     * @param title   a few words
-     * @param teaches a sentence or two
-     */
-    public record Lesson(String title, String teaches) {
-    }
-
-    /**
-     * How a scene is solved.
-     *
-     * @param solver       the solver
-     * @param deltaT       the time step (s)
-     * @param duration     the duration of the run (s)
-     * @param exactImpacts whether steps are split at impacts
-     * @param threads      the number of threads that evaluate forces, if given
-     * @param blowUpFactor the factor by which the kinetic energy may exceed the energy estimated for the scene
-     */
-    public record Settings(SolverDescription solver, double deltaT, double duration, boolean exactImpacts,
-            Optional<Integer> threads, double blowUpFactor) {
-    }
+public record SceneDescription(Values values, SolverDescription solving, Contents contents, Drawing drawing,
+        OutputDescription output) {
 
     /**
      * What moves, and by which laws.
@@ -78,22 +53,27 @@ public record SceneDescription(Lesson lesson, Settings settings, Contents conten
 
     /** @return the title */
     public String title() {
-        return lesson.title;
+        return values.get(SceneFormat.TITLE);
     }
 
     /** @return the name of the solver */
     public String solver() {
-        return settings.solver.name();
+        return solving.name();
     }
 
     /** @return the time step (s) */
     public double deltaT() {
-        return settings.deltaT;
+        return values.get(SceneFormat.DELTA_T);
     }
 
     /** @return the duration of the run (s) */
     public double duration() {
-        return settings.duration;
+        return values.get(SceneFormat.DURATION);
+    }
+
+    /** @return whether steps are split at impacts */
+    public boolean exactImpacts() {
+        return values.get(SceneFormat.IMPACT).equals("exact");
     }
 
     /**
@@ -106,8 +86,7 @@ public record SceneDescription(Lesson lesson, Settings settings, Contents conten
 
     /** @return the same scene with this solver */
     public SceneDescription withSolver(SolverDescription other) {
-        return with(new Settings(other, settings.deltaT, settings.duration, settings.exactImpacts, settings.threads,
-                settings.blowUpFactor));
+        return new SceneDescription(values, other, contents, drawing, output);
     }
 
     /**
@@ -115,8 +94,7 @@ public record SceneDescription(Lesson lesson, Settings settings, Contents conten
      * @return the same scene with this step
      */
     public SceneDescription withDeltaT(double other) {
-        return with(new Settings(settings.solver, other, settings.duration, settings.exactImpacts, settings.threads,
-                settings.blowUpFactor));
+        return with(SceneFormat.DELTA_T, other);
     }
 
     /**
@@ -124,36 +102,27 @@ public record SceneDescription(Lesson lesson, Settings settings, Contents conten
      * @return the same scene with this duration
      */
     public SceneDescription withDuration(double other) {
-        return with(new Settings(settings.solver, settings.deltaT, other, settings.exactImpacts, settings.threads,
-                settings.blowUpFactor));
+        return with(SceneFormat.DURATION, other);
     }
 
     /** @return the same scene with contacts that change only between steps */
     public SceneDescription withClampedImpacts() {
-        return with(new Settings(settings.solver, settings.deltaT, settings.duration, false, settings.threads,
-                settings.blowUpFactor));
-    }
-
-    /** @return the same scene with its forces evaluated by this number of threads */
-    public SceneDescription withThreads(int number) {
-        return with(new Settings(settings.solver, settings.deltaT, settings.duration, settings.exactImpacts,
-                Optional.of(number), settings.blowUpFactor));
+        return with(SceneFormat.IMPACT, "clamp");
     }
 
     /** @return the same scene with other files to write */
     public SceneDescription withOutput(OutputDescription other) {
-        return new SceneDescription(lesson, settings, contents, drawing, other, places);
+        return new SceneDescription(values, solving, contents, drawing, other);
     }
 
-    private SceneDescription with(Settings other) {
-        return new SceneDescription(lesson, other, contents, drawing, output, places);
+    /** @return the same scene with another value of a key */
+    public <T> SceneDescription with(Key<T> key, T value) {
+        return with(key, value, values.place(key));
     }
 
-    /** @return the same scene with another place of a value, for messages */
-    public SceneDescription placed(Key<?> key, Place place) {
-        Map<Key<?>, Place> all = new HashMap<>(places);
-        all.put(key, place);
-        return new SceneDescription(lesson, settings, contents, drawing, output, Map.copyOf(all));
+    /** @return the same scene with another value of a key, which stands at another place */
+    public <T> SceneDescription with(Key<T> key, T value, Place place) {
+        return new SceneDescription(values.with(key, value, place), solving, contents, drawing, output);
     }
 
     /**
@@ -168,6 +137,6 @@ public record SceneDescription(Lesson lesson, Settings settings, Contents conten
             count += shape.lattice().size();
         }
         return count + contents.rules.stream()
-                .mapToDouble(rule -> rule.kind().alive(rule.values(), settings.deltaT, time)).sum();
+                .mapToDouble(rule -> rule.kind().alive(rule.values(), deltaT(), time)).sum();
     }
 }

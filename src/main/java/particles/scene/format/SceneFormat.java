@@ -27,57 +27,51 @@ import particles.spec.documents.Reference;
 
 /** The format of scene files. The reader, its messages, the JSON Schema and the reference tables all follow from it. */
 public final class SceneFormat {
-    public static final Key<String> TITLE = Key.required("title", TextType.prose(),
-            "The scene's title, a few words.");
-    public static final Key<String> TEACHES = Key.required("teaches", TextType.prose(),
+    public static final Key<String> TITLE = TextType.prose().required("title", "The scene's title, a few words.");
+    public static final Key<String> TEACHES = TextType.prose().required("teaches",
             "The lesson of the scene, in a sentence or two.");
-    public static final Key<Values> SOLVER = Key.required("solver", SolverFormat.TYPE,
+    public static final Key<Values> SOLVER = SolverFormat.TYPE.required("solver",
             "The method that solves the equations of motion.");
-    public static final Key<Double> DELTA_T = Key.required("deltaT", NumberType.positive("s"), "The time step (s).");
-    public static final Key<Double> DURATION = Key.required("duration", NumberType.notNegative("s"),
+    public static final Key<Double> DELTA_T = NumberType.positive("s").required("deltaT", "The time step (s).");
+    public static final Key<Double> DURATION = NumberType.notNegative("s").required("duration",
             "The duration of the run (s).");
-    public static final Key<Integer> THREADS = Key.optional("threads", new WholeNumberType(1, 64),
-            "The number of threads that evaluate the forces of a large system; by default one for each processor. The"
-                    + " result is the same with any number, bit for bit.");
-    public static final Key<List<Values>> PARTICLES = Key.withDefault("particles", ListType.of("a particle",
-            ParticleDescription.TYPE),
-            List.of(), "Single particles. They collide with each other"
-                    + " only if the scene names the effect 'repulsion'.");
-    public static final Key<List<Chosen<ShapeKind>>> SHAPES = Key.withDefault("shapes",
-            ListType.of("a shape", new KindType<>("shape", ShapeKind.ALL)), List.of(),
-                    "Ropes, cloths and blocks: many particles and springs at once.");
-    public static final Key<List<Values>> SPRINGS = Key.withDefault("springs",
-            ListType.of("a spring", SpringDescription.TYPE),
-            List.of(),
-            "Springs between any two particles.");
-    public static final Key<List<Values>> RODS = Key.withDefault("rods", ListType.of("a rod", RodDescription.TYPE),
-            List.of(),
+    public static final Key<Integer> THREADS = new WholeNumberType(1, 64).optional("threads",
+            "The number of threads that evaluate the forces of a large system; by default one for each processor."
+            + " The result is the same with any number, bit for bit.");
+    public static final Key<List<Values>> PARTICLES = ListType.of("a particle", ParticleDescription.TYPE)
+            .withDefault("particles", List.of(),
+            "Single particles. They collide with each other only if the scene names the effect 'repulsion'.");
+    public static final Key<List<Chosen<ShapeKind>>> SHAPES = ListType.of("a shape", new KindType<>("shape",
+            ShapeKind.ALL)).withDefault("shapes", List.of(),
+            "Ropes, cloths and blocks: many particles and springs at once.");
+    public static final Key<List<Values>> SPRINGS = ListType.of("a spring", SpringDescription.TYPE)
+            .withDefault("springs", List.of(), "Springs between any two particles.");
+    public static final Key<List<Values>> RODS = ListType.of("a rod", RodDescription.TYPE)
+            .withDefault("rods", List.of(),
             "Rigid rods between any two particles. The length of a rod is the initial distance of its particles.");
-    public static final Key<List<Chosen<WireKind>>> WIRES = Key.withDefault("wires",
-            ListType.of("a wire", new KindType<>("wire", WireKind.ALL)), List.of(),
-            "Wires that particles slide along.");
-    public static final Key<Values> CONSTRAINTS = Key.optional("constraints", ConstraintDescription.TYPE,
+    public static final Key<List<Chosen<WireKind>>> WIRES = ListType.of("a wire", new KindType<>("wire", WireKind.ALL))
+            .withDefault("wires", List.of(), "Wires that particles slide along.");
+    public static final Key<Values> CONSTRAINTS = ConstraintDescription.TYPE.optional("constraints",
             "How rods and wires are enforced.");
-    public static final Key<List<Chosen<EffectKind>>> EFFECTS = Key.withDefault("effects",
-            ListType.of("an effect", new KindType<>("effect", EffectCatalog.ALL)
-                    .orByClass(EffectKind.class, "exercises.MyForce")
-                    .notToConfuseWith("rule", "rules", RuleKind.ALL)), List.of(),
+    public static final Key<List<Chosen<EffectKind>>> EFFECTS = ListType.of("an effect", new KindType<>("effect",
+            EffectCatalog.ALL).orByClass(EffectKind.class, "exercises.MyForce").notToConfuseWith("rule", "rules",
+            RuleKind.ALL)).withDefault("effects", List.of(),
             "Force laws besides springs; only laws named here act. Without gravity, for example, nothing falls.");
-    public static final Key<List<Chosen<RuleKind>>> RULES = Key.withDefault("rules",
-            ListType.of("a rule", new KindType<>("rule", RuleKind.ALL)
-                    .notToConfuseWith("effect", "effects", EffectCatalog.ALL)), List.of(),
+    public static final Key<List<Chosen<RuleKind>>> RULES = ListType.of("a rule", new KindType<>("rule", RuleKind.ALL)
+            .notToConfuseWith("effect", "effects", EffectCatalog.ALL))
+            .withDefault("rules", List.of(),
             "Rules that act between steps, such as bounces; only rules named here act.");
-    public static final Key<String> IMPACT = Key.withDefault("impact",
-            NameType.of("kind of impact", List.of("clamp", "exact")), "clamp",
+    public static final Key<String> IMPACT = NameType.of("kind of impact", List.of("clamp", "exact"))
+            .withDefault("impact", "clamp",
             """
                     exact: each step is divided at the moment of impact. clamp: after each step, particles below a \
                     surface are moved onto it and bounce, so impacts come up to deltaT late. With clamp, particles \
                     in a groove may keep jumping by about g deltaT^2.""");
-    public static final Key<Values> CAMERA = Key.optional("camera", CameraFormat.TYPE,
+    public static final Key<Values> CAMERA = CameraFormat.TYPE.optional("camera",
             "The position and direction of the camera; by default everything fits into the picture.");
-    public static final Key<Values> LOOK = Key.optional("look", RenderFormat.TYPE, "How things are drawn.");
-    public static final Key<Values> OUTPUT = Key.optional("output", OutputDescription.TYPE, "Which files are written.");
-    public static final Key<Double> BLOW_UP_FACTOR = Key.withDefault("blowUpFactor", NumberType.positive(""), 1e6,
+    public static final Key<Values> LOOK = RenderFormat.TYPE.optional("look", "How things are drawn.");
+    public static final Key<Values> OUTPUT = OutputDescription.TYPE.optional("output", "Which files are written.");
+    public static final Key<Double> BLOW_UP_FACTOR = NumberType.positive("").withDefault("blowUpFactor", 1e6,
             """
                     The run has blown up, and ends, when the kinetic energy is this many times the energy estimated \
                     for the scene before the run. Whatever this number is, gradle run also ends when the numerical \

@@ -14,16 +14,16 @@ import particles.spec.messages.Problems;
 
 /** The keys of a scene's solver: a name, or a name with tolerances. */
 public final class SolverFormat {
-    public static final Key<String> NAME = Key.required("name", NameType.or("solver", SolverCatalog.names(),
-            ClassNames.form("exercises.MySolver")),
-            "The method that solves the equations of motion.");
-    static final Key<Double> RELATIVE = Key.optional("relativeTolerance", NumberType.between(0,
-                    AdaptiveSolver.LOOSEST_TOLERANCE, ""),
+    public static final Key<String> NAME = NameType.or("solver", SolverCatalog.names(),
+            ClassNames.form("exercises.MySolver"))
+            .required("name", "The method that solves the equations of motion.");
+    static final Key<Double> RELATIVE = NumberType.between(0, AdaptiveSolver.LOOSEST_TOLERANCE, "")
+            .optional("relativeTolerance",
             """
                     1e-6 by default. An adaptive solver divides deltaT into sub-steps so short that the estimated \
                     error of each entry of the state stays below absoluteTolerance + relativeTolerance |entry|. Here \
                     |entry| is the larger of its sizes before and after the sub-step.""");
-    static final Key<Double> ABSOLUTE = Key.optional("absoluteTolerance", NumberType.notNegative(""),
+    static final Key<Double> ABSOLUTE = NumberType.notNegative("").optional("absoluteTolerance",
             "1e-9 by default (in m and m/s). See relativeTolerance.");
 
     static final MappingType TYPE = MappingType.of("the solver", NAME, RELATIVE, ABSOLUTE).shortFor(NAME);
@@ -49,9 +49,9 @@ public final class SolverFormat {
     /** Adds a problem if the scene's solver cannot be created. */
     public static void check(SceneDescription scene, Problems problems) {
         try {
-            scene.settings().solver().create();
+            scene.solving().create();
         } catch (NoSuchElementException | IllegalArgumentException e) {
-            problems.add(scene.places().get(SceneFormat.SOLVER), e.getMessage());
+            problems.add(scene.values().place(SceneFormat.SOLVER), e.getMessage());
         }
     }
 }

@@ -18,7 +18,7 @@ final class BirthAndDeath {
     private BirthAndDeath() {
     }
 
-    private static final Key<Double> STRAIN = Key.required("strain", NumberType.positive(""),
+    private static final Key<Double> STRAIN = NumberType.positive("").required("strain",
             "A spring tears at this strain, stretch divided by rest length: 0.5 means at 1.5 times its rest length.");
 
     static final RuleKind TEAR = new RuleKind("tear", "Removes springs that are stretched too far.", STRAIN) {
@@ -33,25 +33,24 @@ final class BirthAndDeath {
         }
     };
 
-    private static final Key<String> ID = Key.required("id", ParticleDescription.NEW_ID,
-            "Its name, with which its particles' ids begin: fountain[0], fountain[1] ... It must differ from"
-                    + " the ids of particles and shapes.");
-    private static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"),
+    private static final Key<String> ID = ParticleDescription.NEW_ID.required("id",
+            "Its name, with which its particles' ids begin: fountain[0], fountain[1] ... It must differ from the"
+            + " ids of particles and shapes.");
+    private static final Key<Vector3> POSITION = VectorType.of("m").required("position",
             "The point where particles are born (m).");
-    private static final Key<Double> RADIUS = Key.withDefault("radius", NumberType.notNegative("m"), 0.0,
+    private static final Key<Double> RADIUS = NumberType.notNegative("m").withDefault("radius", 0.0,
             "The largest distance from that point at birth (m).");
-    private static final Key<Vector3> DIRECTION = Key.withDefault("direction", VectorType.notZero(""),
-            new Vector3(0, 1, 0),
+    private static final Key<Vector3> DIRECTION = VectorType.notZero("").withDefault("direction", new Vector3(0, 1, 0),
             "The direction in which they start; its length does not matter.");
-    private static final Key<Double> SPREAD = Key.withDefault("spread", NumberType.between(0, 180, "degrees"), 0.0,
+    private static final Key<Double> SPREAD = NumberType.between(0, 180, "degrees").withDefault("spread", 0.0,
             "The largest angle between a particle's velocity and the direction (degrees).");
-    private static final Key<Double> SPEED = Key.required("speed", NumberType.notNegative("m/s"),
+    private static final Key<Double> SPEED = NumberType.notNegative("m/s").required("speed",
             "Their speed at birth (m/s).");
-    private static final Key<Double> RATE = Key.required("rate", NumberType.positive("1/s"),
+    private static final Key<Double> RATE = NumberType.positive("1/s").required("rate",
             "The number of particles born per second (1/s).");
-    private static final Key<Double> MASS = Key.withDefault("mass", NumberType.positive("kg"), 1.0,
+    private static final Key<Double> MASS = NumberType.positive("kg").withDefault("mass", 1.0,
             "The mass of each (kg).");
-    private static final Key<Double> LIFETIME = Key.optional("lifetime", NumberType.positive("s"),
+    private static final Key<Double> LIFETIME = NumberType.positive("s").optional("lifetime",
             "The lifetime of each (s); unlimited if left out.");
 
     static final RuleKind EMITTER = new RuleKind("emitter", "A source of particles.", ID, POSITION, RADIUS, DIRECTION,
@@ -83,8 +82,8 @@ final class BirthAndDeath {
         }
     };
 
-    private static final Key<Vector3> POINT = Key.required("point", VectorType.of("m"), "Any point of the plane (m).");
-    private static final Key<Vector3> NORMAL = Key.withDefault("normal", VectorType.notZero(""), new Vector3(0, 1, 0),
+    private static final Key<Vector3> POINT = VectorType.of("m").required("point", "Any point of the plane (m).");
+    private static final Key<Vector3> NORMAL = VectorType.notZero("").withDefault("normal", new Vector3(0, 1, 0),
             "A vector to the side where particles survive; its length does not matter.");
 
     static final RuleKind KILL = new RuleKind("kill", "Removes particles that get behind a plane.", POINT, NORMAL) {
@@ -99,14 +98,14 @@ final class BirthAndDeath {
         }
     };
 
-    private static final Key<String> SAMPLE_ID = Key.withDefault("id", ParticleDescription.NEW_ID, "sample",
-            "The ids of new particles begin with this name. It must"
-                    + " differ from the ids of particles, shapes and emitters.");
-    private static final Key<Double> FARTHEST = Key.required("farthest", NumberType.positive("m"),
+    private static final Key<String> SAMPLE_ID = ParticleDescription.NEW_ID.withDefault("id", "sample",
+            "The ids of new particles begin with this name. It must differ from the ids of particles, shapes"
+            + " and emitters.");
+    private static final Key<Double> FARTHEST = NumberType.positive("m").required("farthest",
             "A particle with no other within this distance splits in two (m).");
-    private static final Key<Double> CLOSEST = Key.withDefault("closest", NumberType.between(0.01, 0.49, ""), 0.3,
+    private static final Key<Double> CLOSEST = NumberType.between(0.01, 0.49, "").withDefault("closest", 0.3,
             "Two particles closer than this fraction of 'farthest' merge.");
-    private static final Key<Double> LIGHTEST = Key.required("lightest", NumberType.positive("kg"),
+    private static final Key<Double> LIGHTEST = NumberType.positive("kg").required("lightest",
             "No split makes a particle lighter than this (kg).");
 
     static final RuleKind SAMPLES = new RuleKind("samples",

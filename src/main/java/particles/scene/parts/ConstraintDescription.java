@@ -25,12 +25,12 @@ import particles.spec.Values;
  */
 public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireKind>> wires, double feedback,
         boolean projection) {
-    public static final Key<Double> FEEDBACK = Key.withDefault("feedback", NumberType.notNegative("1/s"),
-            RigidConstraints.USUAL_FEEDBACK, "The rate at which errors of length decay (1/s); values far above"
-                    + " 0.1/deltaT make the run less accurate.");
-    static final Key<Boolean> PROJECTION = Key.withDefault("projection", FlagType.FLAG, false,
-            "true: after every step, particles are moved so that rods"
-                    + " have their exact length and beads are on their wires.");
+    public static final Key<Double> FEEDBACK = NumberType.notNegative("1/s").withDefault("feedback",
+            RigidConstraints.USUAL_FEEDBACK,
+            "The rate at which errors of length decay (1/s); values far above 0.1/deltaT make the run less accurate.");
+    static final Key<Boolean> PROJECTION = FlagType.FLAG.withDefault("projection", false,
+            "true: after every step, particles are moved so that rods have their exact length and beads are"
+            + " on their wires.");
     public static final MappingType TYPE = MappingType.of("'constraints'", FEEDBACK, PROJECTION);
 
     /** @return the rods and wires with these values */

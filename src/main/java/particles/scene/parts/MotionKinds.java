@@ -14,10 +14,9 @@ import particles.spec.VectorType;
 
 /** The prescribed motions of moving anchors; {@link RuleKind#ALL} lists them. */
 abstract class MotionKinds extends RuleKind {
-    private static final Key<String> PARTICLE = Key.required("particle", TextType.of(
-            "the id of a fixed particle", "\\S"),
+    private static final Key<String> PARTICLE = TextType.of( "the id of a fixed particle", "\\S").required("particle",
             "The particle to move, starting from its position. It must be fixed.");
-    private static final Key<Double> PERIOD = Key.required("period", NumberType.positive("s"),
+    private static final Key<Double> PERIOD = NumberType.positive("s").required("period",
             "The period of the motion (s).");
 
     private MotionKinds(String name, String sentence, Key<?>... keys) {
@@ -48,7 +47,7 @@ abstract class MotionKinds extends RuleKind {
         return Optional.of(PARTICLE);
     }
 
-    private static final Key<Vector3> AMPLITUDE = Key.required("amplitude", VectorType.notZero("m"),
+    private static final Key<Vector3> AMPLITUDE = VectorType.notZero("m").required("amplitude",
             "The largest displacement to one side, as a vector (m).");
 
     static final RuleKind SHAKE = new MotionKinds("shake",
@@ -65,10 +64,10 @@ abstract class MotionKinds extends RuleKind {
         }
     };
 
-    private static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"), "Any point of the axis (m).");
-    private static final Key<Vector3> AXIS = Key.withDefault("axis", VectorType.notZero(""), new Vector3(0, 0, 1),
-            "The axis of rotation; the motion is counter-clockwise"
-                    + " if the axis points at you. Its length does not matter.");
+    private static final Key<Vector3> CENTRE = VectorType.of("m").required("centre", "Any point of the axis (m).");
+    private static final Key<Vector3> AXIS = VectorType.notZero("").withDefault("axis", new Vector3(0, 0, 1),
+            "The axis of rotation; the motion is counter-clockwise if the axis points at you. Its length"
+            + " does not matter.");
 
     static final RuleKind CIRCLE = new MotionKinds("circle", "Moves a particle round an axis, like a crank.", PARTICLE,
             CENTRE,
@@ -84,8 +83,8 @@ abstract class MotionKinds extends RuleKind {
         }
     };
 
-    private static final Key<Vector3> TO = Key.required("to", VectorType.of("m"), "The point where it stops (m).");
-    private static final Key<Double> DURATION = Key.required("duration", NumberType.positive("s"),
+    private static final Key<Vector3> TO = VectorType.of("m").required("to", "The point where it stops (m).");
+    private static final Key<Double> DURATION = NumberType.positive("s").required("duration",
             "The duration of the motion (s).");
 
     static final RuleKind GLIDE = new MotionKinds("glide",

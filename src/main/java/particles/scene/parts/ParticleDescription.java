@@ -30,16 +30,16 @@ public record ParticleDescription(String id, Vector3 position, Vector3 velocity,
             "^[^\\s\\[\\],\"'\\x00-\\x1f\\x7f-\\xa0\\xad\\u061c\\u200b-\\u200f\\u2028-\\u202e"
             + "\\u2060-\\u206f\\ufeff]{1,60}$");
 
-    public static final Key<String> ID = Key.required("id", NEW_ID,
+    public static final Key<String> ID = NEW_ID.required("id",
             "The particle's name; it must differ from the ids of other particles and shapes.");
-    static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"), "Its position at the start (m).");
-    public static final Key<Vector3> VELOCITY = Key.withDefault("velocity", VectorType.of("m/s"), Vector3.ZERO,
+    static final Key<Vector3> POSITION = VectorType.of("m").required("position", "Its position at the start (m).");
+    public static final Key<Vector3> VELOCITY = VectorType.of("m/s").withDefault("velocity", Vector3.ZERO,
             "Its velocity at the start (m/s).");
-    static final Key<Double> MASS = Key.withDefault("mass", NumberType.positive("kg"), 1.0, "Its mass (kg).");
-    static final Key<Boolean> FIXED = Key.withDefault("fixed", FlagType.FLAG, false,
+    static final Key<Double> MASS = NumberType.positive("kg").withDefault("mass", 1.0, "Its mass (kg).");
+    static final Key<Boolean> FIXED = FlagType.FLAG.withDefault("fixed", false,
             "true: forces do not move it. A rule such as 'circle' still can.");
 
-    static final Key<Double> RADIUS = Key.optional("radius", NumberType.positive("m"),
+    static final Key<Double> RADIUS = NumberType.positive("m").optional("radius",
             "The radius of a ball (m), drawn and used by 'repulsion'; by default that of all others.");
 
     public static final MappingType TYPE = MappingType.of("a particle", ID, POSITION, VELOCITY, MASS, FIXED, RADIUS);

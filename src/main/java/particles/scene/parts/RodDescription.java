@@ -13,9 +13,9 @@ import particles.spec.messages.Place;
  * @param place its place in the file
  */
 public record RodDescription(String from, String to, Place place) {
-    public static final Key<String> FROM = Key.required("from", SpringDescription.ANY_ID,
+    public static final Key<String> FROM = SpringDescription.ANY_ID.required("from",
             "The particle where the rod begins.");
-    public static final Key<String> TO = Key.required("to", SpringDescription.ANY_ID, "The particle where it ends.");
+    public static final Key<String> TO = SpringDescription.ANY_ID.required("to", "The particle where it ends.");
     public static final MappingType TYPE = MappingType.of("a rod", FROM, TO);
 
     /** @return the rod with these values */

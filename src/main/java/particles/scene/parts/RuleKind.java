@@ -20,22 +20,22 @@ import particles.spec.VectorType;
 
 /** A kind of rule that a scene can name, with its keys; {@link #ALL} lists them. */
 public abstract class RuleKind extends Kind {
-    private static final Key<String> LAW = Key.required("law", NameType.of("friction law", List.of("slide", "coulomb")),
+    private static final Key<String> LAW = NameType.of("friction law", List.of("slide", "coulomb"))
+            .required("law",
             "slide: F = k_f N v, the formula of the lecture's slides; coulomb: F = mu N. N is the normal force.");
-    private static final Key<Double> COEFFICIENT = Key.required("coefficient", NumberType.notNegative(""),
+    private static final Key<Double> COEFFICIENT = NumberType.notNegative("").required("coefficient",
             "k_f for slide (s/m), or mu for coulomb (a pure number).");
-    private static final Key<Double> STATIC = Key.optional("static", NumberType.notNegative(""),
-            "The largest force that holds a particle at rest, as a multiple of the normal force; by default mu"
-                    + " for coulomb and 0 for slide.");
-    private static final Key<Double> THRESHOLD = Key.withDefault("threshold", NumberType.notNegative("m/s"), 0.01,
+    private static final Key<Double> STATIC = NumberType.notNegative("").optional("static",
+            "The largest force that holds a particle at rest, as a multiple of the normal force; by default mu for"
+            + " coulomb and 0 for slide.");
+    private static final Key<Double> THRESHOLD = NumberType.notNegative("m/s").withDefault("threshold", 0.01,
             "Below this speed a sliding particle comes to rest if static friction can hold it (m/s).");
 
-    static final Key<Double> RESTITUTION = Key.withDefault("restitution", NumberType.between(0, 1, ""), 0.5,
+    static final Key<Double> RESTITUTION = NumberType.between(0, 1, "").withDefault("restitution", 0.5,
             "r: a bounce turns the normal velocity v into -r v. With 0 nothing bounces; with 1 no energy is lost.");
-    static final Key<Values> FRICTION = Key.optional("friction", MappingType.of("'friction'", LAW, COEFFICIENT, STATIC,
-            THRESHOLD),
-            "Friction on particles in contact with the surface; no friction if left out.");
-    static final Key<Double> REST_SPEED = Key.withDefault("restSpeed", NumberType.notNegative("m/s"), 0.01,
+    static final Key<Values> FRICTION = MappingType.of("'friction'", LAW, COEFFICIENT, STATIC, THRESHOLD)
+            .optional("friction", "Friction on particles in contact with the surface; no friction if left out.");
+    static final Key<Double> REST_SPEED = NumberType.notNegative("m/s").withDefault("restSpeed", 0.01,
             "A particle that would bounce off more slowly than this stays on the surface (m/s).");
 
     RuleKind(String name, String sentence, Key<?>... keys) {
@@ -112,16 +112,15 @@ public abstract class RuleKind extends Kind {
         return new Friction(law, values.get(COEFFICIENT), holding, values.get(THRESHOLD));
     }
 
-    private static final Key<Double> HEIGHT = Key.withDefault("height", NumberType.any("m"), 0.0,
-            "Its height (m).");
+    private static final Key<Double> HEIGHT = NumberType.any("m").withDefault("height", 0.0, "Its height (m).");
 
     private static final RuleKind GROUND = new OfSolid("ground",
             "Level ground: particles bounce off it, rest on it and slide along it.",
             values -> Plane.ground(values.get(HEIGHT)), HEIGHT, RESTITUTION, FRICTION, REST_SPEED);
 
-    private static final Key<Vector3> POINT = Key.withDefault("point", VectorType.of("m"), Vector3.ZERO,
+    private static final Key<Vector3> POINT = VectorType.of("m").withDefault("point", Vector3.ZERO,
             "Any point of the plane (m).");
-    private static final Key<Vector3> NORMAL = Key.required("normal", VectorType.notZero(""),
+    private static final Key<Vector3> NORMAL = VectorType.notZero("").required("normal",
             "A vector that points out of the solid, to the side of the particles; its length does not matter.");
 
     private static final RuleKind PLANE = new OfSolid("plane",

@@ -25,13 +25,13 @@ public abstract class ShapeKind extends Kind {
             "^[^\\s\\[\\],\"'\\x00-\\x1f\\x7f]{1,60}\\[[0-9]+(,[0-9]+)*\\]$");
     private static final WholeNumberType COUNT = new WholeNumberType(2, 1_000_000);
 
-    static final Key<Double> MASS = Key.optional("mass", NumberType.positive("kg"),
+    static final Key<Double> MASS = NumberType.positive("kg").optional("mass",
             "The mass of each particle (kg); give this or totalMass.");
-    static final Key<Double> TOTAL_MASS = Key.optional("totalMass", NumberType.positive("kg"),
+    static final Key<Double> TOTAL_MASS = NumberType.positive("kg").optional("totalMass",
             "The mass of all particles together, shared evenly (kg); give this or mass.");
-    static final Key<Vector3> VELOCITY = Key.withDefault("velocity", VectorType.of("m/s"), Vector3.ZERO,
+    static final Key<Vector3> VELOCITY = VectorType.of("m/s").withDefault("velocity", Vector3.ZERO,
             "The velocity of all free particles at the start (m/s).");
-    static final Key<Boolean> SURFACE = Key.withDefault("surface", FlagType.FLAG, true,
+    static final Key<Boolean> SURFACE = FlagType.FLAG.withDefault("surface", true,
             "Whether to draw it as a shaded surface.");
 
     private final Parts parts;
@@ -47,8 +47,8 @@ public abstract class ShapeKind extends Kind {
         static Parts of(List<List<String>> sides, String... more) {
             List<String> names = new ArrayList<>(sides.stream().flatMap(List::stream).toList());
             names.addAll(List.of(more));
-            return new Parts(sides, Key.withDefault("fixed", ListType.oneOrMore("a fixed part",
-                    NameType.or("part", names, OWN_ID)), List.of(),
+            return new Parts(sides, ListType.oneOrMore("a fixed part", NameType.or("part", names,
+                    OWN_ID)).withDefault("fixed", List.of(),
                     "Its fixed particles: names of parts, ids of its particles, or a list of both."));
         }
     }
@@ -74,7 +74,7 @@ public abstract class ShapeKind extends Kind {
     }
 
     private static Key<String> id(String name) {
-        return Key.withDefault("id", ParticleDescription.NEW_ID, name,
+        return ParticleDescription.NEW_ID.withDefault("id", name,
                 "The shape's name; its particles' ids begin with it.");
     }
 
@@ -90,11 +90,11 @@ public abstract class ShapeKind extends Kind {
         return id(getName());
     }
 
-    private static final Key<Vector3> START = Key.required("start", VectorType.of("m"),
+    private static final Key<Vector3> START = VectorType.of("m").required("start",
             "The position of its first particle (m).");
-    private static final Key<Vector3> END = Key.required("end", VectorType.of("m"),
+    private static final Key<Vector3> END = VectorType.of("m").required("end",
             "The position of its last particle (m).");
-    private static final Key<Integer> PARTICLES = Key.required("particles", COUNT, "The number of particles.");
+    private static final Key<Integer> PARTICLES = COUNT.required("particles", "The number of particles.");
 
     private static final ShapeKind ROPE = new ShapeKind("rope",
             "Particles rope[0], rope[1] ... at equal distances along a line.",
@@ -107,14 +107,14 @@ public abstract class ShapeKind extends Kind {
         }
     };
 
-    private static final Key<Vector3> TOP_LEFT = Key.required("corner", VectorType.of("m"),
+    private static final Key<Vector3> TOP_LEFT = VectorType.of("m").required("corner",
             "The position of the top-left particle (m).");
-    private static final Key<Vector3> ACROSS = Key.required("across", VectorType.notZero("m"),
+    private static final Key<Vector3> ACROSS = VectorType.notZero("m").required("across",
             "The vector from the top-left to the top-right particle (m).");
-    private static final Key<Vector3> DOWN = Key.required("down", VectorType.notZero("m"),
+    private static final Key<Vector3> DOWN = VectorType.notZero("m").required("down",
             "The vector from the top-left to the bottom-left particle (m).");
-    private static final Key<Integer> COLUMNS = Key.required("columns", COUNT, "The number of particles across.");
-    private static final Key<Integer> ROWS = Key.required("rows", COUNT, "The number of particles from top to bottom.");
+    private static final Key<Integer> COLUMNS = COUNT.required("columns", "The number of particles across.");
+    private static final Key<Integer> ROWS = COUNT.required("rows", "The number of particles from top to bottom.");
 
     private static final ShapeKind CLOTH = new ShapeKind("cloth",
             "Particles cloth[column,row] in a rectangle or parallelogram; cloth[0,0] is the top-left particle.",
@@ -128,14 +128,13 @@ public abstract class ShapeKind extends Kind {
         }
     };
 
-    private static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"), "Its centre (m).");
-    private static final Key<Vector3> SIZE = Key.required("size", VectorType.positive("m"),
+    private static final Key<Vector3> CENTRE = VectorType.of("m").required("centre", "Its centre (m).");
+    private static final Key<Vector3> SIZE = VectorType.positive("m").required("size",
             "Its width, height and depth before it is turned (m).");
-    private static final Key<Vector3> TURN = Key.withDefault("turn", VectorType.of("degrees"), Vector3.ZERO,
+    private static final Key<Vector3> TURN = VectorType.of("degrees").withDefault("turn", Vector3.ZERO,
             "Its rotation about its centre: about the fixed x, y and z axes, in this order (degrees).");
-    private static final Key<Integer> LAYERS = Key.required("layers", COUNT,
-            "The number of particles from back to front.");
-    private static final Key<Integer> JELLY_ROWS = Key.required("rows", COUNT,
+    private static final Key<Integer> LAYERS = COUNT.required("layers", "The number of particles from back to front.");
+    private static final Key<Integer> JELLY_ROWS = COUNT.required("rows",
             "The number of particles from bottom to top.");
 
     private static final ShapeKind JELLY = new ShapeKind("jelly",

@@ -24,13 +24,13 @@ public record SpringDescription(String from, String to, double stiffness, Option
     public static final TextType ANY_ID = TextType.of("the id of a particle, such as bob or cloth[3,4]",
             "^[^\\s\\[\\],\"'\\x00-\\x1f\\x7f]{1,60}(\\[[0-9]+(,[0-9]+)*\\])?$");
 
-    public static final Key<String> FROM = Key.required("from", ANY_ID, "The particle where the spring begins.");
-    public static final Key<String> TO = Key.required("to", ANY_ID, "The particle where it ends.");
-    static final Key<Double> STIFFNESS = Key.required("stiffness", NumberType.positive("N/m"),
+    public static final Key<String> FROM = ANY_ID.required("from", "The particle where the spring begins.");
+    public static final Key<String> TO = ANY_ID.required("to", "The particle where it ends.");
+    static final Key<Double> STIFFNESS = NumberType.positive("N/m").required("stiffness",
             "k, the force per metre of stretch (N/m).");
-    static final Key<Double> REST_LENGTH = Key.optional("restLength", NumberType.notNegative("m"),
+    static final Key<Double> REST_LENGTH = NumberType.notNegative("m").optional("restLength",
             "l, the length at which it exerts no force (m); by default the initial distance.");
-    static final Key<Double> DAMPING = Key.withDefault("damping", NumberType.notNegative("N s/m"), 0.0,
+    static final Key<Double> DAMPING = NumberType.notNegative("N s/m").withDefault("damping", 0.0,
             "k_d, the force per m/s of stretching (N s/m).");
 
     public static final MappingType TYPE = MappingType.of("a spring", FROM, TO, STIFFNESS, REST_LENGTH, DAMPING);

@@ -15,9 +15,9 @@ import particles.spec.Values;
  * @param damping   k_d (N s/m)
  */
 public record SpringFamily(Sort sort, double stiffness, double damping) {
-    static final Key<Double> STIFFNESS = Key.required("stiffness", NumberType.positive("N/m"),
+    static final Key<Double> STIFFNESS = NumberType.positive("N/m").required("stiffness",
             "k of each of these springs (N/m).");
-    static final Key<Double> DAMPING = Key.withDefault("damping", NumberType.notNegative("N s/m"), 0.0,
+    static final Key<Double> DAMPING = NumberType.notNegative("N s/m").withDefault("damping", 0.0,
             "k_d of each of these springs (N s/m).");
 
     /** The pairs of neighbours that are connected. */
@@ -34,7 +34,7 @@ public record SpringFamily(Sort sort, double stiffness, double damping) {
         private final Key<Values> key;
 
         Sort(String name, String sentence) {
-            key = Key.optional(name, MappingType.of("'" + name + "'", STIFFNESS, DAMPING), sentence);
+            key = MappingType.of("'" + name + "'", STIFFNESS, DAMPING).optional(name, sentence);
         }
 
         /** @return the key of this sort of springs */

@@ -15,7 +15,7 @@ import particles.spec.VectorType;
 
 /** A kind of wire along which a bead can slide, with its keys and its curve; {@link #ALL} lists them. */
 public final class WireKind extends Kind {
-    public static final Key<String> BEAD = Key.required("bead", SpringDescription.ANY_ID, "The particle on the wire.");
+    public static final Key<String> BEAD = SpringDescription.ANY_ID.required("bead", "The particle on the wire.");
 
     private final BiFunction<Values, Vector3, Curve> curve;
 
@@ -29,30 +29,28 @@ public final class WireKind extends Kind {
         return curve.apply(values, start);
     }
 
-    private static final Key<Vector3> DIRECTION = Key.required("direction", VectorType.notZero(""),
+    private static final Key<Vector3> DIRECTION = VectorType.notZero("").required("direction",
             "The direction of the wire; the vector's length does not matter.");
 
     private static final WireKind LINE = new WireKind("line", "A straight wire through the bead's initial position.",
             (values, start) -> new StraightWire(start, values.get(DIRECTION)), BEAD, DIRECTION);
 
-    private static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"),
-            "The centre of the ring (m).");
-    private static final Key<Vector3> AXIS = Key.withDefault("axis", VectorType.notZero(""), new Vector3(0, 0, 1),
+    private static final Key<Vector3> CENTRE = VectorType.of("m").required("centre", "The centre of the ring (m).");
+    private static final Key<Vector3> AXIS = VectorType.notZero("").withDefault("axis", new Vector3(0, 0, 1),
             "A vector perpendicular to the ring; its length does not matter.");
-    private static final Key<Double> RADIUS = Key.required("radius", NumberType.positive("m"),
-            "The ring's radius (m).");
+    private static final Key<Double> RADIUS = NumberType.positive("m").required("radius", "The ring's radius (m).");
 
     private static final WireKind CIRCLE = new WireKind("circle", "A circular wire.",
             (values, start) -> new CircularWire(values.get(CENTRE), values.get(AXIS), values.get(RADIUS)),
             BEAD, CENTRE, AXIS, RADIUS);
 
-    private static final Key<Vector3> ORIGIN = Key.withDefault("origin", VectorType.of("m"), Vector3.ZERO,
+    private static final Key<Vector3> ORIGIN = VectorType.of("m").withDefault("origin", Vector3.ZERO,
             "The point of the wire from which x and y are measured (m).");
-    private static final Key<Double> CURVATURE = Key.required("curvature", NumberType.any("1/m"),
+    private static final Key<Double> CURVATURE = NumberType.any("1/m").required("curvature",
             "f'' (1/m); the wire is y = f'' x^2 / 2.");
-    private static final Key<Double> AMPLITUDE = Key.required("amplitude", NumberType.any("m"),
+    private static final Key<Double> AMPLITUDE = NumberType.any("m").required("amplitude",
             "A (m); the wire is y = A sin(2 pi x / wavelength).");
-    private static final Key<Double> WAVELENGTH = Key.required("wavelength", NumberType.positive("m"),
+    private static final Key<Double> WAVELENGTH = NumberType.positive("m").required("wavelength",
             "The distance from crest to crest (m).");
 
     private static final WireKind PARABOLA = new WireKind("parabola",

@@ -1,7 +1,6 @@
 package particles.spec.documents;
 
 import deSolvers.text.Digits;
-import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
@@ -44,8 +43,8 @@ public final class JsonText {
             return enclosed("[", list.stream().map(element -> write(element, inner)), "]", line, inner);
         }
         if (value instanceof int[] || value instanceof float[]) {
-            return value instanceof int[] numbers ? Arrays.toString(numbers)
-                    : write(doubles((float[]) value), line);
+            return write(value instanceof int[] whole ? IntStream.of(whole).boxed().toList()
+                    : doubles((float[]) value), line);
         }
         if (value instanceof Double number && (!line.isEmpty() || !Double.isFinite(number))) {
             return Double.isFinite(number) ? Digits.exact(number) : "null";

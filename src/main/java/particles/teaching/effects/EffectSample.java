@@ -148,13 +148,5 @@ public final class EffectSample {
         @Override
         public void show(Obstacle solid) {              // nothing is drawn
         }
-
-        @Override
-        public void noteAcceleration(Vector3 g) {       // nothing is scaled
-        }
-
-        @Override
-        public void noteSpeed(double speed) {
-        }
     }
 }

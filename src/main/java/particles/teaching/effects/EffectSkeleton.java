@@ -57,7 +57,7 @@ public final class EffectSkeleton {
                 ENERGY
                     /** In a scene: - exercises.NAME: {strength: 2} */
                     public static final class Keys extends EffectKind {
-                        private static final Key<Double> STRENGTH = Key.required("strength", NumberType.any("UNIT"),
+                        private static final Key<Double> STRENGTH = NumberType.any("UNIT").required("strength",
                                 "The force for each UNIT_OF_VARIABLE of VARIABLE (UNIT).");
 
                         public Keys() {

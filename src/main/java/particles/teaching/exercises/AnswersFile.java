@@ -36,9 +36,9 @@ public record AnswersFile(Map<Integer, String> answers, List<String> problems) {
     public static AnswersFile read(Path file) {
         Problems problems = new Problems();
         Reading in = new Reading(file.toString().replace('\\', '/'), problems);
-        List<Key<String>> keys = IntStream.rangeClosed(1,
-                Exercises.all().size()).mapToObj(number -> Key.optional(Integer.toString(number),
-                WordType.of("the answer, a number or a path"), "The answer to this exercise.")).toList();
+        List<Key<String>> keys = IntStream.rangeClosed(1, Exercises.all().size()).mapToObj(number ->
+                WordType.of("the answer, a number or a path").optional(Integer.toString(number),
+                "The answer to this exercise.")).toList();
         MappingType format = MappingType.of("the file of answers", keys.toArray(new Key<?>[0]));
         Optional<Values> values = SourceText.read(file, in).flatMap(bytes -> YamlText.compose(bytes,
                 in)).map(root -> format.readRoot(root, in));
