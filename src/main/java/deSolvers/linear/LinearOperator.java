@@ -4,9 +4,6 @@ package deSolvers.linear;
  * A linear map that can be applied to a vector: a matrix, a Jacobian known only by its products, or a preconditioner.
  */
 public interface LinearOperator {
-    /** Stands for a preconditioner where there is none. */
-    LinearOperator IDENTITY = (x, y) -> System.arraycopy(x, 0, y, 0, x.length);
-
     /**
      * Applies the map.
      *

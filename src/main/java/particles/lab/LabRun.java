@@ -60,7 +60,7 @@ public final class LabRun {
         @Override
         public void started(ParticleSystem system) {
             wanted = system.getTime();
-            shown = frame(system.getOwnState(), system.getTime());
+            shown = frame(system.getOwnState(), system.getTime(), structure);
             history.add(shown);
         }
 
@@ -68,7 +68,7 @@ public final class LabRun {
         public void moved(Motion motion) {
             double end = motion.getEndTime();
             if (history.wants(end)) {
-                history.add(frame(motion.getEndState(), end));
+                history.add(frame(motion.getEndState(), end, structure));
             }
             latest = motion;
             latestStructure = structure;
@@ -93,10 +93,6 @@ public final class LabRun {
         }
         latest.interpolate(wanted, between);
         shown = frame(between, wanted, latestStructure);
-    }
-
-    private Frame frame(double[] state, double time) {
-        return frame(state, time, structure);
     }
 
     private Frame frame(double[] state, double time, Structure structure) {
@@ -140,7 +136,7 @@ public final class LabRun {
 
     private void show() {
         wanted = system.getTime();
-        shown = frame(system.getOwnState(), wanted);
+        shown = frame(system.getOwnState(), wanted, structure);
     }
 
     /** @return whether the scene's duration is over */

@@ -14,16 +14,18 @@ public final class TextType extends Type<String> {
     private final String description;
     private final String pattern;
     private final Pattern compiled;
+    private final boolean alsoNumbers;
 
-    private TextType(String description, String pattern) {
+    private TextType(String description, String pattern, boolean alsoNumbers) {
         this.description = description;
         this.pattern = pattern;
         this.compiled = Pattern.compile(pattern);
+        this.alsoNumbers = alsoNumbers;
     }
 
     /** @return the type of any text that is not empty */
     public static TextType prose() {
-        return new TextType("a text that is not empty", "\\S");
+        return new TextType("a text that is not empty", "\\S", false);
     }
 
     /**
@@ -33,7 +35,12 @@ public final class TextType extends Type<String> {
      * @return the type of texts of that form
      */
     public static TextType of(String description, String pattern) {
-        return new TextType(description, pattern);
+        return new TextType(description, pattern, false);
+    }
+
+    /** @return the type of a text, a number or true or false; its value is what was typed */
+    public static TextType typed(String description) {
+        return new TextType(description, "", true);
     }
 
     String getPattern() {
@@ -50,7 +57,7 @@ public final class TextType extends Type<String> {
             return wrong(node, what, in);
         }
         String text = ((ScalarNode) node).getValue();
-        if (!node.getTag().equals(Tag.STR)) {
+        if (!alsoNumbers && !node.getTag().equals(Tag.STR)) {
             return wrong(node, what, "it has to be " + describe() + ": put quotes around it, '" + text + "'", in);
         }
         return matches(text) ? Optional.of(text) : wrong(node, what, in);

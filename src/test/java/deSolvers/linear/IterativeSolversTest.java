@@ -12,6 +12,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Conjugate gradients, GMRES, and the solver that chooses between them and a factorisation. */
 class IterativeSolversTest {
+    private static final LinearOperator IDENTITY = (x, y) -> System.arraycopy(x, 0, y, 0, x.length);
+
     private final SolverWork work = new SolverWork();
 
     /** In exact arithmetic n iterations are enough; the condition decides how many are needed for a tolerance. */
@@ -40,7 +42,7 @@ class IterativeSolversTest {
             y[0] = x[0];
             y[1] = -x[1];
         };
-        assertFalse(new ConjugateGradients(work).solve(indefinite, LinearOperator.IDENTITY, new double[] {1, 2},
+        assertFalse(new ConjugateGradients(work).solve(indefinite, IDENTITY, new double[] {1, 2},
                 new double[2],
                 1e-8));
     }
@@ -54,7 +56,7 @@ class IterativeSolversTest {
             y[1] = v[1] + v[2];
             y[2] = v[1] - v[2];
         };
-        assertTrue(new Gmres(work).solve(a, LinearOperator.IDENTITY, new double[] {2, 3, 1}, x, 1e-12));
+        assertTrue(new Gmres(work).solve(a, IDENTITY, new double[] {2, 3, 1}, x, 1e-12));
         assertArrayEquals(new double[] {1, 2, 1}, x, 1e-12);
         assertTrue(work.iterations <= 3);
     }
@@ -72,13 +74,13 @@ class IterativeSolversTest {
         };
         double[] b = new double[n];
         b[0] = 1;
-        assertFalse(new Gmres(work).solve(shift, LinearOperator.IDENTITY, b, new double[n], 1e-8));
+        assertFalse(new Gmres(work).solve(shift, IDENTITY, b, new double[n], 1e-8));
         assertTrue(work.iterations < 100, work.iterations + " iterations");
     }
 
     @Test
     void aSingularSystemIsNotSolved() {
-        assertFalse(new Gmres(work).solve((v, y) -> y[1] = y[0] = v[0] + v[1], LinearOperator.IDENTITY,
+        assertFalse(new Gmres(work).solve((v, y) -> y[1] = y[0] = v[0] + v[1], IDENTITY,
                 new double[] {1, 2}, new double[2], 1e-8));
     }
 

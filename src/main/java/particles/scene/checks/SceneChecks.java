@@ -36,6 +36,7 @@ import particles.view.Camera;
  */
 public final class SceneChecks {
     private static final int MOST_CANDIDATES = 1000;
+    private static final long MOST_SPRINGS = 10_000_000;
 
     private final Values scene;
     private final Problems problems;
@@ -61,7 +62,7 @@ public final class SceneChecks {
         checkShapes();
         RuleChecks.newIds(scene, this::take);
         index = new ParticleIndex(particles, shapes);
-        SizeCheck.check(scene, particles, shapes, problems);
+        checkSize();
         if (particles.isEmpty() && shapes.isEmpty() && problems.count() == 0) {
             problems.add(scene.getPlace(), RuleChecks.giveBirth(scene)
                     ? "the scene has no particle at the start, and emitters add theirs only later; add one under"
@@ -124,6 +125,21 @@ public final class SceneChecks {
             }
             if (shape.isEmpty()) {
                 chosen.values().find(id).ifPresent(broken::add);
+            }
+        }
+    }
+
+    private void checkSize() {
+        long count = particles.size();
+        long all = scene.list(SceneFormat.SPRINGS).size();
+        for (ShapeDescription shape : shapes) {
+            count += shape.lattice().size();
+            all += shape.springCount();
+            if (count > ShapeDescription.MOST_PARTICLES || all > MOST_SPRINGS) {
+                problems.add(shape.place(), "with this shape there are " + count + " particles and " + all
+                        + " springs; a scene may have at most " + ShapeDescription.MOST_PARTICLES + " and "
+                        + MOST_SPRINGS);
+                return;
             }
         }
     }

@@ -10,8 +10,8 @@ import particles.spec.Key;
 import particles.spec.MappingType;
 import particles.spec.Reading;
 import particles.spec.SourceText;
+import particles.spec.TextType;
 import particles.spec.Values;
-import particles.spec.WordType;
 import particles.spec.YamlText;
 import particles.spec.messages.Problems;
 
@@ -37,7 +37,7 @@ public record AnswersFile(Map<Integer, String> answers, List<String> problems) {
         Problems problems = new Problems();
         Reading in = new Reading(file.toString().replace('\\', '/'), problems);
         List<Key<String>> keys = IntStream.rangeClosed(1, Exercises.all().size()).mapToObj(number ->
-                WordType.of("the answer, a number or a path").optional(Integer.toString(number),
+                TextType.typed("the answer, a number or a path").optional(Integer.toString(number),
                 "The answer to this exercise.")).toList();
         MappingType format = MappingType.of("the file of answers", keys.toArray(new Key<?>[0]));
         Optional<Values> values = SourceText.read(file, in).flatMap(bytes -> YamlText.compose(bytes,
