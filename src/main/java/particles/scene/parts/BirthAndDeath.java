@@ -99,8 +99,8 @@ final class BirthAndDeath {
     };
 
     private static final Key<String> SAMPLE_ID = ParticleDescription.NEW_ID.withDefault("id", "sample",
-            "The ids of new particles begin with this name. It must differ from the ids of particles, shapes"
-            + " and emitters.");
+            "The ids of new particles begin with this name. It must differ from the ids of"
+            + " particles, shapes and emitters.");
     private static final Key<Double> FARTHEST = NumberType.positive("m").required("farthest",
             "A particle with no other within this distance splits in two (m).");
     private static final Key<Double> CLOSEST = NumberType.between(0.01, 0.49, "").withDefault("closest", 0.3,
