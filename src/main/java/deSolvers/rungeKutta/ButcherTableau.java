@@ -54,9 +54,9 @@ public final class ButcherTableau {
 
     /** The numbers left or right of the bar. */
     private static double[][] numbers(String lines, int side) {
-        return lines.strip().lines().map(line -> Arrays.stream((line + "|").split("[|]", 3)[side].split("\\s+"))
-                .filter(word -> !word.isEmpty()).mapToDouble(ButcherTableau::number).toArray())
-                .toArray(double[][]::new);
+        return Arrays.stream(lines.strip().split("\n")).map(line -> (line + "|").split("[|]", 3)[side])
+                .map(text -> Arrays.stream(text.split("\\s+")).filter(word -> !word.isEmpty())
+                        .mapToDouble(ButcherTableau::number).toArray()).toArray(double[][]::new);
     }
 
     /** Both parts of a fraction are exact, so the quotient is the double next to it. */

@@ -62,8 +62,10 @@ public final class JsonText {
     }
 
     private static String quote(String text) {
-        return text.codePoints().mapToObj(c -> c == '"' || c == '\\' ? "\\" + (char) c
-                : c < ' ' ? String.format("\\u%04x", c) : Character.toString(c))
-                .collect(Collectors.joining("", "\"", "\""));
+        StringBuilder quoted = new StringBuilder("\"");
+        for (char c : text.toCharArray()) {
+            quoted.append(c == '"' || c == '\\' ? "\\" + c : c < ' ' ? String.format("\\u%04x", (int) c) : "" + c);
+        }
+        return quoted.append('"').toString();
     }
 }
