@@ -156,7 +156,7 @@ class CornersOfContactTest {
     @ParameterizedTest
     @MethodSource("solvers")
     void aBeadStopsWhereItsRingMeetsTheGround(String solver) {
-        ShortRun scene = run(solver, "exact", 0.05, 2, """
+        ShortRun scene = run(solver, "exact", 0.02, 2, """
                 particles:
                   - {id: bead, position: [0.8, 0.6, 0]}
                 wires:
