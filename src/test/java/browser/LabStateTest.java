@@ -78,8 +78,8 @@ class LabStateTest extends LabPageTestCase {
     void aSceneTooLongForALinkIsSavedAsAFileThatThePageOpens() throws IOException {
         page.script("document.activeElement.blur(); "
                 + " HTMLAnchorElement.prototype.click = function () { window.saved = [this.download, this.href]; };");
-        edit("title:", "# " + new Random(1).ints(20_000, 'a', 'z').mapToObj(Character::toString).collect(joining())
-                + "\ntitle:");
+        String comment = new Random(1).ints(20_000, 'a', 'z').mapToObj(Character::toString).collect(joining());
+        edit("title:", "# " + comment + "\ntitle:");
         page.choose("solver", "verlet");
         page.click("copyLink");
         until("text('note').includes('too long for a link')");
