@@ -45,6 +45,9 @@ public final class ReportCommand extends ResultsCommand {
     private static final String SCENE_OPTION = "--scene";
     /** Options that shorten experiments on a page of many: frames of a film, rounds of a measurement. */
     private static final Map<String, String> SHORTER = Map.of("--frames", "100", "--rounds", "15");
+    /** What each experiment takes on two quiet cores (s): only their proportions count. */
+    private static final Map<String, Integer> SECONDS = Map.of("lectureFigures", 2, "energyDrift", 2, "phasePlots", 1,
+            "race", 5, "workPrecision", 43, "stiffGallery", 6, "stability", 1, "effectCost", 4, "stiffCloth", 50);
     private static final int MOST_LINES = 8;
     /** This number of experiments takes no longer than about a minute. */
     private static final int FEW = 2;
@@ -90,7 +93,7 @@ public final class ReportCommand extends ResultsCommand {
     public void run(PrintWriter lines) {
         List<ExperimentCommand> chosen = this.chosen.get();
         if (chosen.size() > FEW) {
-            int minutes = (chosen.size() + 3) / 4;          // measured: nine experiments take 130 s
+            int minutes = seconds(chosen) / 60 + 1;
             lines.println("about " + minutes + (minutes == 1 ? " minute; " : " minutes; ")
                     + getStyle().option("experiments") + " with fewer names takes less");
             lines.flush();
@@ -100,9 +103,9 @@ public final class ReportCommand extends ResultsCommand {
         List<Section> sections = new ArrayList<>();
         try (OutputFolder folder = OutputFolder.open(getFolder(), FILE)) {
             for (ExperimentCommand experiment : chosen) {
-                double done = sections.size();
-                sections.add(section(experiment, (part, what) ->
-                        progress.reached((done + part) / chosen.size(), experiment.name() + ", " + what)));
+                ProgressListener named = (part, what) -> progress.reached(part, experiment.name() + ", " + what);
+                int done = sections.size();
+                sections.add(section(experiment, named.part(share(chosen, done), share(chosen, done + 1))));
             }
             ReportWriter.write(folder, FILE, new Report(title(), text(), sections,
                     Digits.format("Made by gradle report of DESolver %s in %.0f s.", Version.CURRENT,
@@ -115,6 +118,15 @@ public final class ReportCommand extends ResultsCommand {
         lines.println();
         lines.printf(Locale.ROOT, "all on one page, in %.0f s: %s%n", (System.nanoTime() - begin) * NANO,
                 getFolder().resolve(FILE));
+    }
+
+    private static int seconds(List<ExperimentCommand> experiments) {
+        return experiments.stream().mapToInt(experiment -> SECONDS.getOrDefault(experiment.name(), 1)).sum();
+    }
+
+    /** @return the share of the first experiments in the time that all take */
+    static double share(List<ExperimentCommand> experiments, int first) {
+        return (double) seconds(experiments.subList(0, first)) / seconds(experiments);
     }
 
     private Optional<SceneDescription> readScene() {

@@ -9,6 +9,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -63,6 +64,31 @@ class ReportCommandTest {
         @Override
         protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
             throw why;
+        }
+    }
+
+    /**
+     * The countdown, elapsed (1 - share)/share, is right within a factor of 1.5 wherever it is printed: from a tenth on
+     * and down to 10 s. Measured times (s) of a report of the course, and of one of scene 4.
+     */
+    @Test
+    void theCountdownIsNearlyRight() {
+        requireCountdown(List.of(new LectureFiguresCommand(), new EnergyDriftCommand(), new PhasePlotsCommand(),
+                new RaceCommand(), new WorkPrecisionCommand(), new StiffGalleryCommand(), new StabilityCommand(),
+                new EffectCostCommand(), new StiffClothCommand()), 2, 2, 0.4, 3, 42, 5, 2, 4, 50);
+        requireCountdown(List.of(new EnergyDriftCommand(), new PhasePlotsCommand(), new RaceCommand(),
+                new StabilityCommand()), 12, 4, 31, 5);
+    }
+
+    private static void requireCountdown(List<ExperimentCommand> experiments, double... seconds) {
+        double elapsed = 0;
+        double left = Arrays.stream(seconds).sum();
+        for (int k = 0; k < seconds.length; k++) {
+            double share = ReportCommand.share(experiments, k);
+            double said = elapsed * (1 - share) / share;
+            assertTrue(share < 0.1 || said < 10 || said < 1.5 * left && left < 1.5 * said, said + " for " + left);
+            elapsed += seconds[k];
+            left -= seconds[k];
         }
     }
 
