@@ -6,8 +6,7 @@ import particles.teaching.EndlessLoop;
 
 /**
  * Particles on springs in a field that changes with time: in each coordinate x'' = -4 x + 3 cos t, from x = 1.5 at rest
- * at
- * t = 0. Exact: x = cos t + 0.5 cos 2t. Because the law depends on time, it shows a clock that is wrong within a step.
+ * at t = 0. Exact: x = cos t + 0.5 cos 2t. As the law depends on time, it shows a clock that is wrong within a step.
  */
 public final class WindyOscillators extends StudentSource implements SecondOrderStateSource {
     /** The exception that the source throws on request. */

@@ -4,6 +4,7 @@ import static particles.teaching.solvers.PlantedSolvers.state;
 
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;
+import deSolvers.problems.PlainSource;
 import java.util.Arrays;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -142,30 +143,9 @@ final class Changes {
     }
 
     /** A source whose clock shows what it should and stays. */
-    private record StoppedClock(DEStateSource source) implements DEStateSource {
-        @Override
-        public int getStateSize() {
-            return source.getStateSize();
-        }
-
-        @Override
-        public void getState(double[] state) {
-            source.getState(state);
-        }
-
-        @Override
-        public void setState(double[] state) {
-            source.setState(state);
-        }
-
-        @Override
-        public void getStateDerivative(double[] dSdt) {
-            source.getStateDerivative(dSdt);
-        }
-
-        @Override
-        public double getTime() {
-            return source.getTime();
+    private static final class StoppedClock extends PlainSource {
+        StoppedClock(DEStateSource source) {
+            super(source);
         }
 
         @Override
