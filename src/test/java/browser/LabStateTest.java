@@ -48,7 +48,9 @@ class LabStateTest extends LabPageTestCase {
             page.choose("solver", "euler");
             setStep("0.002");
             page.choose("axis", "1");
+            until("view.camera.controls");
             page.element("view").sendKeys(Keys.ARROW_RIGHT, "-");
+            until("view.camera.describe()");
             press(" ");
             until("number('clock') > 0.3");
             press(" ");
@@ -60,7 +62,8 @@ class LabStateTest extends LabPageTestCase {
             try (Browser fresh = Browser.open(1280, 900)) {
                 fresh.go(link);
                 fresh.await("the moment", () -> fresh.text("clock").equals(page.text("clock"))
-                        && fresh.text("start").equals("Continue"));
+                        && fresh.text("start").equals("Continue")
+                        && (Boolean) fresh.script("return Boolean(window.lab.view.camera.describe());"));
                 assertEquals(page.script(STATE), fresh.script(STATE));
                 fresh.go(link.substring(0, link.length() - 30));
                 assertTrue(fresh.text("note").contains("damaged"), fresh.text("note"));
@@ -81,8 +84,10 @@ class LabStateTest extends LabPageTestCase {
         String comment = new Random(1).ints(20_000, 'a', 'z').mapToObj(Character::toString).collect(joining());
         edit("title:", "# " + comment + "\ntitle:");
         page.choose("solver", "verlet");
-        page.click("copyLink");
-        until("text('note').includes('too long for a link')");
+        page.await("a note on the length", () -> {      // opening the changed scene clears the note
+            page.click("copyLink");
+            return page.text("note").contains("too long for a link");
+        });
         assertFalse(page.driver().getCurrentUrl().contains("#"));
         Path file = Files.writeString(Browser.page().resolveSibling("lab.json"), (String) page.later("""
                 const [done] = arguments; fetch(window.saved[1]).then(file => file.text()).then(done);"""));

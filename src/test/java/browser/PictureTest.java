@@ -142,6 +142,7 @@ class PictureTest extends LabPageTestCase {
     @Test
     void theChosenParticleIsTheOneThatIsClicked() {
         page.openScene("05-hanging-chain");
+        until("view.onScreen(3)?.every(Number.isFinite)");
         List<?> place = (List<?>) page.script("""
                 const view = document.getElementById('view').getBoundingClientRect(); const at = \
                 window.lab.view.onScreen(3); return [view.left + at[0], view.top + at[1], \
