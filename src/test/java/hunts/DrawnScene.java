@@ -72,7 +72,8 @@ record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wi
 
     static Arbitrary<DrawnScene> any() {
         Arbitrary<Ball> ball = Combinators.combine(decades(-1, 1), vectors(1), vectors(1)).as(Ball::new);
-        Arbitrary<Link> link = Combinators.combine(index(), index(), orZero(decades(0, 4)), numbers(0.5, 1.5),
+        // from rest, a spring of half its length would shrink to a point, where its force has no direction
+        Arbitrary<Link> link = Combinators.combine(index(), index(), orZero(decades(0, 4)), numbers(0.55, 1.5),
                 orZero(decades(-2, 1))).as(Link::new);
         Arbitrary<Pivot> pivot = Combinators.combine(Arbitraries.of("none", "still", "shake", "circle", "glide"),
                 directions(), decades(-1, 1)).as(Pivot::new);

@@ -25,6 +25,8 @@ final class Judge {
     private static final int MOST_EVALUATIONS = 5000;
     /** What no message may show, unless the text has it. */
     private static final Pattern ALIEN = Pattern.compile("NaN|Infinity|Exception|92233720368");
+    /** Laws that change with time: where the clock is wrong within a step, their scenes lose the order. */
+    private static final Pattern TIMED = Pattern.compile("\\b(wind|turbulence|glide|shake)\\b");
     /** In a run that resolves the motion, half the deltaT moves the end by less than this, and so is its ledger off. */
     private static final double RESOLVED = 0.05;
     /** Errors below this shrink in the order of the method, and those above the next are no round-off. */
@@ -101,7 +103,9 @@ final class Judge {
     /** Judges a drawn scene; it must be valid. */
     static Verdict ofScene(String text) {
         try {
-            return judged(read(text), read(text.replace("impact: clamp", "impact: exact")));
+            Verdict verdict = judged(read(text), read(text.replace("impact: clamp", "impact: exact")));
+            boolean timed = !Double.isNaN(verdict.order) && !verdict.kind.equals(CLAMP) && TIMED.matcher(text).find();
+            return timed ? new Verdict(verdict.find, verdict.kind + ", timed", verdict.order) : verdict;
         } catch (RuntimeException | Error e) {
             return ofError(e);
         }
@@ -145,7 +149,9 @@ final class Judge {
         boolean ordered = compared && near > 0 && !solver.adaptive()
                 && !(struck && solver.family().equals("multistep"));
         find = exact.depth() > ROUND_OFF ? "the reference is below a surface by " + exact.depth() : ofLaws(exact);
-        if (exact.gain() > ROUND_OFF || whole.gain() > whole.ledger() + (clamped ? WRONG : far + ROUND_OFF)) {
+        boolean gains = whole.gain() > whole.ledger() + (clamped ? WRONG : far + ROUND_OFF)
+                && half.gain() > whole.gain() / 2;      // a late impact lifts by an error that shrinks with deltaT
+        if (exact.gain() > ROUND_OFF || gains) {
             find = "surfaces and damping add energy: " + exact.gain() + ", " + whole.gain();
         } else if (!clamped && resolved && near > NEARER * far && (compared || solver.adaptive() && far > CLOSED)) {
             Trial fine = run(finer.withDeltaT(h / 16));
@@ -173,9 +179,12 @@ final class Judge {
                 + trial.momentum() : "";
     }
 
-    /** Measured: 1e-15, 7e-11 for implicit solvers, and 1.5e-9 where linear systems are solved by iteration. */
+    /**
+     * Measured: 1e-15, 7e-11 for implicit solvers, and for the one that solves only one linear system 1.5e-9 with
+     * springs and 5.5e-8 with rods, whose derivatives are differences.
+     */
     private static double momentum(String solver) {
-        return solver.equals("linearised-euler") ? 1e-8 : SolverCatalog.info(solver).family().equals("implicit") ? 1e-9
+        return solver.equals("linearised-euler") ? 2e-7 : SolverCatalog.info(solver).family().equals("implicit") ? 1e-9
                 : 1e-14;
     }
 }
