@@ -55,8 +55,9 @@ public final class RungeKuttaStages {
     public void combine(double[] weights, double h, double[] result) {
         Arrays.fill(result, 0);
         for (int j = 0; j < weights.length; j++) {
-            for (int i = 0; weights[j] != 0 && i < result.length; i++) {
-                result[i] += weights[j] * k[j][i];
+            double weight = weights[j];
+            for (int i = 0; weight != 0 && i < result.length; i++) {
+                result[i] += weight * k[j][i];
             }
         }
         for (int i = 0; i < result.length; i++) {
