@@ -11,7 +11,7 @@ import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
 import org.ejml.dense.row.factory.LinearSolverFactory_ZDRM;
 import org.ejml.interfaces.linsol.LinearSolverDense;
 
-/** I - g J as a full matrix, for small sources. */
+/** I - g J as a full matrix. */
 final class DenseSystem implements ShiftedJacobian {
     private final int n;
     private final DenseJacobian differences;
@@ -23,7 +23,7 @@ final class DenseSystem implements ShiftedJacobian {
     private final DMatrixRMaj matrix;
     private final DMatrixRMaj right;
     private final DMatrixRMaj solution;
-    private final ZMatrixRMaj complexMatrix;
+    private final ZMatrixRMaj complexMatrix = new ZMatrixRMaj(0, 0);
     private final ZMatrixRMaj complexRight;
     private final ZMatrixRMaj complexSolution;
     private DEStateSource client;
@@ -40,7 +40,6 @@ final class DenseSystem implements ShiftedJacobian {
         matrix = new DMatrixRMaj(n, n);
         right = new DMatrixRMaj(n, 1);
         solution = new DMatrixRMaj(n, 1);
-        complexMatrix = new ZMatrixRMaj(n, n);
         complexRight = new ZMatrixRMaj(n, 1);
         complexSolution = new ZMatrixRMaj(n, 1);
     }
@@ -79,6 +78,7 @@ final class DenseSystem implements ShiftedJacobian {
 
     @Override
     public boolean prepareComplex(double gRe, double gIm) {
+        complexMatrix.reshape(n, n);                    // twice the others' size, and only radau needs it
         for (int at = 0; at < n * n; at++) {
             complexMatrix.data[2 * at] = -gRe * jacobian[at] + (at % (n + 1) == 0 ? 1 : 0);
             complexMatrix.data[2 * at + 1] = -gIm * jacobian[at];

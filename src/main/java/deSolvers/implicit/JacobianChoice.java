@@ -12,7 +12,7 @@ import deSolvers.linear.SolverWork;
 final class JacobianChoice {
     /** Up to this size a full matrix is faster than GMRES with blocks that are only a preconditioner. */
     private static final int SMALL = 600;
-    /** A full matrix of this size has 200 MB. */
+    /** J, the matrix and its factors then take 600 MB; radau's complex matrix and factors another 800 MB. */
     static final int LARGEST_DENSE = 5000;
 
     private final SolverWork work;

@@ -15,7 +15,7 @@
  * chooses by the kind and size of the source:
  * <ul>
  * <li>{@code DenseSystem}, for sources of up to 5000 entries: a full matrix, with J from the source or by
- *     differences;</li>
+ *     differences; a larger source is refused with an {@code IllegalArgumentException};</li>
  * <li>{@code ReducedVelocitySystem}, for particles that offer the 3 x 3 blocks of their force derivatives: the
  *     positions are eliminated, which leaves the sparse matrix M - g dF/dv - g<sup>2</sup> dF/dx for the
  *     velocities.</li>

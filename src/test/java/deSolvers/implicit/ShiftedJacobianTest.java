@@ -2,7 +2,6 @@ package deSolvers.implicit;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DEStateSource;
@@ -12,6 +11,7 @@ import deSolvers.StepTransaction;
 import deSolvers.linear.SolverWork;
 import deSolvers.problems.Law;
 import deSolvers.problems.PlainSource;
+import deSolvers.problems.Steps;
 import java.util.Arrays;
 import java.util.Random;
 import java.util.function.BiFunction;
@@ -86,7 +86,8 @@ class ShiftedJacobianTest {
     @Test
     void aFullMatrixThatIsTooLargeIsRefused() {
         Law law = new Law((t, s, dSdt) -> { }, new double[5001]);
-        assertThrows(IllegalArgumentException.class, () -> new BackwardEulerSolver().stepState(law, 1));
+        Steps.assertFails(IllegalArgumentException.class, "5001 entries; at most 5000",
+                () -> new BackwardEulerSolver().stepState(law, 1));
     }
 
     /**
