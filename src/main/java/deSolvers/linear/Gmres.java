@@ -7,7 +7,7 @@ import java.util.Arrays;
  *
  * <p>Source: Y. Saad, M. H. Schultz (1986), SIAM J. Sci. Stat. Comput. 7, 856.
  */
-public final class Gmres {
+final class Gmres {
     private static final int RESTART = 40;
     private static final int MOST_ITERATIONS = 2000;
     /** A remainder of at most this part of a vector is round-off. */
@@ -24,7 +24,7 @@ public final class Gmres {
     private final double[] y = new double[RESTART];
 
     /** @param work counts the iterations */
-    public Gmres(SolverWork work) {
+    Gmres(SolverWork work) {
         this.work = work;
     }
 
@@ -39,7 +39,7 @@ public final class Gmres {
      * @return false if that was not reached in {@value #MOST_ITERATIONS} iterations, or if a restart gained almost
      *         nothing
      */
-    public boolean solve(LinearOperator a, LinearOperator preconditioner, double[] b, double[] x, double tolerance) {
+    boolean solve(LinearOperator a, LinearOperator preconditioner, double[] b, double[] x, double tolerance) {
         int n = b.length;
         if (image.length != n) {
             basis = new double[RESTART + 1][0];
@@ -169,7 +169,7 @@ public final class Gmres {
      * @param a a vector
      * @return its Euclidean length
      */
-    public static double norm(double[] a) {
+    static double norm(double[] a) {
         return Math.sqrt(dot(a, a));
     }
 

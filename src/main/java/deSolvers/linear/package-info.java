@@ -1,11 +1,8 @@
 /**
- * Linear systems A x = b for the implicit solvers; EJML solves those with a full matrix.
- * <ul>
- * <li>{@link deSolvers.linear.BlockSolver}: a sparse matrix of 3 x 3 blocks, one for each pair of particles that act on
- *     each other. Conjugate gradients solve it where it is symmetric positive definite, GMRES otherwise, both
- *     preconditioned by the inverses of its diagonal blocks; an ill-conditioned matrix is factorised;</li>
- * <li>{@link deSolvers.linear.Gmres}: anything that can be multiplied by a vector.</li>
- * </ul>
+ * Linear systems A x = b for the implicit solvers. {@link deSolvers.linear.BlockSolver} solves those with a sparse
+ * matrix of 3 x 3 blocks, one for each pair of particles that act on each other: by conjugate gradients where it is
+ * symmetric positive definite, by GMRES otherwise, both preconditioned by the inverses of its diagonal blocks; an
+ * ill-conditioned matrix is factorised. EJML solves the systems with a full matrix.
  *
  * <h2>The sparse factorisation</h2>
  * Eliminating a row of a sparse matrix makes new entries, the <i>fill-in</i>: all later rows that it touches then touch
