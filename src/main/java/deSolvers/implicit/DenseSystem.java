@@ -63,11 +63,6 @@ final class DenseSystem implements ShiftedJacobian {
     }
 
     @Override
-    public boolean keepsJacobian() {
-        return true;
-    }
-
-    @Override
     public boolean prepare(double g) {
         for (int at = 0; at < n * n; at++) {
             matrix.data[at] = -g * jacobian[at] + (at % (n + 1) == 0 ? 1 : 0);

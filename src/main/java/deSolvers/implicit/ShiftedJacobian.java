@@ -43,7 +43,9 @@ interface ShiftedJacobian {
     }
 
     /** Whether J, once set up, may serve later sub-steps. */
-    boolean keepsJacobian();
+    default boolean keepsJacobian() {
+        return true;
+    }
 
     /** Discards all memory of earlier steps. */
     default void forget() {
