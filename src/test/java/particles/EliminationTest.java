@@ -68,6 +68,7 @@ class EliminationTest {
         assertEquals(1, stiff.iterations);
         assertEquals(1, stiff.factorisations);
         // Measured 4,071 products after 11,172.
-        assertTrue(stiff.blockOperations < soft.blockOperations / 2, stiff + " after " + soft);
+        assertTrue(stiff.blockOperations < soft.blockOperations / 2, stiff.blockOperations + " after "
+                + soft.blockOperations);
     }
 }

@@ -129,7 +129,7 @@ class ImplicitParticlesTest {
         solver.stepState(system, 1.0 / 60);
         SolverWork work = solver.getWork();
         assertEquals(1, work.factorisations);
-        assertEquals(1, work.iterations, work.toString());      // to 1e-4, at a condition of about 1e6
+        assertEquals(1, work.iterations);      // to 1e-4, at a condition of about 1e6
         assertEquals(1, system.getEvaluations());
     }
 }

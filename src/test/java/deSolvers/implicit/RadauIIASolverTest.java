@@ -33,9 +33,8 @@ class RadauIIASolverTest extends AdaptiveContract {
         return false;
     }
 
-    /** 200 unknowns by a full matrix. */
     @Test
-    void aLargeSystem() {
+    void aFullMatrixOfTwoHundredUnknownsMeetsTheTolerance() {
         Chain chain = new Chain(100, 20);
         RadauIIASolver solver = new RadauIIASolver(1e-6, 1e-6);
         solver.stepState(chain, 30);

@@ -133,8 +133,9 @@ class SmallUnknownsTest {
             for (int i = 1; i < start.length; i += 2) {
                 assertEquals(1, law.getState()[i] / exact, 1e-12, "entry " + i);
             }
-            // Measured 9 with products, up to 30 with differences for one pair and 3621 for 301
-            assertTrue(law.getEvaluations() < 20 * (1 + 2 * pairs), law.getEvaluations() + " evaluations");
+            // Measured 9 with products, up to 30 with differences for one pair and 3621 for 301.
+            int most = law instanceof Known ? 30 : 20 * (1 + 2 * pairs);
+            assertTrue(law.getEvaluations() < most, law.getEvaluations() + " evaluations");
         }
     }
 
