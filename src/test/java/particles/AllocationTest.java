@@ -23,6 +23,7 @@ import particles.effects.Wind;
 import particles.effects.springs.SpringForce;
 import particles.law.Particles;
 import particles.law.Plane;
+import particles.law.Sphere;
 import particles.law.Vector3;
 
 /** No solver that steps by deltaT allocates in a step, on the smallest source or on a system of particles. */
@@ -77,6 +78,7 @@ class AllocationTest {
         cloth.addEffect(new QuadraticDrag(particles, 0.01, new RisingAir()));
         cloth.addEffect(new PointAttraction(particles, Vector3.ZERO, 0.1, 0.1));
         cloth.addEffect(new Penalty(particles, new Plane(new Vector3(0, -0.2, 0), new Vector3(0, 1, 0)), 10, 0.1));
+        cloth.addEffect(new Penalty(particles, new Sphere(Vector3.ZERO, 0.2, false), 10, 0.1));
         // whose matrix changes its pattern with the neighbours
         if (!SolverCatalog.info(solver).family().equals("implicit")) {
             cloth.addEffect(new Cohesion(particles, 0.1, 0.05, 1e-4, 1e-3));

@@ -33,6 +33,10 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
 
     private final Particles particles;
     private final Obstacle solid;
+    private final boolean round;
+    private final double radius;
+    private final double side;
+    private final double[] origin;
     private final double stiffness;
     private final double loss;
     private final double[] normal = new double[3];
@@ -51,31 +55,54 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
     public Penalty(Particles particles, Obstacle solid, double stiffness, double loss) {
         this.particles = particles;
         this.solid = solid;
+        round = solid instanceof Sphere;
+        radius = solid instanceof Sphere ball ? ball.radius() : 0;
+        side = solid instanceof Sphere ball && ball.hollow() ? -1 : 1;
+        Vector3 v = solid instanceof Sphere ball ? ball.centre() : solid.normal(0, 0, 0);
+        origin = new double[] {v.x(), v.y(), v.z()};
         this.stiffness = Require.notNegative("a penalty's stiffness", stiffness);
         this.loss = Require.notNegative("a penalty's loss", loss);
     }
 
     @Override
     public String getName() {
-        return solid.isFlat() ? "penaltyPlane" : "penaltySphere";
+        return round ? "penaltySphere" : "penaltyPlane";
     }
 
     @Override
     public void addForces(double[] state, double time, double[] force, int from, int to) {
         for (int x = STRIDE * from; x < STRIDE * to; x += STRIDE) {
-            double depth = -solid.distance(state[x], state[x + 1], state[x + 2]);
-            if (depth > 0) {
-                boolean round = solid instanceof Sphere;        // N = out r
-                double out = round ? solid.curvature(state[x], state[x + 1], state[x + 2]) : 1;
-                Vector3 r = round ? ((Sphere) solid).fromCentre(state[x], state[x + 1], state[x + 2])
-                        : solid.normal(state[x], state[x + 1], state[x + 2]);
-                double speed = out * (r.x() * state[x + 3] + r.y() * state[x + 4] + r.z() * state[x + 5]);
+            double length = length(state, x);
+            double depth = depth(state, x, length);
+            if (depth > 0 && length > 0) {
+                double rx = r(state, x, 0);
+                double ry = r(state, x, 1);
+                double rz = r(state, x, 2);
+                double out = side / length;
+                double speed = out * (rx * state[x + 3] + ry * state[x + 4] + rz * state[x + 5]);
                 double push = out * push(depth, speed);
-                force[x + 3] += push * r.x();
-                force[x + 4] += push * r.y();
-                force[x + 5] += push * r.z();
+                force[x + 3] += push * rx;
+                force[x + 4] += push * ry;
+                force[x + 5] += push * rz;
             }
         }
+    }
+
+    /** A component of r, the vector from a ball's centre, or a plane's normal: N = side r / |r|. */
+    private double r(double[] state, int x, int c) {
+        return round ? state[x + c] - origin[c] : origin[c];
+    }
+
+    /** |r|; a particle's state begins at x. */
+    private double length(double[] state, int x) {
+        double rx = r(state, x, 0);
+        double ry = r(state, x, 1);
+        double rz = r(state, x, 2);
+        return round ? Math.sqrt(rx * rx + ry * ry + rz * rz) : 1;
+    }
+
+    private double depth(double[] state, int x, double length) {
+        return round ? side * (radius - length) : -solid.distance(state[x], state[x + 1], state[x + 2]);
     }
 
     /** The push along the normal (N) for d > 0. */
@@ -86,7 +113,7 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
     /** The depth of a free particle, at most 0 outside. */
     private double depth(double[] state, int i) {
         int x = STRIDE * i;
-        return particles.isFixed(i) ? 0 : -solid.distance(state[x], state[x + 1], state[x + 2]);
+        return particles.isFixed(i) ? 0 : depth(state, x, length(state, x));
     }
 
     @Override
@@ -126,11 +153,11 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
     /** The speed outwards; also sets the normal. */
     private double normalSpeed(double[] state, int i) {
         int x = STRIDE * i;
-        Vector3 n = solid.normal(state[x], state[x + 1], state[x + 2]);
-        normal[0] = n.x();
-        normal[1] = n.y();
-        normal[2] = n.z();
-        return n.x() * state[x + 3] + n.y() * state[x + 4] + n.z() * state[x + 5];
+        double length = length(state, x);
+        for (int c = 0; c < 3; c++) {
+            normal[c] = length > 0 ? side * r(state, x, c) / length : 0;
+        }
+        return normal[0] * state[x + 3] + normal[1] * state[x + 4] + normal[2] * state[x + 5];
     }
 
     @Override
@@ -144,7 +171,8 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
             double push = push(depth, speed);
             double bySpeed = push > 0 ? -stiffness * depth * loss : 0;
             int x = STRIDE * i;
-            double curvature = solid.curvature(state[x], state[x + 1], state[x + 2]);
+            double length = length(state, x);
+            double curvature = round && length > 0 ? side / length : 0;
             for (int c = 0; c < 3; c++) {               // d(push)/dx = -dpush/dd N + ...
                 turning[c] = -push / depth * normal[c]
                         + bySpeed * curvature * (state[x + 3 + c] - speed * normal[c]);

@@ -23,8 +23,7 @@ public record Sphere(Vector3 centre, double radius, boolean hollow) implements O
         return hollow ? -outside : outside;
     }
 
-    /** The vector from the centre to a point (m). */
-    public Vector3 fromCentre(double x, double y, double z) {
+    private Vector3 fromCentre(double x, double y, double z) {
         return new Vector3(x - centre.x(), y - centre.y(), z - centre.z());
     }
 
