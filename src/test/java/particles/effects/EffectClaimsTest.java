@@ -90,7 +90,7 @@ class EffectClaimsTest {
         return laws.entrySet().stream().map(law -> Arguments.of(law.getKey(), law.getValue()));
     }
 
-    /** A law keeps its claims; multiplied by 1.01, by -1, or without its partner's part, the error is found. */
+    /** A law keeps its claims; with the forces on all particles but the first times 1.01 or -1 it does not. */
     @ParameterizedTest(name = "{0}")
     @MethodSource("laws")
     void everyLawKeepsItsClaims(String name, Function<Particles, Effect> law) {
