@@ -18,7 +18,7 @@ import particles.view.RenderOptions;
 /**
  * The checked contents of a scene file, with options in place of the file's values.
  *
- * @param values   the values by their keys in {@link SceneFormat}
+ * @param values   the values by their keys in {@link SceneFormat}; solver and output may since have been replaced
  * @param solving  the solver
  * @param contents what moves, and by which laws
  * @param drawing  how it is drawn
