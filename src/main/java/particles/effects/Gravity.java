@@ -68,8 +68,8 @@ public final class Gravity implements PerParticleEffect, DifferentiableEffect {
 
     /** The keys of gravity in scenes. */
     public static final class Keys extends EffectKind {
-        private static final Key<Vector3> ACCELERATION = VectorType.of("m/s^2").withDefault("acceleration", new
-                Vector3(0, -9.81, 0), "g, the acceleration of free fall (m/s^2).");
+        private static final Key<Vector3> ACCELERATION = VectorType.of("m/s^2").withDefault("acceleration",
+                new Vector3(0, -9.81, 0), "g, the acceleration of free fall (m/s^2).");
 
         /** Called once, by {@link EffectCatalog}. */
         public Keys() {

@@ -189,8 +189,8 @@ public final class Repulsion extends PairForce implements DivisibleEffect {
         private static final Key<Double> STIFFNESS = NumberType.positive("N/m").required("stiffness",
                 "k (N/m; for hertz N/m^1.5).");
         private static final Key<Double> DAMPING = NumberType.notNegative("N s/m").withDefault("damping", 0.0,
-                "c (N s/m): the push grows by c times the speed of approach, and is never"
-                + " negative; 0 loses no energy.");
+                "c (N s/m): the push grows by c times the speed of approach, and is never negative;"
+                + " 0 loses no energy.");
 
         /** Called once, by {@link EffectCatalog}. */
         public Keys() {
