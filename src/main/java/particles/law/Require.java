@@ -11,10 +11,10 @@ public final class Require {
      * @throws IllegalArgumentException if it is not positive and finite
      */
     public static double positive(String what, double value) {
-        if (!(value > 0)) {
+        if (!(value > 0 && value <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException(what + " has to be positive and finite, not " + value);
         }
-        return notNegative(what, value);
+        return value;
     }
 
     /**

@@ -9,6 +9,7 @@ import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.law.Particles;
 import particles.law.Reaction;
+import particles.law.Require;
 import particles.law.Violation;
 import particles.reactions.wires.Curve;
 import particles.view.SpringView;
@@ -58,12 +59,9 @@ public final class RigidConstraints implements Reaction, SpringView {
      * @throws IllegalArgumentException if the rate is out of range
      */
     public RigidConstraints(ParticleSystem system, double feedback) {
-        if (!(feedback >= 0) || !(feedback <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("the feedback rate has to be 0 or more and finite, not " + feedback);
-        }
         this.system = system;
         this.particles = system.getParticles();
-        this.feedback = feedback;
+        this.feedback = Require.notNegative("the feedback rate", feedback);
         blocks = new BlockForces(system, rows, new RestingContacts(system, List.of()), feedback);
     }
 
@@ -80,10 +78,7 @@ public final class RigidConstraints implements Reaction, SpringView {
             throw new IllegalArgumentException("a rod from '" + particles.id(from) + "' to '" + particles.id(to)
                     + "'; its ends have to be two particles, and one of them free");
         }
-        if (!(length > 0) || !(length <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("the length of a rod has to be positive and finite, not " + length);
-        }
-        rows.addRod(from, to, length);
+        rows.addRod(from, to, Require.positive("the length of a rod", length));
         arranged = false;
     }
 

@@ -3,6 +3,7 @@ package particles.rules;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.effects.springs.SpringForce;
+import particles.law.Require;
 
 /**
  * Tearing of overstretched springs: at the end of a step a spring longer than (1 + strain) times its rest length is
@@ -18,12 +19,8 @@ public final class SpringTear implements Rule {
      * @throws IllegalArgumentException if the strain is out of its range
      */
     public SpringTear(SpringForce springs, double strain) {
-        if (!(strain > 0) || !(strain <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("the strain at which springs tear has to be positive and finite, not "
-                    + strain);
-        }
         this.springs = springs;
-        this.strain = strain;
+        this.strain = Require.positive("the strain at which springs tear", strain);
     }
 
     @Override

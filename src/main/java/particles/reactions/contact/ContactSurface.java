@@ -2,6 +2,7 @@ package particles.reactions.contact;
 
 import particles.law.Obstacle;
 import particles.law.Particles;
+import particles.law.Require;
 import particles.law.Vector3;
 
 /**
@@ -20,10 +21,7 @@ public record ContactSurface(String name, Obstacle obstacle, double restitution,
             throw new IllegalArgumentException("the restitution of '" + name + "' has to be in 0 ... 1, not "
                     + restitution);
         }
-        if (!(restSpeed >= 0 && restSpeed <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("the rest speed of '" + name + "' has to be 0 or more and finite, not "
-                    + restSpeed);
-        }
+        Require.notNegative("the rest speed of '" + name + "'", restSpeed);
     }
 
     /** @return the distance of a particle from the surface (m), negative inside */

@@ -1,5 +1,7 @@
 package particles.reactions.contact;
 
+import particles.law.Require;
+
 /**
  * The friction of a surface: law, coefficients and threshold.
  *
@@ -37,11 +39,8 @@ public record Friction(Law law, double coefficient, double staticCoefficient, do
 
     /** @throws IllegalArgumentException if a number is out of its range */
     public Friction {
-        if (!(coefficient >= 0 && coefficient <= Double.MAX_VALUE && staticCoefficient >= 0
-                && staticCoefficient <= Double.MAX_VALUE && threshold >= 0 && threshold <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException(
-                    "friction coefficients and threshold have to be 0 or more and finite, not "
-                    + coefficient + ", " + staticCoefficient + ", " + threshold);
-        }
+        Require.notNegative("the coefficient of friction", coefficient);
+        Require.notNegative("the coefficient of static friction", staticCoefficient);
+        Require.notNegative("the threshold of friction", threshold);
     }
 }

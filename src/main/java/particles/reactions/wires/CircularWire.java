@@ -1,5 +1,6 @@
 package particles.reactions.wires;
 
+import particles.law.Require;
 import particles.law.Vector3;
 
 /**
@@ -20,12 +21,9 @@ public final class CircularWire implements Curve {
      * @throws IllegalArgumentException if the radius is not positive
      */
     public CircularWire(Vector3 centre, Vector3 axis, double radius) {
-        if (!(radius > 0) || !(radius <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("the radius of a wire has to be positive and finite, not " + radius);
-        }
         this.centre = centre;
         this.axis = axis.normalized();
-        this.radius = radius;
+        this.radius = Require.positive("the radius of a wire", radius);
         this.frame = Frame.around(axis);
     }
 
