@@ -23,8 +23,8 @@ public record Vector3(double x, double y, double z) {
         values[place + 2] = z;
     }
 
-    /** @return the sum of the sizes of its components, a quick measure of its length */
-    public double sum() {
+    /** @return the 1-norm, the sum of the absolute values of its components */
+    public double norm1() {
         return Math.abs(x) + Math.abs(y) + Math.abs(z);
     }
 

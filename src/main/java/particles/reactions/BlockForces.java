@@ -267,7 +267,7 @@ final class BlockForces {
         int struck = takeForImpact(block, surface, particle, state);
         putRates(block, state, 3);
         block.right[struck] += leaving;
-        double fast = leaving + Vector3.at(state, STRIDE * particle + 3).sum();
+        double fast = leaving + Vector3.at(state, STRIDE * particle + 3).norm1();
         if (!block.solve(struck, true) || Math.abs(block.separation(struck)) > CONTRADICTION * fast) {
             throw failure(block, system.getTime(), "let no impulses keep all particles out");
         }

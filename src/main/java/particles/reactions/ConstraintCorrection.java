@@ -34,7 +34,7 @@ final class ConstraintCorrection {
             rows.evaluate(state);
             double error = 0;
             for (int r = 0; r < rows.count(); r++) {
-                double place = Vector3.at(state, Particles.STRIDE * rows.first(r)).sum();
+                double place = Vector3.at(state, Particles.STRIDE * rows.first(r)).norm1();
                 error = Math.max(error, Math.abs(rows.value[r]) / (rows.scale(r) + place));
             }
             if (!(error <= Double.MAX_VALUE)) {
@@ -58,7 +58,7 @@ final class ConstraintCorrection {
         rows.evaluate(state);
         boolean changed = false;
         for (int r = 0; r < rows.count(); r++) {
-            double speed = Vector3.at(state, Particles.STRIDE * rows.first(r) + 3).sum();
+            double speed = Vector3.at(state, Particles.STRIDE * rows.first(r) + 3).norm1();
             changed |= Math.abs(rows.rate[r]) > FINE * (1 + speed);
         }
         if (changed) {

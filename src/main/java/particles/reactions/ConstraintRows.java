@@ -191,7 +191,7 @@ final class ConstraintRows {
         Vector3 velocity = Vector3.at(state, v);
         double bend = velocity.dot(velocity) / length[row];
         double along = bend + dot(g, accelerations, v);
-        double most = bend + Vector3.at(accelerations, v).sum();
+        double most = bend + Vector3.at(accelerations, v).norm1();
         return Math.abs(rateOfAnchors(row, state, inverseMasses)) > RestingContacts.ROUNDING
                 || Math.abs(along) > RestingContacts.ROUNDING * (1 + most);
     }

@@ -50,7 +50,7 @@ final class ContactDerivative {
     }
 
     private static double size(double[] vector, int place) {
-        double size = Vector3.at(vector, place).sum();
+        double size = Vector3.at(vector, place).norm1();
         return size > 0 ? size : 1;
     }
 

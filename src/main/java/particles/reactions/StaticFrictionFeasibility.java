@@ -37,7 +37,7 @@ final class StaticFrictionFeasibility {
         ends = joint.getHeld();
         double size = 0;
         for (int i = ends.nextSetBit(0); i >= 0; i = ends.nextSetBit(i + 1)) {
-            size += Vector3.at(total, Particles.STRIDE * i + 3).sum();
+            size += Vector3.at(total, Particles.STRIDE * i + 3).norm1();
         }
         double least = leastMargin(-1, state, total);
         for (int sweep = 0; sweep < SWEEPS && least <= 0; sweep++) {

@@ -240,7 +240,7 @@ abstract class Impacts implements Rule {
 
     /** The distance that a particle in contact may have from a surface by round-off (m). */
     static double slack(double[] state, int i) {
-        return ON_SURFACE * (1 + Vector3.at(state, STRIDE * i).sum());
+        return ON_SURFACE * (1 + Vector3.at(state, STRIDE * i).norm1());
     }
 
     static Vector3 velocity(double[] state, int i) {
