@@ -45,8 +45,9 @@ final class ConstraintCheck implements Observer {
     private void look(ParticleSystem system, double[] state, double time) {
         for (Reaction reaction : system.getReactions()) {
             Violation violation = reaction.getViolation(state);
-            worst = worst.or(new Violation(violation.part(),
-                    violation.what() + " at t = " + Digits.few(time) + " s"));
+            if (violation.part() > worst.part()) {
+                worst = new Violation(violation.part(), violation.what() + " at t = " + Digits.few(time) + " s");
+            }
         }
     }
 
@@ -67,6 +68,7 @@ final class ConstraintCheck implements Observer {
                 }
             }
             done += Math.abs(power);
+            // contacts have power too, that of friction, but no force on anchors
             wrong += power == 0 ? 0 : Math.abs(reaction.getPower(state, time, effects) - power);
         }
     }
