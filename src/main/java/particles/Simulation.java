@@ -129,8 +129,8 @@ public final class Simulation {
     /**
      * Tells observers that the run is over.
      *
-     * @throws SimulationException if a rod, wire or contact was violated by more than a tenth of its scale: then the
-     *         motion is wrong, whatever its energy says
+     * @throws SimulationException if a rod, wire or contact was violated by more than a tenth of its scale, or the
+     *         reported work of moving anchors is wrong by that: then the motion is wrong, whatever its energy says
      */
     public void finish() {
         observers.forEach(observer -> observer.finished(system));

@@ -21,12 +21,11 @@
  * <p><b>Friction.</b> The friction of a contact lies in a cone, |F<sub>t</sub>| &le; mu lambda. While a particle
  * slides, it is mu lambda against the velocity v<sub>t</sub>; at the start from rest, against the force that moves the
  * particle. The slides have another law, proportional to speed: k<sub>f</sub> lambda v<sub>t</sub>. A particle that
- * several surfaces push slides along all of them:
- * in a groove along its bottom line, and in the corner of three planes not at all. So friction is perpendicular to all
- * normals of its particle: it changes normal forces only through rods. Several surfaces share it in the ratio of their
- * limits mu lambda. A particle at rest sticks if contact forces in the cones of its surfaces can balance all other
- * forces on it. A rod to a
- * moving anchor is stronger than any friction: its end cannot stick while the anchor moves along the rod.
+ * several surfaces push slides along all of them: in a groove along its bottom line, and in the corner of three planes
+ * not at all. So friction is perpendicular to all normals of its particle: it changes normal forces only through rods.
+ * Several surfaces share it in the ratio of their limits mu lambda. A particle at rest sticks if contact forces in the
+ * cones of its surfaces can balance all other forces on it. A rod to a moving anchor is stronger than any friction: its
+ * end cannot stick while the anchor moves along the rod.
  *
  * <p><b>What is unique.</b> The accelerations are, while the same particles stick and friction is not so large that it
  * jams (P. Painlev&eacute; 1895: then no forces may exist, and the run says so). The forces need not be: a square of
@@ -42,10 +41,11 @@
  * it does. Otherwise lambda &ge; 0 holds at each evaluation. On a curved surface the next step of a method of order 1
  * may end below it by O(deltaT&sup2;) although v<sub>n</sub> points outwards: that is truncation error, not an impact.
  *
- * <p>During each run the largest violation of a rod, wire or contact is noted, and whether the work that is reported
- * for moving anchors is that of the forces on them; one above a tenth ends the run as wrong. Sources: the slides
- * "Particle/Plane Contact" and "Particle/Plane Collisions"; A. Witkin, "Constrained Dynamics", SIGGRAPH course notes
- * 1997; D. Baraff, "Fast contact force computation for nonpenetrating rigid bodies", SIGGRAPH 1994; K. Murty, "Note on
- * a Bard-type scheme for solving the complementarity problem", Opsearch 1974.
+ * <p>At about 200 steps and at the end of each run the largest violation of a rod, wire or contact is noted, and the
+ * difference between the work that is reported for moving anchors and that of the forces on them. If one of them is
+ * more than a tenth, the run ends as wrong. Sources: the slides "Particle/Plane Contact" and "Particle/Plane
+ * Collisions"; A. Witkin, "Constrained Dynamics", SIGGRAPH course notes 1997; D. Baraff, "Fast contact force
+ * computation for nonpenetrating rigid bodies", SIGGRAPH 1994; K. Murty, "Note on a Bard-type scheme for solving the
+ * complementarity problem", Opsearch 1974.
  */
 package particles.reactions;
