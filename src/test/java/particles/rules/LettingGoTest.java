@@ -3,6 +3,7 @@ package particles.rules;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static particles.scene.ShortRun.G;
 
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -69,7 +70,8 @@ class LettingGoTest {
     /**
      * The force lifts a weight where A sin(pi t) = g. It rises as s&sup3; at first, and the cubic between the ends of a
      * step dips below the ground; with midpoint it does not rise at all in the first step. There must be one event and
-     * no impact. Measured: the rise by rk4 within 2.8e-5 m.
+     * no impact. Measured: the time within 6e-17 s; the rise 0.029 m off by midpoint, 0.019 by verlet, 0.22 by euler
+     * and 4.9e-7 by rk4.
      */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.7, -300.1})
@@ -78,18 +80,19 @@ class LettingGoTest {
         double s = 1 - let;
         double rise = A / Math.PI * Math.cos(Math.PI * let) * s + A / Math.PI / Math.PI * Math.sin(Math.PI * let)
                 - G * s * s / 2;
-        for (String solver : new String[] {"midpoint", "verlet", "euler", "rk4"}) {
+        Map<String, Double> bounds = Map.of("midpoint", 0.1, "verlet", 0.1, "euler", 0.5, "rk4", 4e-6);
+        for (String solver : bounds.keySet()) {
             ShortRun run = ShortRun.of(solver + " exact 0.1 1", LIFTED.replace("HEIGHT", "" + height));
             assertEquals(1, run.getTimes().size(), "one release and no impact");
-            assertEquals(let, run.getTimes().get(0), 1e-15, solver);
+            assertEquals(let, run.getTimes().get(0), 5e-16, solver);
             assertEquals(Mode.FREE, run.mode());
-            assertEquals(rise, run.at(1) - height, solver.equals("rk4") ? 6e-5 : 1, solver);
+            assertEquals(rise, run.at(1) - height, bounds.get(solver), solver);
         }
     }
 
     /**
      * The cubic's false dip does not hide a later impact of another particle in the same step, which falls under the
-     * same force and hits the ground at 0.25 s. Measured: within 5.1e-6 s.
+     * same force and hits the ground at 0.25 s. Measured: within 1.6e-5 s.
      */
     @Test
     void aFalseDipHidesNoOtherImpact() {
