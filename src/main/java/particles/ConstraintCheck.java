@@ -13,14 +13,19 @@ import particles.law.Violation;
 final class ConstraintCheck implements Observer {
     private static final int SAMPLES = 200;
 
+    private final double longest;
     private final double interval;
     private double next = Double.NEGATIVE_INFINITY;
     private Violation worst = Violation.NONE;
     private double done;
     private double wrong;
 
-    /** @param duration the duration of the run (s) */
-    ConstraintCheck(double duration) {
+    /**
+     * @param longest  the longest step (s)
+     * @param duration the duration of the run (s)
+     */
+    ConstraintCheck(double longest, double duration) {
+        this.longest = longest;
         interval = duration / SAMPLES;
     }
 
@@ -44,7 +49,7 @@ final class ConstraintCheck implements Observer {
 
     private void look(ParticleSystem system, double[] state, double time) {
         for (Reaction reaction : system.getReactions()) {
-            Violation violation = reaction.getViolation(state);
+            Violation violation = reaction.getViolation(state, time - longest);
             if (violation.part() > worst.part()) {
                 worst = new Violation(violation.part(), violation.what() + " at t = " + Digits.few(time) + " s");
             }

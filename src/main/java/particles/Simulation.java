@@ -46,7 +46,7 @@ public final class Simulation {
         this.deltaT = Require.positive("deltaT", deltaT);
         this.duration = Require.notNegative("the duration", duration);
         this.eventSteps = new EventSteps(system, this.solver, solver, notifier);
-        constraints = new ConstraintCheck(duration);
+        constraints = new ConstraintCheck(deltaT * (1 + ROUNDING), duration);
         observers.add(constraints);
     }
 

@@ -54,9 +54,10 @@ public interface Reaction {
 
     /**
      * @param state the particles' state
+     * @param since a particle born after this time (s) may be below a surface: no rule has acted on it yet
      * @return the largest violation of a constraint that the reaction enforces
      */
-    default Violation getViolation(double[] state) {
+    default Violation getViolation(double[] state, double since) {
         return Violation.NONE;
     }
 

@@ -345,14 +345,14 @@ public final class RestingContacts implements Reaction {
     }
 
     @Override
-    public Violation getViolation(double[] state) {
+    public Violation getViolation(double[] state, double since) {
         Violation worst = Violation.NONE;
         for (int i = 0; i < particles.count(); i++) {
             for (int p = 0; p < surfaces.size(); p++) {
                 ContactSurface surface = surfaces.get(p);
                 double distance = surface.distance(state, i);
-                double off = particles.isFixed(i) || modes.get(p, i) == ContactModes.Mode.FREE && distance > 0 ? 0
-                        : Math.abs(distance);
+                double off = particles.isFixed(i) || particles.birthTime(i) > since
+                        || modes.get(p, i) == ContactModes.Mode.FREE && distance > 0 ? 0 : Math.abs(distance);
                 double part = off * (surface.obstacle().isFlat() ? 1 : surface.curvature(state, i));
                 if (part > worst.part()) {
                     worst = new Violation(part, "'" + particles.id(i) + "' is " + Digits.few(off) + " m off '"

@@ -194,7 +194,7 @@ public final class RigidConstraints implements Reaction, SpringView {
     }
 
     @Override
-    public Violation getViolation(double[] state) {
+    public Violation getViolation(double[] state, double since) {
         Violation worst = Violation.NONE;
         for (int r = 0; r < rows.getRods(); r++) {
             double more = rows.distance(r, state) - rows.length(r);
