@@ -80,7 +80,7 @@ public final class WorkPrecision {
      * @param expected the theoretical slope; NaN if the method has no fixed order
      */
     public record Curve(WorkProblem problem, SolverChoice solver, boolean byStep, List<Point> points, SlopeFit fit,
-                        double expected) {
+            double expected) {
         /** @return the solver's name in charts */
         public String label() {
             return solver.label();
@@ -173,7 +173,7 @@ public final class WorkPrecision {
         double tolerance = byStep ? WHOLE_STEPS : Math.max(WARM_TOLERANCE, tightest());
         double begin = CpuClock.seconds();
         while (CpuClock.seconds() - begin < WARM) {
-            solve(problem.start().get(), steps, tolerance);
+            solve(problem.start().get(), solver.create(tolerance), steps);
         }
     }
 
@@ -184,8 +184,9 @@ public final class WorkPrecision {
         Optional<DESolverException> thrown;
         do {
             source = problem.start().get();
+            DESolver fresh = solver.create(tolerance);
             double begin = CpuClock.seconds();
-            thrown = solve(source, steps, tolerance);
+            thrown = solve(source, fresh, steps);
             seconds.add(CpuClock.seconds() - begin);
             all += seconds.get(seconds.size() - 1);
         } while (seconds.size() < timed || timed > 0 && all < ENOUGH && seconds.size() < MOST_TIMED);
@@ -210,8 +211,7 @@ public final class WorkPrecision {
         return thrown.getEntry() < 0 || solver.adaptive() ? Failure.NOT_CONVERGED : Failure.UNSTABLE;
     }
 
-    private Optional<DESolverException> solve(DEStateSource source, int steps, double tolerance) {
-        DESolver fresh = solver.create(tolerance);
+    private Optional<DESolverException> solve(DEStateSource source, DESolver fresh, int steps) {
         try {
             for (int n = 0; n < steps; n++) {
                 fresh.stepState(source, problem.duration() / steps);
