@@ -1,16 +1,15 @@
 package particles.output.report;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
 import particles.output.files.OutputException;
-import particles.output.files.OutputFile;
 import particles.output.files.OutputFolder;
 
 /** A page that lists all folders of results, the newest first, each with its first picture. */
@@ -46,7 +45,9 @@ public final class ResultsIndex {
                     && Files.getLastModifiedTime(page).compareTo(entries.get(0).made()) > 0) {
                 return;
             }
-            OutputFile.write(page, html(entries).getBytes(StandardCharsets.UTF_8));
+            Path part = Files.createTempFile(results, ".index", ".part");       // two programs may write at once
+            Files.writeString(part, html(entries));
+            Files.move(part, page, StandardCopyOption.ATOMIC_MOVE);
         } catch (IOException e) {
             throw new OutputException(page, "write", e);
         }
