@@ -45,7 +45,7 @@ public final class ReportCommand extends ResultsCommand {
     private static final String SCENE_OPTION = "--scene";
     /** Options that shorten experiments on a page of many: frames of a film, rounds of a measurement. */
     private static final Map<String, String> SHORTER = Map.of("--frames", "100", "--rounds", "15");
-    /** What each experiment takes on two quiet cores (s): only their proportions count. */
+    /** What each experiment takes on two quiet cores (s). */
     private static final Map<String, Integer> SECONDS = Map.of("lectureFigures", 2, "energyDrift", 2, "phasePlots", 1,
             "race", 5, "workPrecision", 43, "stiffGallery", 6, "stability", 1, "effectCost", 4, "stiffCloth", 50);
     private static final int MOST_LINES = 8;
