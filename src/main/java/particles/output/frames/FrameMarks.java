@@ -70,11 +70,12 @@ final class FrameMarks {
         Map<Integer, Rectangle2D> balls = new LinkedHashMap<>();
         for (int k = 0; k < state.particles; k++) {
             int i = k;
-            Optional.of(i).filter(labelled -> !state.label(labelled).isEmpty())
-                    .flatMap(labelled -> place(state, labelled, 0)).ifPresent(at -> {
-                        double radius = state.radius(i, ball) * at[2];
-                        balls.put(i, new Rectangle2D.Double(at[0] - radius, at[1] - radius, 2 * radius, 2 * radius));
-                    });
+            if (!state.label(i).isEmpty()) {
+                place(state, i, 0).ifPresent(at -> {
+                    double radius = state.radius(i, ball) * at[2];
+                    balls.put(i, new Rectangle2D.Double(at[0] - radius, at[1] - radius, 2 * radius, 2 * radius));
+                });
+            }
         }
         List<TextLine> labels = new ArrayList<>();
         balls.forEach((i, own) -> {
