@@ -42,4 +42,3 @@
  * system, for {@code run --scene=2 --frames=false} with its two charts: the median of five starts, without other work.
  */
 package benchmarks;
-

@@ -69,6 +69,7 @@ public final class RunCommand extends ResultsCommand {
     @Option(names = "--size", paramLabel = "WIDTHxHEIGHT",
             description = "The size of frames, animation and film (pixels), such as 1920x1080.")
     private String size;
+
     @Mixin
     private final ChartOptions charts = new ChartOptions();
 

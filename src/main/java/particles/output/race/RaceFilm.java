@@ -33,7 +33,7 @@ public final class RaceFilm implements AutoCloseable {
     private final double playback;
     /** The first one is of the reference. */
     private final List<PanelFilm> films = new ArrayList<>();
-    
+
     /** What one thread draws on; a chart cannot be drawn by two threads at a time. */
     private record Canvas(BufferedImage image, StripChart chart) {
         Canvas(RacePage page, ChartData strip) {

@@ -7,7 +7,7 @@ import java.util.Set;
 /** Escapes text for HTML that is well-formed XML too. */
 final class Html {
     /** What XML 1.0 does not allow. */
-    static final String NO_CHARACTER = "[^\\t\\n\\r\\u0020-\\uD7FF\\uE000-\\uFFFD\\x{10000}-\\x{10FFFF}]";
+    private static final String NO_CHARACTER = "[^\\t\\n\\r\\u0020-\\uD7FF\\uE000-\\uFFFD\\x{10000}-\\x{10FFFF}]";
 
     private final Set<String> ids = new HashSet<>();
 
