@@ -28,7 +28,7 @@ public final class PageBuilder implements LabBuilder {
     private static final String PAGE = "particles/lab/page/";
 
     /** The scripts of the page that import each other, in an order in which each comes after its imports. */
-    private static final List<String> OWN_MODULES = List.of("packing", "address", "gallery", "keys", "camera",
+    private static final List<String> OWN_MODULES = List.of("dom", "packing", "address", "gallery", "keys", "camera",
             "lines", "marks", "scenery", "view", "plots", "editor", "parameters", "saving", "settings", "panels",
             "stability", "tables", "words", "hand", "inspector", "main");
     private static final Pattern PLACE = Pattern.compile("<!--\\{(\\w+)}-->");

@@ -1,7 +1,6 @@
 // The scene's text, with our own error lines at their places.
+import {$, make} from './dom.js';
 import {save} from './packing.js';
-
-const list = document.getElementById('errors');
 
 export class Editor {
   /** changed(text) is called when somebody has typed and paused. */
@@ -54,11 +53,9 @@ export class Editor {
   show(errors) {
     this.marks.splice(0).forEach(mark => mark.clear());
     this.code.eachLine(line => this.code.removeLineClass(line, 'background', 'wrong-line'));
-    list.replaceChildren(...errors.map(error => {
+    $('errors').replaceChildren(...errors.map(error => {
       const place = /^[^:]*:(\d+)(?::(\d+))?: /.exec(error);
-      const button = document.createElement('button');
-      button.type = 'button';
-      button.textContent = error;
+      const button = make('button', {type: 'button', textContent: error});
       if (place) {
         const line = place[1] - 1, column = (place[2] ?? 1) - 1;
         this.code.addLineClass(line, 'background', 'wrong-line');
@@ -66,7 +63,7 @@ export class Editor {
             {className: 'wrong-place'}));
         button.onclick = () => { this.code.setCursor({line, ch: column}); this.code.focus(); };
       }
-      const item = document.createElement('li');
+      const item = make('li');
       item.append(button);
       return item;
     }));

@@ -1,5 +1,6 @@
 // The scenes to choose from: a list and, in a window of its own, their pictures with titles.
-const $ = id => document.getElementById(id);
+import {$, make} from './dom.js';
+
 const titleOf = scene => /^title: *(.*)/m.exec(scene.textContent)?.[1] ?? scene.dataset.name;
 
 export class Gallery {
@@ -9,8 +10,7 @@ export class Gallery {
     $('scene').append(...scenes.map(scene => new Option(short(scene), scene.dataset.name)));
     $('scene').onchange = () => chosen($('scene').value);
     $('pictures').append(...scenes.map(scene => {
-      const button = document.createElement('button'), picture = new Image(320, 180);
-      button.type = 'button';
+      const button = make('button', {type: 'button'}), picture = new Image(320, 180);
       picture.alt = '';
       picture.src = scene.dataset.picture ? 'data:image/png;base64,' + scene.dataset.picture : 'data:,';
       picture.hidden = !scene.dataset.picture;

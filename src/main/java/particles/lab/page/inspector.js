@@ -1,9 +1,10 @@
 // The chosen particle: its mass, place, velocity and the forces on it, in numbers and as arrows.
-const $ = id => document.getElementById(id);
+import {$, few, make} from './dom.js';
+
 const INTERVAL = 150;                   // milliseconds between two questions
 const SVG = 'http://www.w3.org/2000/svg', LONGEST = 0.16;       // of the picture's height
 const COLOURS = {gravity: '#009e73', springs: '#cc79a7', pointer: '#e69f00'}, OTHER = '#0072b2';
-const digits = value => Number(value.toPrecision(3)).toString();
+const digits = value => few(value, 3);
 const vector = values => '(' + [...values].map(digits).join(', ') + ')';
 
 export class Inspector {
@@ -45,11 +46,8 @@ export class Inspector {
   tell(forces) {
     this.forces = forces;
     const names = Object.keys(forces);
-    $('forceList').replaceChildren(...names.map(name => {
-      const row = document.createElement('li');
-      row.textContent = name + ' ' + vector(forces[name]) + ' N';
-      return row;
-    }));
+    $('forceList').replaceChildren(...names.map(name =>
+        make('li', {textContent: name + ' ' + vector(forces[name]) + ' N'})));
   }
 
   /** place(point) is where a point is seen; from is the particle's place, height that of the picture (m) */

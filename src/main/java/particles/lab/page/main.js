@@ -1,5 +1,6 @@
 // Ties the page together: what is chosen goes to the worker that runs the compiled classes, what it tells is shown.
 import {Address} from './address.js';
+import {$, few, make} from './dom.js';
 import {Gallery} from './gallery.js';
 import {listen, toggleFullScreen} from './keys.js';
 import {save, unpack} from './packing.js';
@@ -11,12 +12,11 @@ import {Hand} from './hand.js';
 import {Inspector} from './inspector.js';
 import {Parameters} from './parameters.js';
 import {Film, Rates, composed, plotImage, savePicture} from './saving.js';
-import {Settings, few} from './settings.js';
+import {Settings} from './settings.js';
 import {Stability} from './stability.js';
 import {Table} from './tables.js';
 import {ofPage} from './words.js';
 
-const $ = id => document.getElementById(id);
 const REFERENCE_PARTICLES = 40, REFERENCE_MILLISECONDS = 4000;
 const WITHOUT_PULLS = 'The run up to this moment was computed anew, without your earlier pulls.';
 const PLOT_INTERVAL = 80;              // milliseconds: a curve of 4000 points takes 20 to draw
@@ -249,11 +249,8 @@ function shown(message) {
   $('steps').textContent = message.steps;
   $('evaluations').textContent = message.evaluations;
   $('seconds').textContent = few(message.seconds) + ' s';
-  $('work').replaceChildren(...Object.entries(message.work).filter(([name, joules]) => joules).map(([name, joules]) => {
-    const row = document.createElement('li');
-    row.textContent = name + ': ' + few(joules);
-    return row;
-  }));
+  $('work').replaceChildren(...Object.entries(message.work).filter(([name, joules]) => joules)
+      .map(([name, joules]) => make('li', {textContent: name + ': ' + few(joules)})));
   if (message.failure && !looking) {
     $('message').textContent = message.failure;
   }

@@ -1,8 +1,7 @@
 // Up to three more runs of the same scene beside the first, each with its own solver and deltaT; they follow its time.
-import {few} from './settings.js';
+import {$, few, make} from './dom.js';
 import {makeView} from './view.js';
 
-const $ = id => document.getElementById(id);
 const MOST = 3;
 export const COLOURS = ['#e69f00', '#009e73', '#cc79a7'];       // the first run is blue
 
@@ -67,12 +66,10 @@ export class Panels {
 class Panel {
   constructor(panels, index, choice) {
     Object.assign(this, {panels, index, choice: {solver: 'euler', deltaT: '', ...choice}});
-    this.figure = document.createElement('figure');
-    this.caption = document.createElement('figcaption');
-    this.caption.className = 'caption';
+    this.figure = make('figure');
+    this.caption = make('figcaption', {className: 'caption'});
     this.caption.style.borderColor = COLOURS[this.index];
-    const picture = document.createElement('div');
-    picture.className = 'view';
+    const picture = make('div', {className: 'view'});
     picture.setAttribute('role', 'img');
     this.figure.append(picture, this.caption);
     $('views').append(this.figure);
@@ -83,24 +80,19 @@ class Panel {
   }
 
   addControls() {
-    const label = text => {
-      const element = document.createElement('label');
-      element.append(text);
-      return element;
-    };
-    this.row = document.createElement('li');
+    this.row = make('li');
     this.row.style.borderColor = COLOURS[this.index];
-    const solver = document.createElement('select'), remove = document.createElement('button');
-    this.step = document.createElement('input');
+    const solver = make('select');
     solver.append(...this.panels.solvers.map(one => new Option(one.name)));
     solver.value = this.choice.solver;
     solver.onchange = () => this.choose({solver: solver.value});
-    Object.assign(this.step, {type: 'text', inputMode: 'decimal', disabled: $('equalWork').checked});
+    this.step = make('input', {type: 'text', inputMode: 'decimal', disabled: $('equalWork').checked});
     this.step.onchange = () => this.choose({deltaT: this.step.value.trim()});
-    Object.assign(remove, {type: 'button', textContent: 'Remove', onclick: () => this.panels.remove(this)});
-    this.error = document.createElement('p');
+    const remove = make('button', {type: 'button', textContent: 'Remove', onclick: () => this.panels.remove(this)});
+    this.error = make('p');
     this.error.setAttribute('role', 'alert');
-    const name = label('Solver of run ' + (this.index + 2) + ' '), step = label('Its deltaT (s) ');
+    const name = make('label', {textContent: 'Solver of run ' + (this.index + 2) + ' '});
+    const step = make('label', {textContent: 'Its deltaT (s) '});
     name.append(solver);
     step.append(this.step);
     this.row.append(name, step, remove, this.error);

@@ -1,9 +1,10 @@
 // Sliders for the numbers of the scene's text that say how things behave: stiffness, damping, mass, gravity, wind ...
-const $ = id => document.getElementById(id);
+import {$, few, make} from './dom.js';
+
 const MOST = 20, STEPS = 200, FACTOR = 20, HUGE = 1e29;
 const NOT_BEHAVIOUR = /^(camera|look|output|solver|deltaT|duration|blowUpFactor|constraints)$/;
 const GRAVITY = /^(\s*-\s*)(gravity(?:: *\{acceleration: *\[0(?:\.0)?, *([-+.\de]+), *0(?:\.0)?\]\})?)(?=\s*(#|$))/;
-const digits = value => String(Number(value.toPrecision(3)));
+const digits = value => few(value, 3);
 
 export class Parameters {
   /** editor: holds the text */
@@ -37,9 +38,8 @@ export class Parameters {
   }
 
   row(slider) {
-    const label = document.createElement('label'), input = document.createElement('input');
-    const output = document.createElement('output');
-    Object.assign(input, {type: 'range', min: 0, max: STEPS, step: 1});
+    const label = make('label'), input = make('input', {type: 'range', min: 0, max: STEPS, step: 1});
+    const output = make('output');
     slider.tell = () => {
       const {range, unit} = slider, text = digits(slider.value) + ' ' + unit;
       input.value = STEPS * range.part(slider.value);

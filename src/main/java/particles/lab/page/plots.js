@@ -1,4 +1,6 @@
 // The energies over time and the phase space of one particle, drawn as the run goes.
+import {ink} from './dom.js';
+
 // By Okabe and Ito: people with any colour vision can tell them apart. An energy has one colour in all scenes.
 const COLOURS = ['#d55e00', '#0072b2', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#8c6d1f', '#7f7f7f'];
 const OF_ENERGIES = {'total': 0, 'kinetic': 1, 'gravity': 2, 'springs': 3, 'attraction': 4, 'cohesion': 5,
@@ -6,7 +8,6 @@ const OF_ENERGIES = {'total': 0, 'kinetic': 1, 'gravity': 2, 'springs': 3, 'attr
 const MOST = 4000;                      // points of a curve; then every second is dropped
 const FEW = 150;                        // points that are dots as well
 
-const ink = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 const short = v => v !== 0 && (Math.abs(v) >= 1e5 || Math.abs(v) < 1e-3) ? v.toExponential(1) : String(v);
 const axes = (x, y) => [x, y].map((label, i) => ({label, values: (u, values) => values.map(short),
   size: i ? 62 : 44, labelSize: 20, stroke: () => ink('--ink'),

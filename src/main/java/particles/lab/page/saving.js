@@ -1,7 +1,7 @@
 // Files of what is seen and was computed: pictures, a film, tables of numbers. And how fast all of it goes.
+import {$, few, ink} from './dom.js';
 import {save} from './packing.js';
 
-const $ = id => document.getElementById(id);
 const INK = '#1b2430', PAPER = '#ffffff', FILM_RATE = 30;
 
 /** The picture with its arrows and labels, on a canvas of its own or on one that is given. */
@@ -44,8 +44,8 @@ export function plotImage(element) {
   const plot = element.querySelector('canvas'), canvas = document.createElement('canvas'), scale = devicePixelRatio;
   const names = [...element.querySelectorAll('.u-series')].slice(1).filter(row => !row.hidden);   // the first is time
   Object.assign(canvas, {width: plot.width, height: plot.height + 18 * scale * names.length});
-  const c = canvas.getContext('2d'), page = getComputedStyle(document.documentElement);
-  c.fillStyle = page.getPropertyValue('--panel');
+  const c = canvas.getContext('2d');
+  c.fillStyle = ink('--panel');
   c.fillRect(0, 0, canvas.width, canvas.height);
   c.drawImage(plot, 0, 0);
   c.scale(scale, scale);
@@ -54,7 +54,7 @@ export function plotImage(element) {
     const y = plot.height / scale + 18 * i;
     c.fillStyle = getComputedStyle(row.querySelector('.u-marker')).borderTopColor;
     c.fillRect(12, y + 2, 10, 10);
-    c.fillStyle = page.getPropertyValue('--ink');
+    c.fillStyle = ink('--ink');
     c.fillText(row.querySelector('.u-label').textContent, 28, y + 11);
   });
   return canvas;
@@ -117,7 +117,7 @@ export class Rates {
     const first = this.moments[0], seconds = (now - first.now) / 1000;
     if (seconds > 0.25) {
       $('rate').textContent = Math.round((this.moments.length - 1) / seconds);
-      $('pace').textContent = Number(((time - first.time) / seconds).toPrecision(2)) + ' s/s';
+      $('pace').textContent = few((time - first.time) / seconds, 2) + ' s/s';
     }
   }
 }

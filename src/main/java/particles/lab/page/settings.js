@@ -1,6 +1,5 @@
 // The solver, its time step and its tolerance: what is chosen beside the scene's text.
-const $ = id => document.getElementById(id);
-export const few = number => Number(number.toPrecision(4)).toString();
+import {$, few} from './dom.js';
 
 export class Settings {
   /** changed(what): called with the settings that somebody has changed; stability: shows what deltaT does */
@@ -11,7 +10,7 @@ export class Settings {
     $('tolerance').onchange = () => changed({tolerance: Number($('tolerance').value)});
     typed.onchange = () => changed({deltaT: typed.value.trim()});
     slider.oninput = () => {
-      typed.value = Number((10 ** slider.value).toPrecision(2));
+      typed.value = few(10 ** slider.value, 2);
       this.showStability(Number(typed.value));
     };
     slider.onchange = () => changed({deltaT: typed.value});

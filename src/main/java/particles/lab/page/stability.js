@@ -1,10 +1,10 @@
 // The stability region of the chosen method, and in it h lambda of the scene's stiffest vibration as deltaT changes.
-const $ = id => document.getElementById(id);
+import {$, few, ink} from './dom.js';
+
 const WINDOW = {left: -5, bottom: 0, cell: 0.125, columns: 56, rows: 32};
 const RIGHT = WINDOW.left + WINDOW.cell * WINDOW.columns, TOP = WINDOW.cell * WINDOW.rows;
 const ROUNDING = 1e-8;                  // what grows less is round-off or Newton's tolerance
-const ink = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-const few = number => String(Number(number.toPrecision(3)));
+const digits = number => few(number, 3);
 
 export class Stability {
   /** engine: the address of the compiled classes; they work in a worker of their own, as some regions take seconds */
@@ -63,7 +63,7 @@ export class Stability {
 
   tell() {
     const [re, im] = this.z, growth = this.growth;
-    $('growth').textContent = 'h λ = ' + few(re) + (im > 0 ? ' ± ' + few(im) + ' i' : '') + (growth === null ? ''
+    $('growth').textContent = 'h λ = ' + digits(re) + (im > 0 ? ' ± ' + digits(im) + ' i' : '') + (growth === null ? ''
         : growth > 1 + ROUNDING ? ': each step multiplies this vibration by ' + factor(growth) + ', so it grows.'
         : growth > 1 - 1e-6 ? ': each step keeps its size.'
         : ': each step multiplies this vibration by ' + factor(growth) + ', so it decays.');
@@ -117,6 +117,6 @@ function stiffest({omega, damping}, h) {
 
 function factor(growth) {
   const difference = growth - 1;
-  return Math.abs(difference) < 0.01 ? '1 ' + (difference > 0 ? '+ ' : '- ') + few(Math.abs(difference))
-      : growth < 1e6 ? few(growth) : 'more than a million';
+  return Math.abs(difference) < 0.01 ? '1 ' + (difference > 0 ? '+ ' : '- ') + digits(Math.abs(difference))
+      : growth < 1e6 ? digits(growth) : 'more than a million';
 }

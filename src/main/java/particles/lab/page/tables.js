@@ -1,4 +1,6 @@
 // The numbers behind a plot, for those who do not see it.
+import {few, make} from './dom.js';
+
 const MOST_ROWS = 25, INTERVAL = 1000;  // milliseconds between two tables while a run goes on
 
 export class Table {
@@ -15,25 +17,18 @@ export class Table {
     }
     this.written = now === Infinity ? -Infinity : now;
     const [heads, columns] = this.read(), count = columns[0].length, rows = Math.min(count, MOST_ROWS);
-    const table = document.createElement('table');
+    const table = make('table');
     table.createTHead().append(row('th', heads));
     table.createTBody().append(...Array.from({length: rows}, (none, r) => {
       const k = rows > 1 ? Math.round(r * (count - 1) / (rows - 1)) : 0;
-      return row('td', columns.map(column => Number((column[k] ?? 0).toPrecision(4))));
+      return row('td', columns.map(column => few(column[k] ?? 0)));
     }));
     this.details.querySelector('div').replaceChildren(table);
   }
 }
 
 function row(tag, cells) {
-  const all = document.createElement('tr');
-  all.append(...cells.map(text => {
-    const cell = document.createElement(tag);
-    cell.textContent = text;
-    if (tag === 'th') {
-      cell.scope = 'col';
-    }
-    return cell;
-  }));
+  const all = make('tr');
+  all.append(...cells.map(textContent => make(tag, {textContent, ...(tag === 'th' && {scope: 'col'})})));
   return all;
 }

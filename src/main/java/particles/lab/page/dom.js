@@ -1,0 +1,6 @@
+// What all modules need: the page's elements, new ones, colours and short numbers.
+export const $ = id => document.getElementById(id);
+export const make = (tag, properties) => Object.assign(document.createElement(tag), properties);
+/** A colour of the page. */
+export const ink = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+export const few = (number, digits = 4) => String(Number(number.toPrecision(digits)));
