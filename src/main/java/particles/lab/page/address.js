@@ -14,14 +14,17 @@ export class Address {
   /** Opens the state of the address. @returns whether it has one that can be read */
   async read() {
     const packed = location.hash.slice(1);
-    if (!packed) {
-      return false;
-    }
+    return packed !== '' && this.take('The part of the address after #', unpack(packed));
+  }
+
+  /** Opens the state that a text describes. @returns whether it does */
+  async take(name, text) {
     try {
-      this.open(JSON.parse(await unpack(packed)));
+      this.open(JSON.parse(await text));
       return true;
-    } catch {
-      this.tell('The part of the address after # is damaged or incomplete, so nothing could be opened from it.');
+    } catch (error) {
+      console.warn(error);
+      this.tell(name + ' is damaged or incomplete, so nothing could be opened from it.');
       return false;
     }
   }

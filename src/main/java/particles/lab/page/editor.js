@@ -3,15 +3,16 @@ import {$, make} from './dom.js';
 import {save} from './packing.js';
 
 export class Editor {
-  /** changed(text) is called when somebody has typed and paused. */
+  /** changed() is called when somebody has typed and paused. */
   constructor(textarea, changed) {
+    this.changed = changed;
     this.code = CodeMirror.fromTextArea(textarea, {mode: 'yaml', lineNumbers: true, tabSize: 2,
       screenReaderLabel: 'Scene file', extraKeys: {Tab: false, 'Shift-Tab': false}});
     this.marks = [];
     this.code.on('change', (code, change) => {
       if (change.origin !== 'setValue') {
         clearTimeout(this.timer);
-        this.timer = setTimeout(() => changed(this.text), 400);
+        this.timer = setTimeout(() => this.settle(), 400);
       }
     });
   }
@@ -22,7 +23,17 @@ export class Editor {
 
   set text(text) {
     clearTimeout(this.timer);
+    this.timer = null;
     this.code.setValue(text);
+  }
+
+  /** Takes what has been typed so far, without waiting for the pause. */
+  settle() {
+    if (this.timer) {
+      clearTimeout(this.timer);
+      this.timer = null;
+      this.changed();
+    }
   }
 
   /** A mark on a part of the text, which stays on it while the text changes. */

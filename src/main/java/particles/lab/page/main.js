@@ -419,7 +419,10 @@ $('step').onclick = step;
 $('restart').onclick = () => open();
 $('fullScreen').onclick = fullScreen;
 $('fullScreen').hidden = !document.fullscreenEnabled;
-$('copyLink').onclick = () => address.copy();
+$('copyLink').onclick = () => {
+  editor.settle();
+  address.copy();
+};
 listen({' ': () => !$('start').disabled && startOrPause(), ArrowRight: () => !$('step').disabled && step(),
   ArrowLeft: () => frame && stepBack(), f: fullScreen});
 $('speed').onchange = () => playing && worker.postMessage({type: 'play', speed: Number($('speed').value)});
@@ -432,8 +435,11 @@ $('logarithmic').onchange = () => energy.setLogarithmic($('logarithmic').checked
 $('showEditor').onclick = () => showEditor($('editor').hidden);
 $('save').onclick = () => editor.save($('scene').value);
 $('open').onchange = async () => {
-  const file = $('open').files[0], content = await file.text();
-  file.name.endsWith('.json') ? openState(JSON.parse(content)) : openText(content);
+  const [file] = $('open').files, content = await file?.text();
+  if (file) {
+    note('');
+    file.name.endsWith('.json') ? address.take(file.name, content) : openText(content);
+  }
 };
 
 /** Scene and solver, in the names of files. */

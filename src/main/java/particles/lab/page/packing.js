@@ -10,7 +10,7 @@ export async function pack(text) {
 }
 
 /** The text of what pack has made, or of any zlib stream in base64. */
-export function unpack(packed) {
+export async function unpack(packed) {
   const binary = atob(packed.trim().replace(/-/g, '+').replace(/_/g, '/'));
   return through(new Blob([Uint8Array.from(binary, letter => letter.charCodeAt(0))]),
       new DecompressionStream('deflate')).text();
