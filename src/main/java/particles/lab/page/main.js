@@ -153,10 +153,8 @@ function opened(message) {
   $('teaches').textContent = facts.title + ': ' + ofPage(facts.teaches);
   settings.show(facts, chosen.tolerance);
   parameters.show(facts.numbers);
-  energy.start(facts.energies, facts.uniform);
   inspector.start();
-  panels.open(good, facts);
-  startComparison();
+  startPlots();
   $('time').max = facts.duration;
   if (wanted?.time > 0) {
     worker.postMessage({type: 'reach', time: Number(wanted.time)});
@@ -202,9 +200,7 @@ function goOn(time, speed) {
   worker.postMessage({type: 'goOn', run: ++run, time, speed});
   if (pulled) {
     pulled = false;
-    panels.open(good, facts);
-    startComparison();
-    energy.start(facts.energies, facts.uniform);
+    startPlots();
     newPhase();
   }
 }
@@ -298,11 +294,12 @@ function newPhase() {
   }
 }
 
+const chosenPhase = () => ({type: 'phase', id: $('particle').value, axis: Number($('axis').value)});
+
 function askForPhase() {
-  const wanted = {type: 'phase', id: $('particle').value, axis: Number($('axis').value)};
-  worker.postMessage(wanted);
-  reference?.postMessage(wanted);
-  panels.tell(wanted);
+  worker.postMessage(chosenPhase());
+  reference?.postMessage(chosenPhase());
+  panels.tell(chosenPhase());
 }
 
 // ---- runs beside the first ----
@@ -317,14 +314,16 @@ function panelsChanged() {
   }
 }
 
-function startComparison() {
+function startPlots() {
+  energy.start(facts.energies, facts.uniform);
+  panels.open(good, facts);
   comparison.start(facts.solver, panels.describe().map(({solver}, i) => ({name: solver, colour: COLOURS[i]})));
 }
 
 /** What another run tells. */
 function heard(i, message) {
   if (message.type === 'opened' && !message.facts.errors && $('particle').value) {
-    panels.all[i].worker.postMessage({type: 'phase', id: $('particle').value, axis: Number($('axis').value)});
+    panels.all[i].worker.postMessage(chosenPhase());
   } else if (message.type === 'frame') {
     comparison.add(i + 1, message.energies, 1 + facts.energies.length);
     phase.addTo(i, message.points);
@@ -372,7 +371,7 @@ function startReference() {
   reference.postMessage({type: 'open', ...sent(), solver: 'dormand-prince', tolerance: 1e-10,
     deltaT: String(facts.duration / 1000)});
   reference.postMessage({type: 'run', milliseconds: REFERENCE_MILLISECONDS});
-  reference.postMessage({type: 'phase', id: $('particle').value, axis: Number($('axis').value)});
+  reference.postMessage(chosenPhase());
 }
 
 const isChosen = message => message.id === $('particle').value && message.axis === Number($('axis').value);

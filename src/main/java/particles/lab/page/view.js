@@ -1,4 +1,4 @@
-// The scene in three dimensions, drawn as in the frames; the camera, lines, marks and scenery have modules of their own.
+// The scene in three dimensions, drawn as in the frames; the camera, lines, marks and scenery have their own modules.
 import * as THREE from 'three';
 import {SceneCamera} from './camera.js';
 import {Springs, Trails} from './lines.js';
