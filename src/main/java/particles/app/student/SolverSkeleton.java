@@ -1,12 +1,11 @@
 package particles.app.student;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
-import java.util.regex.Pattern;
+import particles.teaching.solvers.SolverCheck;
 
 /** The template of a student's solver: it compiles, and has the algorithm's outline as comments. */
 final class SolverSkeleton {
@@ -16,11 +15,11 @@ final class SolverSkeleton {
                     // 3. new s  = s + deltaT * gMid                             from the start s, not from the middle
             """;
     private static final String RK4 = """
-                    // 1. k1 = deltaT * derivative at (s, t)                  the Euler step
-                    // 2. k2 = deltaT * derivative at (s + k1/2, t + deltaT/2)the midpoint step
-                    // 3. k3 = deltaT * derivative at (s + k2/2, t + deltaT/2)the refined midpoint step
-                    // 4. k4 = deltaT * derivative at (s + k3, t + deltaT)    the refined refined step
-                    // 5. new s = s + k1/6 + k2/3 + k3/3 + k4/6               in Java 1/6 * k1[i] is 0: write 1.0/6
+                    // 1. k1 = deltaT * derivative at (s, t)                    the Euler step
+                    // 2. k2 = deltaT * derivative at (s + k1/2, t + deltaT/2)  the midpoint step
+                    // 3. k3 = deltaT * derivative at (s + k2/2, t + deltaT/2)  the refined midpoint step
+                    // 4. k4 = deltaT * derivative at (s + k3, t + deltaT)      the refined refined step
+                    // 5. new s = s + k1/6 + k2/3 + k3/3 + k4/6                 in Java 1/6 * k1[i] is 0: write 1.0/6
             """;
     private static final String SIMPLE = """
                     // 1. for each particle: a = F/m                  the derivative has it where v stands in s
@@ -32,12 +31,6 @@ final class SolverSkeleton {
                     // 2. perhaps further derivatives, each at a trial state and its own time
                     // 3. new s = s + deltaT * a mean of the derivatives; the weights add up to 1
             """;
-
-    /** The outlines for words in a class's name; no two of them are in one method's name. */
-    private static final Map<String, String> OUTLINES = Map.of(
-            "midpoint|rk2|rungekutta2|modifiedeuler|improvedeuler", MIDPOINT,
-            "rk4|rungekutta(?!\\d)|rungekutta4", RK4,
-            "symplectic|semiimplicit|cromer|verlet|leapfrog|simplealgorithm|simpleparticle", SIMPLE);
 
     /** The class that solvers extend on the slides. */
     static final String SLIDES_WAY = "DESolver";
@@ -157,8 +150,13 @@ final class SolverSkeleton {
      * @return the text of a solver
      */
     static String solver(String name, String base) {
-        String outline = OUTLINES.entrySet().stream().filter(entry -> Pattern.compile(entry.getKey()).matcher(
-                name.toLowerCase(Locale.ROOT)).find()).findFirst().map(Map.Entry::getValue).orElse(GENERAL);
+        String outline = switch (SolverCheck.promise(name)) {
+            case "the midpoint method", "Heun's method or the midpoint method", "a Runge-Kutta method of order 2" ->
+                    MIDPOINT;
+            case "a Runge-Kutta method of order 4" -> RK4;
+            case "symplectic Euler", "velocity or position Verlet", "velocity Verlet" -> SIMPLE;
+            default -> GENERAL;
+        };
         return (base.equals(SLIDES_WAY) ? ON_DE_SOLVER : ON_FIXED_STEP_SOLVER).replace("OUTLINE\n", outline).replace(
                 "NAME", name);
     }

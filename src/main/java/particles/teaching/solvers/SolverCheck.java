@@ -57,6 +57,11 @@ public final class SolverCheck {
         return new SolverCheck(maker, className).verdict();
     }
 
+    /** @return the method that a class's name promises, such as velocity Verlet; empty if it promises none */
+    public static String promise(String className) {
+        return NamePromise.of(className).map(NamePromise::says).orElse("");
+    }
+
     private SolverVerdict verdict() {
         String identity = "Its step cannot be judged yet.";
         boolean multistep = false;

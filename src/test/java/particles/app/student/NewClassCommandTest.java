@@ -16,6 +16,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -109,11 +110,15 @@ class NewClassCommandTest {
 
     @Test
     void everySlidesOutlineIsThere() throws IOException {
-        for (String[] pair : new String[][] {{"MidpointSolver", "gMid"}, {"SymplecticEulerSolver", "v += a * deltaT"},
-                {"HeunSolver", "weights add up to 1"}}) {
-            run(ExitCode.DONE, "newSolver", pair[0]);
-            assertTrue(Files.readString(folder.resolve("exercises").resolve(pair[0] + ".java")).contains(pair[1]),
-                    pair[0]);
+        Map<String, String> names = Map.of("gMid", "MidpointSolver RK2 SecondOrderRungeKutta ModifiedEuler",
+                "k4/6", "RK4Solver RungeKutta", "v += a * deltaT", "SymplecticEulerSolver Leapfrog KickDriftKick",
+                "weights add up to 1", "HeunSolver ImplicitMidpoint RungeKuttaFehlberg Smith");
+        for (Map.Entry<String, String> entry : names.entrySet()) {
+            for (String name : entry.getValue().split(" ")) {
+                run(ExitCode.DONE, "newSolver", name);
+                assertTrue(Files.readString(folder.resolve("exercises").resolve(name + ".java")).contains(
+                        entry.getKey()), name);
+            }
         }
     }
 
