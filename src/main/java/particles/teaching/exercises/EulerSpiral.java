@@ -41,7 +41,6 @@ final class EulerSpiral extends NumericExercise {
 
     private static double ratio(double m, double k, double h, int steps) {
         Spring spring = new Spring(m, k, 0, 1, 0);
-        double before = spring.energy();
-        return spring.after("euler", steps, h).energy() / before;
+        return spring.after("euler", steps, h).energy() / spring.energy();
     }
 }

@@ -54,8 +54,8 @@ public abstract class NumericExercise implements Exercise {
      */
     protected final Question question(double answer, double smallest, List<?> numbers, double... mistakes) {
         return new Question(task.formatted(numbers.stream().map(x -> x instanceof Double d ? Draw.text(d) : x)
-                .toArray()), unit, tolerance(), answer, smallest, IntStream.range(1, hints.size()).mapToObj(i ->
-                new CommonMistake(mistakes[i - 1], hints.get(i))).toList());
+                .toArray()), unit, tolerance(), answer, smallest, IntStream.range(0, Math.max(mistakes.length,
+                hints.size() - 1)).mapToObj(i -> new CommonMistake(mistakes[i], hints.get(i + 1))).toList());
     }
 
     /** @return the question with the next numbers */
