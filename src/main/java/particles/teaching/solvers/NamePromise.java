@@ -35,11 +35,12 @@ record NamePromise(String says, int order, List<String> methods, Strength streng
             "^[a-z]\\d+|my|solver|stepper|integrator|method|rule|step|the|mine|own|fixed|test|example|good|newton"
             + "|new|scheme|task|exercise|question|homework|assignment|aufgabe|version|verfahren|explicit|forward"
             + "|classical|classic|standard|slides?|particles?|\\d";
-    private static final Pattern CHANGES = Pattern.compile("richardson|extrapol|romberg|adapt|embedded|pair|doubling"
+    private static final Pattern CHANGES = Pattern.compile("romberg|adapt|embedded|pair|doubling"
             + "|sub|small|tiny|twice|half|halves|multi|rosenbrock|exponential|linear|ensemble|corrected|compos|blend"
             + "|filter|lowstorage|stabili[sz]ed|chebyshev|predict");
     private static final Pattern IMPLICIT_FAMILIES = Pattern.compile("Gauss|Lobatto|Radau|implicit");
     private static final int SHORT = 4;
+    private static final Pattern EXTRAPOLATES = Pattern.compile("richardson|extrapol");
     private static final Pattern ADAPTS = Pattern.compile("adapt|stepdoubling|stepsizecontrol|variablestep");
 
     /** Meaning, order, words in names, names of methods; the longest word in a name wins. */
@@ -95,8 +96,6 @@ record NamePromise(String says, int order, List<String> methods, Strength streng
             a diagonally implicit method of order 3 | 3 | sdirk3 dirk3 |
             """;
 
-    private static final Pattern EXTRAPOLATES = Pattern.compile("richardson|extrapol");
-
     /** The parts of a word stand in a name in any order. */
     private record Row(List<String> parts, String says, int order, List<String> methods) {
         static Stream<Row> of(String line) {
@@ -137,7 +136,7 @@ record NamePromise(String says, int order, List<String> methods, Strength streng
         boolean more = EXTRAPOLATES.matcher(rest).find();
         return Optional.of(new NamePromise((more ? "the extrapolation of " : "") + best.says, best.order + (more ? 1
                 : 0), best.methods, rest.replaceAll(NOISE, "").isBlank() ? Strength.WHOLE
-                : ROWS.stream().anyMatch(row -> row.parts.stream().allMatch(rest::contains))     // HeunEuler
+                : more || ROWS.stream().anyMatch(row -> row.parts.stream().allMatch(rest::contains))     // HeunEuler
                 || CHANGES.matcher(rest).find() ? Strength.CHANGED : Strength.UNKNOWN, adapts));
     }
 

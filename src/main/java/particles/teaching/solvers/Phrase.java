@@ -148,7 +148,7 @@ enum Phrase {
 
     /** @return the finding if something holds */
     Optional<Finding> when(boolean holds, Object... values) {
-        return Optional.of(of(values)).filter(finding -> holds);
+        return holds ? Optional.of(of(values)) : Optional.empty();
     }
 
     /** @return the finding; numbers with a fraction are written as people do */

@@ -244,7 +244,7 @@ public final class SolverCheck {
         if (vanishes && (Double.isNaN(order) || order > wanted(multistep) - 0.5)) {
             return Optional.empty();
         }
-        Optional<Finding> far = vanishes ? Optional.empty() : unread.elsewhere(SHORT);
+        Optional<Finding> far = vanishes ? Optional.empty() : unread.elsewhere();
         return far.or(causes).or(() -> Optional.of(vanishes ? Phrase.NAME_ORDER.of(ExplicitMethod.twoDigits(order),
                 promise.map(name -> "the name promises " + name.saysWithOrder()).orElse("a method that uses derivatives"
                 + " of earlier steps has at least order 2")) : Phrase.NO_CONVERGENCE.of(measurement.smallest()[1],

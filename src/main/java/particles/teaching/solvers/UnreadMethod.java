@@ -25,7 +25,7 @@ final class UnreadMethod {
     private static final double LONG = 4;
     private static final int MOST = 100_000;
     private static final int SHORT_STEPS = 16;
-    /** The motion is 1.5 wide. */
+    /** The oscillators start at 1.5. */
     private static final double FAR = 0.5;
     /** An iteration for an implicit method may diverge in a long step. */
     private static final double DIVERGED = 1e6;
@@ -125,9 +125,9 @@ final class UnreadMethod {
             for (int step = 0; step < 8; step++) {
                 solver.stepState(springs, 4);
             }
-            double growth = springs.energy();
-            return Phrase.UNSTABLE.when(!(growth <= 10), 4.0, "the amplitude of the spring x'' = -x", StrictMath.pow(2
-                    * growth, 1.0 / 16));
+            double growth = 2 * springs.energy();       // from 1
+            return Phrase.UNSTABLE.when(!(growth <= 20), 4.0, "the amplitude of the spring x'' = -x", StrictMath.pow(
+                    growth, 1.0 / 16));
         });
     }
 
@@ -156,7 +156,7 @@ final class UnreadMethod {
             double error = once.error();
             boolean far = error < DIVERGED && (error > FAR || error > LITTLE && error > MUCH * often.error());
             return moves <= often.timeMoves() / 2 || !far ? Optional.empty() : rejectedClock().or(() -> uncut(
-                    LONG)).or(() -> Phrase.UNCONTROLLED.when(true, error, LONG, often.error(), SHORT_STEPS));
+                    LONG)).or(() -> Optional.of(Phrase.UNCONTROLLED.of(error, LONG, often.error(), SHORT_STEPS)));
         });
     }
 
@@ -213,14 +213,13 @@ final class UnreadMethod {
     }
 
     /** @return the mistake if the state after a step is that of another time than t + deltaT */
-    Optional<Finding> elsewhere(double deltaT) {
+    Optional<Finding> elsewhere() {
         return unlessRefused(() -> {
             WindyOscillators source = new WindyOscillators(1);
-            maker.get().stepState(source, deltaT);
-            double here = error(source, deltaT, 1);
-            double place = best(source, deltaT, 1, 1);
-            return Phrase.ELSEWHERE.when(error(source, deltaT, place) <= MUCH_BETTER * here, deltaT, Formula.time(
-                    place), place);
+            maker.get().stepState(source, H);
+            double here = error(source, H, 1);
+            double place = best(source, H, 1, 1);
+            return Phrase.ELSEWHERE.when(error(source, H, place) <= MUCH_BETTER * here, H, Formula.time(place), place);
         });
     }
 
