@@ -72,10 +72,6 @@ final class Changes {
             case "then-seconds" -> then(step, (source, h) -> source.incTime(number));
             case "then-new-time" -> then(step, (source, h) -> source.incTime(source.getTime() + h));
             case "then-float-clock" -> then(step, (source, h) -> source.incTime((float) h));
-            case "first-clock" -> (source, h) -> {
-                source.incTime(number * h);
-                step.make(source, h);
-            };
             case "length" -> (source, h) -> step.make(source, number * h);
             case "fixed-length" -> (source, h) -> {
                 double end = source.getTime() + h;
