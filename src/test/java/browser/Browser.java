@@ -153,7 +153,7 @@ final class Browser implements AutoCloseable {
     void go(String address) {
         driver.get("about:blank");
         driver.get(address);
-        await("the first scene", () -> !text("steps").isEmpty() && !text("limit").isEmpty());
+        await("the first scene", () -> (Boolean) script("return Boolean(window.lab?.view.facts);"));
     }
 
     private static File program(String name) {
@@ -212,8 +212,9 @@ final class Browser implements AutoCloseable {
 
     /** Opens one of the page's scenes and waits until it is there. */
     void openScene(String name) {
+        script("window.before = window.lab.view.facts;");
         choose("scene", name + ".yaml");
-        await(name, () -> text("steps").equals("0") && text("clock").equals("0 s"));
+        await(name, () -> (Boolean) script("return window.lab.view.facts !== window.before;"));
     }
 
     Object script(String script, Object... arguments) {

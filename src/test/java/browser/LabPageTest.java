@@ -247,7 +247,8 @@ class LabPageTest extends LabPageTestCase {
     void nothingIsWiderThanTheWindow(int width) {
         page.driver().executeCdpCommand("Emulation.setDeviceMetricsOverride",
                 Map.of("width", width, "height", 900, "deviceScaleFactor", 1, "mobile", false));
-        Browser.sleep(300);
+        until("innerWidth === " + width + " && document.querySelector('#view canvas').clientWidth"
+                + " === element('view').clientWidth");
         assertEquals(0L, page.script(
                 "const all = document.documentElement; return all.scrollWidth - all.clientWidth;"));
         assertEquals(true, page.script("""

@@ -11,8 +11,8 @@ class LabPlayTest extends LabPageTestCase {
 
     /** Moves a slider of the scene's numbers to a part of its way, and waits until the scene has the new number. */
     private double slide(String label, double part) {
-        until("[...document.querySelectorAll('#parameters label')].some(one => one.textContent.startsWith('" + label
-                + "'))");
+        until("[...document.querySelectorAll('#parameters label')].map(one => one.textContent)"
+                + ".some(text => text.startsWith('" + label + "'))");
         page.script("""
                 window.before = window.lab.view.facts;
                 const input = [...document.querySelectorAll('#parameters label')]

@@ -24,9 +24,9 @@ class PictureTest extends LabPageTestCase {
         page.click("start");
         until("number('clock') > 0.5");
         page.click("start");
-        assertTrue(redPixels("#view canvas") != before);
-        assertTrue(linePixels("#energy canvas") > 200);
-        assertTrue(linePixels("#phase canvas") > 100);
+        page.await("a cloth that moves", () -> redPixels("#view canvas") != before);
+        page.await("curves of energy", () -> linePixels("#energy canvas") > 200);
+        page.await("a curve in phase space", () -> linePixels("#phase canvas") > 100);
         page.screenshot("cloth");
     }
 
@@ -121,11 +121,8 @@ class PictureTest extends LabPageTestCase {
         page.openScene("01-falling-particle");
         setStep("0.001");
         runToTheEnd();
-        List<?> place = (List<?>) page.script("const {clientWidth, clientHeight} = document.getElementById('view');"
-                + " const [x, y] = window.lab.view.onScreen(0); return [x / clientWidth, y / clientHeight];");
-        for (Object part : place) {
-            assertEquals(0.5, ((Number) part).doubleValue(), 0.49);
-        }
+        until("[element('view').clientWidth, element('view').clientHeight].every((size, i) =>"
+                + " Math.abs(view.onScreen(0)[i] / size - 0.5) < 0.49)");
         assertTrue(pixels("#view canvas", "r > 1.5 * b && a > 0") > 100);
     }
 
@@ -133,16 +130,14 @@ class PictureTest extends LabPageTestCase {
     void withOmegaOneTheExactCurveIsDrawnAsACircle() {
         page.openScene("02-one-spring");
         runToTheEnd();
-        List<?> pixels = (List<?>) page.script("const u = window.lab.phase.plot;"
-                + " return [u.valToPos(1, 'x') - u.valToPos(-1, 'x'), u.valToPos(-1, 'y') - u.valToPos(1, 'y')];");
-        double across = ((Number) pixels.get(0)).doubleValue();
-        assertEquals(across, ((Number) pixels.get(1)).doubleValue(), 0.01 * across);
+        until("""
+                ['x', 'y'].map(axis => Math.abs(phase.plot.valToPos(1, axis) - phase.plot.valToPos(-1, axis)))
+                  .every((size, i, [across]) => Math.abs(size - across) <= 0.01 * across)""");
     }
 
     @Test
     void theChosenParticleIsTheOneThatIsClicked() {
         page.openScene("05-hanging-chain");
-        until("view.onScreen(3)?.every(Number.isFinite)");
         List<?> place = (List<?>) page.script("""
                 const view = document.getElementById('view').getBoundingClientRect(); const at = \
                 window.lab.view.onScreen(3); return [view.left + at[0], view.top + at[1], \
