@@ -70,6 +70,11 @@ class LabPageTest extends LabPageTestCase {
         until("text('steps') === '1'");
         assertEquals("0.05 s", page.text("clock"));
         assertEquals("4", page.text("evaluations"));
+        page.click("start");
+        until("number('steps') > 2");
+        page.script("['restart', 'step'].forEach(id => document.getElementById(id).click());");
+        until("text('steps') === '1'");
+        assertEquals("Continue", page.text("start"));
     }
 
     @Test

@@ -206,6 +206,7 @@ function goOn(time, speed) {
 }
 
 function pause() {
+  autoplay = false;
   worker.postMessage({type: 'pause'});
   setPlaying(false);
 }
