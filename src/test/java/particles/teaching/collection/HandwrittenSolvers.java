@@ -80,8 +80,7 @@ final class HandwrittenSolvers {
                         + " derivative is divided by deltaT; it has to be multiplied by deltaT", (f, h) -> f / h),
                 increment("|deltaT|", "sign of deltaT", (f, h) -> Math.abs(h) * f),
                 increment("no increment", "no derivative is in it", (f, h) -> 0 * f),
-                increment("derivative rounded",
-                        "^state: digits get lost", (f, h) -> h * Math.round(f * 1000) / 1000.0),
+                increment("derivative rounded", "^state: digits get lost", (f, h) -> h * Math.round(f * 1000) / 1000.0),
                 increment("small ones forgotten", "numbers up to 0.0001000", (f, h) -> Math.abs(f) < 1e-3 ? 0 : h * f),
                 increment("deltaT in float", "float arithmetic", (f, h) -> (float) h * f),
                 increment("derivative cut off",
@@ -90,8 +89,7 @@ final class HandwrittenSolvers {
                 increment("random",
                         "^method: two new solvers make different steps from the same place: something is random,"
                         + " or static", (f, h) -> h * f * (1 + 0.01 * random.nextDouble())),
-                increment("NaN",
-                        "^state: the new state is NaN", (f, h) -> Math.sqrt(-1 - f * f)),
+                increment("NaN", "^state: the new state is NaN", (f, h) -> Math.sqrt(-1 - f * f)),
                 wrong("ClassicRK", "deltaT twice", "multiplied by deltaT twice", (source, h) -> {
                     double[] s = state(source);
                     double[] k1 = slope(source);
@@ -122,9 +120,9 @@ final class HandwrittenSolvers {
                 wrong("Mine", "velocity of the particle before", "entry 6 of the new state changes with entry 3",
                         HandwrittenSolvers::neighbour),
                 wrong("Mine", "the time for deltaT", "length is the time, source.getTime.., and", (source, h) -> {
-                            source.setState(plus(state(source), source.getTime(), slope(source)));
-                            source.incTime(h);
-                        }),
+                    source.setState(plus(state(source), source.getTime(), slope(source)));
+                    source.incTime(h);
+                }),
                 wrong("Mine", "old velocity, for particles only", "updated with the old velocity", (source, h) -> {
                     if (!(source instanceof SecondOrderStateSource)) {
                         throw new IllegalArgumentException("particles are needed");
