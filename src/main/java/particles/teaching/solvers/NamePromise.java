@@ -45,7 +45,7 @@ record NamePromise(String says, int order, List<String> methods, Strength streng
 
     /** Meaning, order, words in names, names of methods; the longest word in a name wins. */
     private static final String TABLE = """
-            the Euler method | 1 | euler explicit-euler forward-euler | the Euler method
+            the Euler method | 1 | euler | the Euler method
             symplectic Euler | 1 | symplectic-euler semi-implicit semi-implicit-euler cromer euler-cromer symplectic \
             kickdrift driftkick simplealgorithm simpleparticle \
             | symplectic Euler, the slides' simple particle system algorithm; \
