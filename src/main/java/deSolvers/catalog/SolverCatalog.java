@@ -130,6 +130,43 @@ public final class SolverCatalog {
      * @throws NoSuchElementException if no solver has this name
      */
     public static SolverInfo info(String name) {
+        return entry(name).info();
+    }
+
+    /**
+     * Creates a solver.
+     *
+     * @param name a catalogue name, or the fully-qualified name of a class of one's own with a public constructor of no
+     *             parameters
+     * @return a new solver
+     * @throws NoSuchElementException   if there is neither a solver nor a class of this name
+     * @throws IllegalArgumentException if the class is not a {@link DESolver} or cannot be created
+     */
+    public static DESolver create(String name) {
+        return isClass(name) ? ofClass(name) : entry(name).maker().get();
+    }
+
+    /**
+     * Creates an adaptive solver.
+     *
+     * @param name              as {@link #create(String)}; a class has a public constructor of two doubles
+     * @param relativeTolerance the error allowed for an entry of the state in one sub-step, relative to its size
+     * @param absoluteTolerance the error allowed besides, in the entry's unit
+     * @return a new solver
+     * @throws NoSuchElementException   if there is neither a solver nor a class of this name
+     * @throws IllegalArgumentException if the solver is not adaptive, the class is not a {@link DESolver} or cannot be
+     *                                  created, a tolerance is negative or not finite, or both are 0
+     */
+    public static DESolver create(String name, double relativeTolerance, double absoluteTolerance) {
+        return isClass(name) ? ofClass(name, relativeTolerance, absoluteTolerance)
+                : entry(name).toleranceMaker().create(relativeTolerance, absoluteTolerance);
+    }
+
+    private static boolean isClass(String name) {
+        return !ENTRIES.containsKey(name) && name.indexOf('.') > 0;
+    }
+
+    private static Entry entry(String name) {
         Entry entry = ENTRIES.get(name);
         if (entry == null) {
             throw new NoSuchElementException("unknown solver '" + name + "'"
@@ -137,29 +174,7 @@ public final class SolverCatalog {
                     + " known: " + String.join(", ", names()) + (name.matches("[A-Z]\\w*")
                     ? "; a class of your own is called exercises." + name : ""));
         }
-        return entry.info();
-    }
-
-    /**
-     * Creates a solver.
-     *
-     * @param name       a catalogue name, or the fully-qualified name of a class of one's own with a public constructor
-     *                   of as many doubles
-     * @param tolerances none, or for an adaptive solver two: the error allowed for an entry of the state in one
-     *                   sub-step, relative to its size, and the error allowed besides, in the entry's unit
-     * @return a new solver
-     * @throws NoSuchElementException   if there is neither a solver nor a class of this name
-     * @throws IllegalArgumentException if the class is not a {@link DESolver} or cannot be created, the solver is not
-     *                                  adaptive, or a tolerance is negative or not finite, or both are 0
-     */
-    public static DESolver create(String name, Double... tolerances) {
-        if (!ENTRIES.containsKey(name) && name.indexOf('.') > 0) {
-            return ofClass(name, tolerances);
-        }
-        info(name);
-        Entry entry = ENTRIES.get(name);
-        return tolerances.length == 0 ? entry.maker().get()
-                : entry.toleranceMaker().create(tolerances[0], tolerances[1]);
+        return entry;
     }
 
     private static DESolver ofClass(String name, Double... tolerances) {

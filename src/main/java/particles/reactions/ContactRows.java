@@ -4,7 +4,6 @@ import java.util.Arrays;
 import particles.law.Obstacle;
 import particles.law.Particles;
 import particles.law.Vector3;
-import particles.reactions.contact.ContactSurface;
 import particles.reactions.contact.Friction;
 import particles.reactions.contact.SlidingDirection;
 

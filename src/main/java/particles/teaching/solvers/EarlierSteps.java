@@ -3,7 +3,6 @@ package particles.teaching.solvers;
 import deSolvers.DESolver;
 import java.util.Arrays;
 import java.util.Comparator;
-import java.util.List;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Supplier;

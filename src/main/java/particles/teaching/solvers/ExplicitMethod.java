@@ -2,7 +2,6 @@ package particles.teaching.solvers;
 
 import deSolvers.DESolver;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;

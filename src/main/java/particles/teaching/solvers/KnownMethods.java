@@ -1,6 +1,5 @@
 package particles.teaching.solvers;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
