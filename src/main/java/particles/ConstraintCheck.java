@@ -8,10 +8,12 @@ import particles.law.Violation;
 /**
  * Checks what constraints do, whatever the solver of their forces says: the lengths of rods, the distances of beads and
  * contacts, and the work of moving anchors, as reported and as the forces on the anchors do it. A run is checked at
- * about {@value #SAMPLES} steps and at its end; a rod to an anchor on a circle may have its length again at the end.
+ * about {@value #SAMPLES} steps, not more than one in {@value #STEPS}, and at its end; a rod to an anchor on a circle
+ * may have its length again at the end.
  */
 final class ConstraintCheck implements Observer {
     private static final int SAMPLES = 200;
+    private static final int STEPS = 10;
 
     private final double longest;
     private final double interval;
@@ -26,7 +28,7 @@ final class ConstraintCheck implements Observer {
      */
     ConstraintCheck(double longest, double duration) {
         this.longest = longest;
-        interval = duration / SAMPLES;
+        interval = Math.max(duration / SAMPLES, (STEPS - 1) * longest);
     }
 
     @Override
