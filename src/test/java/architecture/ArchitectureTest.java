@@ -73,7 +73,7 @@ class ArchitectureTest {
                                            particles.spec particles.teaching particles.teaching.effects
                                            particles.teaching.exercises particles.teaching.figures
                                            particles.teaching.marking particles.teaching.solvers particles.view
-                                           javax.tools picocli
+                                           javax.crypto javax.crypto.spec javax.tools picocli
             particles.effects:             deSolvers particles.law particles.spec
             particles.effects.springs:     deSolvers particles.law particles.view
             particles.energy:              deSolvers.text particles particles.law particles.view

@@ -3,7 +3,6 @@ package particles.javac;
 import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -25,27 +24,24 @@ public final class Javac {
     }
 
     /**
-     * Compiles a source file and the sources that it needs.
+     * Compiles a source and the sources that it needs.
      *
-     * @param source  the file
-     * @param root    the folder of the sources' packages
-     * @param more    further options
+     * @param source  the source
      * @param manager reads and writes files in place of the usual one, which it is given
+     * @param more    further options
      * @throws IllegalArgumentException with the errors, if it does not compile
      */
-    public static void compile(Path source, Path root, List<String> more, UnaryOperator<JavaFileManager> manager) {
+    public static void compile(JavaFileObject source, UnaryOperator<JavaFileManager> manager, String... more) {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         if (compiler == null) {                         // null on a Java that only runs programs
             throw new IllegalArgumentException("this Java has no compiler: your own classes need a JDK, not a JRE");
         }
-        List<String> options = new ArrayList<>(List.of("-cp", System.getProperty("java.class.path"), "-proc:none",
-                "-sourcepath", root.toAbsolutePath().toString()));
-        options.addAll(more);
+        List<String> options = new ArrayList<>(List.of("-cp", System.getProperty("java.class.path"), "-proc:none"));
+        options.addAll(List.of(more));
         DiagnosticCollector<JavaFileObject> messages = new DiagnosticCollector<>();
         try (StandardJavaFileManager files = compiler.getStandardFileManager(messages, Locale.ROOT, null);
                 JavaFileManager used = manager.apply(files)) {
-            if (!compiler.getTask(null, used, messages, options, null, files.getJavaFileObjects(source.toFile()))
-                    .call()) {
+            if (!compiler.getTask(null, used, messages, options, null, List.of(source)).call()) {
                 throw new IllegalArgumentException("it does not compile: " + messages.getDiagnostics().stream()
                         .filter(message -> message.getKind() == Diagnostic.Kind.ERROR).limit(MOST_ERRORS)
                         .map(Javac::line).collect(Collectors.joining("\n  ")));

@@ -1,20 +1,21 @@
 package particles.app.student;
 
-import java.io.BufferedReader;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.InputStreamReader;
+import java.io.ObjectInputStream;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.io.PrintWriter;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.ProgramCommand;
+import particles.app.student.StudentProcess.Task;
 import particles.output.charts.ChartFormat;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
@@ -39,9 +40,9 @@ abstract class CheckCommand extends ProgramCommand {
     @Option(names = "--inThisProcess", hidden = true, description = "Checks here, as the process that was made for it.")
     private boolean inThisProcess;
 
-    @Option(names = StudentProcess.NUMBERED, hidden = true,
-            description = "Checks here, and begins each line with the number that it reads from its input.")
-    private boolean numbered;
+    @Option(names = StudentProcess.VERDICT, hidden = true,
+            description = "Checks the sources that it reads from its input; writes a signed verdict into this file.")
+    private Path verdict;
 
     /**
      * The result of a check.
@@ -74,8 +75,17 @@ abstract class CheckCommand extends ProgramCommand {
 
     @Override
     public final void run(PrintWriter lines) throws Exception {
-        if (inThisProcess || numbered) {
-            checkHere(new Screen(lines, numbered ? readNumber() + " " : ""));
+        if (verdict != null) {                          // picocli leaves an option null that was not given
+            Task task;
+            try (ObjectInputStream input = new ObjectInputStream(System.in)) {
+                task = (Task) input.readObject();
+            }
+            new StudentLoader(task::sources, CheckCommand.class.getClassLoader()).install();
+            checkHere((code, report) -> end(task, code, report));
+            return;
+        }
+        if (inThisProcess) {
+            checkHere((code, report) -> report.forEach(lines::println));
             return;
         }
         List<String> args = new ArrayList<>(List.of(name(), subject()));
@@ -85,7 +95,7 @@ abstract class CheckCommand extends ProgramCommand {
         }
         StudentProcess.Outcome outcome;
         try {
-            outcome = StudentProcess.run(args, Optional.empty());
+            outcome = StudentProcess.run(args, StudentLoader.installed());
         } catch (Failure stopped) {
             writeReport(failed(stopped.getMessage()));
             throw stopped;
@@ -96,22 +106,20 @@ abstract class CheckCommand extends ProgramCommand {
         }
     }
 
-    /** Reads the number before the class is loaded, so that the class cannot read it. */
-    private static String readNumber() throws IOException {
-        return new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8)).readLine();
+    /** Where the verdict and the check's own lines go. */
+    private interface Screen {
+        void show(ExitCode code, List<String> lines);
     }
 
-    /** The output for the check's own lines, each prefixed with the run's number; the last one is the verdict. */
-    private record Screen(PrintWriter lines, String number) {
-        void print(List<String> report) {
-            report.stream().flatMap(String::lines).forEach(line -> lines.println(number + line));
-        }
-
-        void end(ExitCode code) {
-            if (!number.isEmpty()) {
-                lines.println(number + code.name());
-            }
-            lines.flush();
+    /** Writes the verdict once and ends the process, in which code of the class may still be running. */
+    private synchronized void end(Task task, ExitCode code, List<String> report) {
+        try {
+            Files.write(verdict, task.sign(new StudentProcess.Outcome(code, report.stream().flatMap(String::lines)
+                    .toList())));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        } finally {
+            Runtime.getRuntime().halt(code.code());
         }
     }
 
@@ -134,9 +142,8 @@ abstract class CheckCommand extends ProgramCommand {
         }
         Checked checked = outcome.value().orElseThrow();
         Path report = writeReport(checked.page());
-        screen.print(CheckReport.lines(checked, printed.text(), report));
         boolean right = checked.findings().stream().noneMatch(Finding::isWrong);
-        screen.end(right ? ExitCode.DONE : ExitCode.BAD_INPUT);
+        screen.show(right ? ExitCode.DONE : ExitCode.BAD_INPUT, CheckReport.lines(checked, printed.text(), report));
         if (!right) {
             throw new Failure(ExitCode.BAD_INPUT, List.of());
         }
@@ -148,15 +155,16 @@ abstract class CheckCommand extends ProgramCommand {
      */
     private void giveUp(Screen screen, Finding failure, String printed) {
         ExitCode code = failure.kind() == Kind.UNDECIDED ? ExitCode.STOPPED : ExitCode.BAD_INPUT;
+        List<String> lines;
         try {
             Path report = writeReport(failed(failure.text()));
-            screen.print(CheckReport.lines(new Checked(subject().replaceFirst(".*=", ""),
-                    "The check did not finish.", List.of(failure), failed(failure.text())), printed, report));
+            lines = CheckReport.lines(new Checked(subject().replaceFirst(".*=", ""),
+                    "The check did not finish.", List.of(failure), failed(failure.text())), printed, report);
         } catch (OutputException e) {
-            screen.print(List.of(failure.toString(), String.valueOf(e.getMessage())));
+            lines = List.of(failure.toString(), String.valueOf(e.getMessage()));
             code = ExitCode.TROUBLE;
         }
-        screen.end(code);
+        screen.show(code, lines);
         Runtime.getRuntime().halt(code.code());
     }
 

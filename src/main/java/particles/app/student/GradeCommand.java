@@ -3,10 +3,12 @@ package particles.app.student;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -33,7 +35,6 @@ import picocli.CommandLine.Option;
 @Command(name = GradeCommand.NAME, description = "Marks all answers and solvers of a student.")
 public final class GradeCommand extends ProgramCommand {
     static final String NAME = "grade";
-    private static final String SOLVER = "Solver.java";
 
     @Option(names = "--student", paramLabel = "ID", required = true, description = "The student's id.")
     private String student;
@@ -105,42 +106,55 @@ public final class GradeCommand extends ProgramCommand {
             graded.add(new Graded(number + ". " + exercise.title(), answer != null,
                     answer == null      // null for a number without an answer
                     ? new Mark(false, List.of("There is no answer."))
-                    : exercise.mark(new Draw(student, number), beside(number, answer))));
+                    : mark(exercise, number, answer)));
         }
         return graded;
     }
 
-    /** A scene's path is relative to the file of answers, so that both can be handed in together. */
-    private String beside(int number, String answer) {
-        return number < Exercises.all().size() || answer.isBlank() ? answer : answers.resolveSibling(answer).toString();
+    /** A scene's path is relative to the folder of the answers, which it cannot leave; both are handed in together. */
+    private Mark mark(Exercise exercise, int number, String answer) {
+        Draw draw = new Draw(student, number);
+        if (number < Exercises.all().size() || answer.isBlank()) {
+            return exercise.mark(draw, answer);
+        }
+        try {
+            Path folder = answers.toAbsolutePath().normalize().getParent();
+            Path scene = folder.resolve(answer.strip()).normalize();
+            if (!scene.startsWith(folder) || Files.exists(scene)
+                    && !scene.toRealPath().equals(folder.toRealPath().resolve(folder.relativize(scene)))) {
+                return Mark.wrong("'" + answer.strip() + "' is outside of the folder of " + answers.getFileName()
+                        + ", or a link: hand the scene's file in beside it.");
+            }
+            return exercise.mark(draw, answers.resolveSibling(answer.strip()).toString());
+        } catch (IOException | InvalidPathException e) {
+            return Mark.wrong("'" + answer.strip() + "' cannot be read: " + e.getMessage());
+        }
     }
 
     private List<Graded> solvers() throws IOException {
+        Map<String, String> sources = StudentLoader.sources(folder);
         Set<String> names = new LinkedHashSet<>();
         if (solvers != null) {                          // picocli leaves an option null that was not given
             Stream.of(solvers.split(",")).map(name -> name.strip().replaceFirst("^exercises[.]", ""))
                     .filter(name -> !name.isEmpty()).forEach(names::add);
-        } else if (Files.isDirectory(folder)) {
-            try (Stream<Path> files = Files.list(folder)) {
-                files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(SOLVER)).sorted()
-                        .forEach(name -> names.add(name.substring(0, name.length() - ".java".length())));
-            }
+        } else {
+            sources.keySet().stream().filter(name -> name.endsWith("Solver")).forEach(names::add);
         }
         List<Graded> graded = new ArrayList<>();
         for (String name : names) {
-            graded.add(new Graded("solver " + name, true, check(name)));
+            graded.add(new Graded("solver " + name, true, check(name, sources)));
         }
         return graded;
     }
 
-    private Mark check(String name) throws IOException {
-        if (!Files.isRegularFile(folder.resolve(name + ".java"))) {
+    private Mark check(String name, Map<String, String> sources) throws IOException {
+        if (!sources.containsKey(name)) {
             return new Mark(false, List.of("there is no file " + name + ".java"));
         }
         StudentProcess.Outcome outcome;
         try {
             outcome = StudentProcess.run(List.of(CheckSolverCommand.NAME, "--solver=exercises." + name,
-                    "--out=" + results.resolve(name)), Optional.of(folder));
+                    "--out=" + results.resolve(name)), sources);
         } catch (Failure stopped) {
             return new Mark(false, stopped.getLines());
         }

@@ -3,13 +3,20 @@ package particles.app.student;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.net.URI;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.Supplier;
 import javax.tools.FileObject;
 import javax.tools.ForwardingJavaFileManager;
 import javax.tools.JavaFileManager;
@@ -17,6 +24,7 @@ import javax.tools.JavaFileObject;
 import javax.tools.SimpleJavaFileObject;
 import javax.tools.StandardLocation;
 import particles.javac.Javac;
+import particles.javac.Source;
 
 /**
  * Class loader that compiles students' classes in memory on demand, each by itself, so that a class that does not
@@ -26,8 +34,10 @@ public final class StudentLoader extends ClassLoader {
     /** The system property that passes the folder to a child process. */
     public static final String FOLDER = "desolver.exercises";
     private static final String PACKAGE = "exercises";
+    private static final String JAVA = ".java";
+    private static final int LARGEST = 1 << 20;
 
-    private final Path folder;
+    private final Supplier<Map<String, String>> sources;
     private final Map<String, ByteArrayOutputStream> compiled = new HashMap<>();
 
     /**
@@ -35,8 +45,41 @@ public final class StudentLoader extends ClassLoader {
      * @param parent the loader of all other classes
      */
     public StudentLoader(Path folder, ClassLoader parent) {
+        this(() -> sources(folder), parent);
+    }
+
+    /**
+     * @param sources the text of each class, by the simple name of the class
+     * @param parent  the loader of all other classes
+     */
+    StudentLoader(Supplier<Map<String, String>> sources, ClassLoader parent) {
         super(parent);
-        this.folder = folder;
+        this.sources = sources;
+    }
+
+    /** @return the text of each class of this thread's loader */
+    static Map<String, String> installed() {
+        return Thread.currentThread().getContextClassLoader() instanceof StudentLoader loader ? loader.sources.get()
+                : Map.of();
+    }
+
+    /** @return the text of each class in this folder; links are not followed, so that they show no other file */
+    static Map<String, String> sources(Path folder) {
+        Map<String, String> sources = new TreeMap<>();
+        if (!Files.isDirectory(folder)) {
+            return sources;
+        }
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, "*" + JAVA)) {
+            for (Path file : files) {
+                if (Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS) && Files.size(file) <= LARGEST) {
+                    sources.put(file.getFileName().toString().replace(JAVA, ""),
+                            new String(Files.readAllBytes(file), StandardCharsets.UTF_8));
+                }
+            }
+            return sources;
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     /** Makes this loader the context loader of this thread and the threads it starts. */
@@ -51,19 +94,21 @@ public final class StudentLoader extends ClassLoader {
      */
     @Override
     protected Class<?> findClass(String name) throws ClassNotFoundException {
-        Path source = folder.resolve(name.replaceFirst("^" + PACKAGE + "[.]", "").replaceFirst("[$].*", "") + ".java");
-        if (!name.startsWith(PACKAGE + ".") || !compiled.containsKey(name) && !Files.isRegularFile(source)) {
+        String source = name.replaceFirst("^" + PACKAGE + "[.]", "").replaceFirst("[$].*", "");
+        if (!name.startsWith(PACKAGE + ".") || !compiled.containsKey(name) && !sources.get().containsKey(source)) {
             throw new ClassNotFoundException(name);
         }
         if (!compiled.containsKey(name)) {
-            Javac.compile(source, folder.toAbsolutePath().getParent(), List.of(), InMemory::new);
+            Map<String, String> all = sources.get();
+            Javac.compile(source(source, all.get(source)), files -> new InMemory(files, all));
         }
         if (!compiled.containsKey(name)) {
             String bare = name.replace(PACKAGE + ".", "");
             if (bare.contains("$")) {
                 throw new ClassNotFoundException(name);
             }
-            throw new IllegalArgumentException(source.getFileName() + (compiled.containsKey(bare)
+            throw new IllegalArgumentException(source + JAVA + (compiled.keySet().stream()
+                    .anyMatch(found -> ("." + found).endsWith("." + bare))
                     ? ": the first line has to be 'package exercises;'" : ": the class in it has to be called " + bare
                     + ", as the file is"));
         }
@@ -71,18 +116,47 @@ public final class StudentLoader extends ClassLoader {
         return defineClass(name, bytes, 0, bytes.length);
     }
 
+    private static Source source(String name, String text) {
+        return new Source(Path.of(PACKAGE, name + JAVA), text);
+    }
+
     /** Keeps compiled classes in memory and shows the compiler only students' sources. */
     private final class InMemory extends ForwardingJavaFileManager<JavaFileManager> {
-        InMemory(JavaFileManager files) {
+        private final Map<String, String> all;
+
+        InMemory(JavaFileManager files, Map<String, String> all) {
             super(files);
+            this.all = all;
+        }
+
+        @Override
+        public boolean hasLocation(JavaFileManager.Location location) {
+            return location == StandardLocation.SOURCE_PATH || super.hasLocation(location);
+        }
+
+        @Override
+        public String inferBinaryName(JavaFileManager.Location location, JavaFileObject file) {
+            return file instanceof Source source ? PACKAGE + "." + source.simpleName()
+                    : super.inferBinaryName(location, file);
+        }
+
+        /** Compares in-memory files, which the usual manager does not know. */
+        @Override
+        public boolean isSameFile(FileObject a, FileObject b) {
+            return a.toUri().equals(b.toUri());
         }
 
         @Override
         public Iterable<JavaFileObject> list(JavaFileManager.Location location, String packageName,
-                Set<JavaFileObject.Kind> kinds,
-                boolean recurse) throws IOException {
-            return location == StandardLocation.SOURCE_PATH && !packageName.equals(PACKAGE) ? List.of()
-                    : super.list(location, packageName, kinds, recurse);
+                Set<JavaFileObject.Kind> kinds, boolean recurse) throws IOException {
+            if (location != StandardLocation.SOURCE_PATH) {
+                return super.list(location, packageName, kinds, recurse);
+            }
+            List<JavaFileObject> found = new ArrayList<>();
+            if (packageName.equals(PACKAGE)) {
+                all.forEach((name, text) -> found.add(source(name, text)));
+            }
+            return found;
         }
 
         @Override

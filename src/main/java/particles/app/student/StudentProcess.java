@@ -1,17 +1,25 @@
 package particles.app.student;
 
 import java.io.IOException;
-import java.io.OutputStream;
-import java.math.BigInteger;
+import java.io.ObjectOutputStream;
+import java.io.Serializable;
+import java.lang.ProcessBuilder.Redirect;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.security.GeneralSecurityException;
+import java.security.MessageDigest;
 import java.security.SecureRandom;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HexFormat;
 import java.util.List;
-import java.util.Optional;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
+import javax.crypto.Mac;
+import javax.crypto.spec.SecretKeySpec;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.OptionStyle;
@@ -24,9 +32,10 @@ final class StudentProcess {
     private static final Duration MOST_CPU_TIME = Duration.ofSeconds(40);
     /** A busy machine gives it an eighth of a processor, or less. */
     private static final int SECONDS = 900;
-    private static final int DIGITS = 128;
-    /** The option for a check to read a number from its input and begin every line with it. */
-    static final String NUMBERED = "--numbered";
+    private static final int SECRET = 32;
+    private static final int LONGEST = 1 << 20;
+    /** The option for a check to read its {@link Task} from its input and to write its verdict into this file. */
+    static final String VERDICT = "--verdict";
 
     private StudentProcess() {
     }
@@ -41,56 +50,75 @@ final class StudentProcess {
     }
 
     /**
-     * Runs a check in a process with little memory. The class may print anything and end the process at any time with
-     * any exit code. So only lines that begin with a random number count as the check's own, and the last of them is
-     * the verdict. The check reads the number from its input before the class is loaded.
+     * What a check reads from its input before it loads the class.
      *
-     * @param args   the command and its options
-     * @param folder the folder of the student's classes; empty for the default
+     * @param secret  signs the verdict; it is never written anywhere
+     * @param sources the text of the student's classes, which no other check can change any more
+     */
+    record Task(byte[] secret, TreeMap<String, String> sources) implements Serializable {
+        private static final long serialVersionUID = 1L;
+
+        /** @return the outcome as a text that only a holder of the secret can write */
+        byte[] sign(Outcome outcome) {
+            String text = outcome.code() + "\n" + String.join("\n", outcome.lines());
+            try {
+                Mac mac = Mac.getInstance("HmacSHA256");
+                mac.init(new SecretKeySpec(secret, "HmacSHA256"));
+                byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+                return (HexFormat.of().formatHex(mac.doFinal(bytes)) + "\n" + text).getBytes(StandardCharsets.UTF_8);
+            } catch (GeneralSecurityException e) {
+                throw new AssertionError("every Java has HmacSHA256", e);
+            }
+        }
+
+        /** @return the outcome in a text that {@link #sign} made with this secret; of any other, a wrong one */
+        Outcome read(byte[] signed) {
+            List<String> lines = new String(signed, StandardCharsets.UTF_8).lines().toList();
+            for (ExitCode code : ExitCode.values()) {
+                if (lines.size() > 1 && lines.get(1).equals(code.name())) {
+                    Outcome outcome = new Outcome(code, lines.subList(2, lines.size()));
+                    if (MessageDigest.isEqual(sign(outcome), signed)) {
+                        return outcome;
+                    }
+                }
+            }
+            return new Outcome(ExitCode.BAD_INPUT,
+                    List.of("wrong: the check did not finish; the class ended the program"));
+        }
+    }
+
+    /**
+     * Runs a check in a process with little memory. The class may print anything and end the process at any time with
+     * any exit code. So only a signed verdict counts; the rest of what is printed goes nowhere.
+     *
+     * @param args    the command and its options
+     * @param sources the text of the student's classes
      * @return the result
      * @throws IOException if no process can be made
      */
-    static Outcome run(List<String> args, Optional<Path> folder) throws IOException {
-        String number = new BigInteger(DIGITS, new SecureRandom()).toString();
-        Path screen = Files.createTempFile("desolver-check", ".txt");
+    static Outcome run(List<String> args, Map<String, String> sources) throws IOException {
+        byte[] secret = new byte[SECRET];
+        new SecureRandom().nextBytes(secret);
+        Task task = new Task(secret, new TreeMap<>(sources));
+        Path folder = Files.createTempDirectory("desolver-check");
+        Path verdict = folder.resolve("verdict");
         try {
-            List<String> properties = folder.map(Path::toString)
-                    .or(() -> Optional.ofNullable(System.getProperty(StudentLoader.FOLDER))).stream()
-                    .map(StudentProcess::property).toList();
-            List<String> numbered = new ArrayList<>(args);
-            numbered.add(NUMBERED);
-            await(builder(numbered, properties).redirectErrorStream(true).redirectOutput(screen.toFile()), number);
-            return outcome(lines(screen), number);
+            List<String> all = new ArrayList<>(args);
+            all.add(VERDICT + "=" + verdict);
+            await(builder(all).redirectErrorStream(true).redirectOutput(Redirect.DISCARD), task);
+            boolean isThere = Files.isRegularFile(verdict, LinkOption.NOFOLLOW_LINKS)
+                    && Files.size(verdict) <= LONGEST;
+            return task.read(isThere ? Files.readAllBytes(verdict) : new byte[0]);
         } finally {
-            Files.delete(screen);
+            Files.deleteIfExists(verdict);
+            Files.deleteIfExists(folder);
         }
     }
 
-    /** Selects the lines that begin with the number; the last one has to be the verdict. */
-    static Outcome outcome(List<String> printed, String number) {
-        List<String> own = printed.stream().filter(line -> line.startsWith(number + " "))
-                .map(line -> line.substring(number.length() + 1)).toList();
-        for (ExitCode code : ExitCode.values()) {
-            if (!own.isEmpty() && own.get(own.size() - 1).equals(code.name())) {
-                return new Outcome(code, own.subList(0, own.size() - 1));
-            }
-        }
-        return new Outcome(ExitCode.BAD_INPUT, List.of("wrong: the check did not finish; the class ended the program"));
-    }
-
-    private static String property(String folder) {
-        return "-D" + StudentLoader.FOLDER + "=" + folder;
-    }
-
-    private static List<String> lines(Path screen) throws IOException {
-        return new String(Files.readAllBytes(screen), StandardCharsets.UTF_8).lines().toList();
-    }
-
-    private static ProcessBuilder builder(List<String> args, List<String> properties) {
+    private static ProcessBuilder builder(List<String> args) {
         List<String> line = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-Xmx" + MEGABYTES + "m",
                 "-XX:TieredStopAtLevel=1", "-Djava.awt.headless=true", "-cp", System.getProperty("java.class.path")));
-        line.addAll(properties);
         String startedBy = System.getProperty(OptionStyle.STARTED_BY);
         if (startedBy != null) {                        // null where it was not set
             line.add("-D" + OptionStyle.STARTED_BY + "=" + startedBy);
@@ -100,10 +128,10 @@ final class StudentProcess {
         return new ProcessBuilder(line);
     }
 
-    private static void await(ProcessBuilder builder, String number) throws IOException {
+    private static void await(ProcessBuilder builder, Task task) throws IOException {
         Process process = builder.start();
-        try (OutputStream input = process.getOutputStream()) {
-            input.write((number + System.lineSeparator()).getBytes(StandardCharsets.UTF_8));
+        try (ObjectOutputStream input = new ObjectOutputStream(process.getOutputStream())) {
+            input.writeObject(task);
             input.flush();
             for (int second = 0; second < SECONDS; second++) {
                 if (process.waitFor(1, TimeUnit.SECONDS)) {
@@ -119,6 +147,7 @@ final class StudentProcess {
             Thread.currentThread().interrupt();
             throw new Failure(ExitCode.STOPPED, "the check was interrupted");
         } finally {
+            process.descendants().forEach(ProcessHandle::destroyForcibly);
             process.destroyForcibly();
         }
     }

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import particles.javac.Javac;
+import particles.javac.Source;
 import particles.lab.LabBuilder.Contents;
 
 /** Compiles students' classes, and the list of them that the page has. */
@@ -30,8 +31,6 @@ final class StudentCompiler {
     static ClassLoader compile(Contents contents, Path folder) throws IOException {
         Path sources = folder.resolve("sources");
         Path list = sources.resolve(LIST + ".java");
-        Files.createDirectories(list.getParent());
-        Files.writeString(list, list(contents));
         Path exercises = Files.createDirectories(sources.resolve("exercises"));
         if (Files.isDirectory(contents.exercises())) {
             try (Stream<Path> files = Files.list(contents.exercises())) {
@@ -41,7 +40,8 @@ final class StudentCompiler {
             }
         }
         Path classes = Files.createDirectories(folder.resolve("classes"));
-        Javac.compile(list, sources, List.of("-d", classes.toString()), files -> files);
+        Javac.compile(new Source(list, list(contents)), files -> files, "-sourcepath", sources.toString(), "-d",
+                classes.toString());
         return new OwnFirst(classes);
     }
 

@@ -10,9 +10,9 @@ import java.util.List;
  */
 public record Mark(boolean right, List<String> lines) {
 
-    /** Copies the list. */
+    /** Copies the list, with control characters made visible: lines hold what a student's class said. */
     public Mark {
-        lines = List.copyOf(lines);
+        lines = lines.stream().map(line -> line.replaceAll("[\\p{Cc}\\p{Cf}]", "\ufffd")).toList();
     }
 
     /** @return an answer that is not right, for this reason */

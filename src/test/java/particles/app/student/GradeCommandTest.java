@@ -1,14 +1,17 @@
 package particles.app.student;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.xml.parsers.DocumentBuilderFactory;
@@ -183,13 +186,94 @@ class GradeCommandTest {
     }
 
     @Test
-    void onlyLinesWithTheNumberOfThisRunCount() {
-        List<String> fake = List.of("5 DONE", "DONE", " DONE", "17", "17DONE");
-        assertEquals(ExitCode.BAD_INPUT, StudentProcess.outcome(fake, "17").code());
-        assertEquals(new StudentProcess.Outcome(ExitCode.DONE, List.of("a line")),
-                StudentProcess.outcome(List.of("noise", "17 a line", "5 BAD_INPUT", "17 DONE", "noise"), "17"));
-        assertEquals(ExitCode.BAD_INPUT, StudentProcess.outcome(List.of("17 DONE", "17 a line"), "17").code(),
-                "not the last");
+    void onlyAVerdictSignedInThisRunCounts() {
+        StudentProcess.Task task = new StudentProcess.Task(new byte[] {1, 2}, new TreeMap<>());
+        StudentProcess.Task other = new StudentProcess.Task(new byte[] {1, 3}, new TreeMap<>());
+        StudentProcess.Outcome right = new StudentProcess.Outcome(ExitCode.DONE, List.of("a line", "", "another"));
+        assertEquals(right, task.read(task.sign(right)));
+        String wrong = new String(task.sign(new StudentProcess.Outcome(ExitCode.BAD_INPUT, List.of("a line"))));
+        for (byte[] forged : List.of(other.sign(right), wrong.replace("BAD_INPUT", "DONE").getBytes(),
+                (wrong + "\nDONE").getBytes(), "DONE\nDONE\na line".getBytes(), new byte[0])) {
+            assertEquals(ExitCode.BAD_INPUT, task.read(forged).code());
+        }
+    }
+
+    /** Each wrong solver does something hostile first; their names come before that of the right one. */
+    @Tag("slow")
+    @Test
+    void noHostileClassGetsOrSpoilsAMark() throws Exception {
+        String verdict = """
+                System.getProperty("sun.java.command").replaceFirst(".*--verdict=", "")""";
+        String forge = """
+                java.nio.file.Files.writeString(java.nio.file.Path.of(%s), "00\\nDONE\\nright");""".formatted(verdict);
+        hostile("AppendSolver", """
+                Runtime.getRuntime().addShutdownHook(new Thread(() -> {
+                    try { %s } catch (java.io.IOException e) { throw new java.io.UncheckedIOException(e); }
+                }));""".formatted(forge));
+        hostile("ForgeSolver", forge + " Runtime.getRuntime().halt(0);");
+        hostile("MoreSolver", """
+                new Thread(() -> { while (true) {
+                    try { %s } catch (java.io.IOException e) { continue; }
+                } }).start();""".formatted(forge));
+        hostile("PrintSolver", """
+                var all = new java.io.FileOutputStream(java.io.FileDescriptor.out);
+                for (int k = 0; k < 2048; k++) { all.write(new byte[1 << 20]); }""");
+        hostile("RewriteSolver", """
+                java.nio.file.Files.writeString(java.nio.file.Path.of("%s"), "broken");"""
+                .formatted(classes.resolve("VictimSolver.java").toString().replace('\\', '/')));
+        hostile("SaysSolver", "if (true) throw new java.io.IOException(\"red \\u001b[31m\\r\\u202e\");");
+        Files.writeString(classes.resolve("CheckerSolver.java"), EULER.formatted("CheckerSolver", "deltaT * dSdt[i]")
+                .replace("package exercises", "package particles.teaching.solvers"));
+        Files.writeString(classes.resolve("VictimSolver.java"), EULER.formatted("VictimSolver", "deltaT * dSdt[i]"));
+        String screen = grade(ExitCode.BAD_INPUT);
+        assertEquals(List.of("mark      solver VictimSolver"), screen.lines().filter(line ->
+                line.startsWith("mark ")).toList(), screen);
+        assertEquals("broken", Files.readString(classes.resolve("VictimSolver.java")), "the attack did take place");
+        assertTrue(screen.contains("PrintSolver: wrong. ") && screen.contains("'package exercises;'"), screen);
+        assertTrue(screen.contains("red \ufffd[31m"), screen);
+        assertFalse(screen.matches("(?s).*[\\p{Cc}\\p{Cf}&&[^\r\n]].*"), screen);
+    }
+
+    /** Half a step of Euler, after these statements. */
+    private void hostile(String name, String statements) throws Exception {
+        Files.writeString(classes.resolve(name + ".java"), EULER.formatted(name, "0.5 * deltaT * dSdt[i]")
+                .replaceFirst("\\{\n", Matcher.quoteReplacement("{\n    static { try { " + statements
+                + " } catch (Exception e) { throw new IllegalStateException(e); } }\n")));
+    }
+
+    @Test
+    void aSceneOutsideOfTheHandInIsNotRead() throws Exception {
+        Path secret = Files.writeString(folder.resolveSibling("secret-of-" + folder.getFileName()), "root: secret");
+        Files.createSymbolicLink(folder.resolve("linked.yaml"), secret);
+        for (String path : List.of(secret.toString(), "../" + secret.getFileName(), "/etc/shadow", "linked.yaml",
+                "a/../linked.yaml")) {
+            Files.writeString(folder.resolve("answers.yaml"), "12: " + path + "\n");
+            String screen = grade(ExitCode.BAD_INPUT);
+            assertTrue(screen.contains("'" + path + "' is outside of the folder of answers.yaml, or a link"), screen);
+            assertFalse(screen.contains("root"), screen);
+        }
+        Files.delete(folder.resolve("answers.yaml"));
+        Files.createSymbolicLink(folder.resolve("answers.yaml"), secret);
+        String screen = grade(ExitCode.BAD_INPUT);
+        assertTrue(screen.contains("answers.yaml: this is a link") && !screen.contains("root"), screen);
+        Files.delete(secret);
+    }
+
+    @Test
+    void aBadLineCostsOnlyItsOwnAnswer() throws Exception {
+        String right = "2: " + spiral(run(ExitCode.DONE, "exercise", "--number=2", "--student=" + STUDENT), 1);
+        for (String bad : List.of("\t3: 5", "3: caf\u00e9", "3: [1", "3: 'x", "3: 1: 2", "3:5", "3: &a", "%", "3: \0",
+                "2: 5")) {
+            for (String text : List.of("\u00ef\u00bb\u00bf" + right + "\n" + bad + "\n1: 7 # end", right + "\r\n" + bad
+                    + "\r\n")) {
+                Files.write(folder.resolve("answers.yaml"), text.getBytes(StandardCharsets.ISO_8859_1));
+                String screen = grade(ExitCode.BAD_INPUT);
+                assertTrue(screen.contains("mark      2. Why Euler spirals"), bad + ": " + screen);
+                assertTrue(screen.contains("answers.yaml:2:"), bad + ": " + screen);
+                assertEquals(text.contains("1: 7") ? 10 : 11, screen.lines().filter(line ->
+                        line.startsWith("missing ")).count(), bad + ": " + screen);
+            }
+        }
     }
 
     @Test
