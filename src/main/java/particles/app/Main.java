@@ -30,6 +30,7 @@ import particles.app.student.CheckEffectCommand;
 import particles.app.student.CheckSolverCommand;
 import particles.app.student.ExerciseCommand;
 import particles.app.student.ExercisesCommand;
+import particles.app.student.GradeClassCommand;
 import particles.app.student.GradeCommand;
 import particles.app.student.NewClassCommand;
 import particles.app.student.StudentLoader;
@@ -86,7 +87,8 @@ public final class Main {
         commands.addAll(List.of(new ReportCommand(experiments), new LabCommand(SCENES, exercises()),
                 new CheckSolverCommand(), new NewClassCommand.NewSolver(exercises()),
                 new NewClassCommand.NewEffect(exercises()), new CheckEffectCommand(),
-                new ExercisesCommand(), new ExerciseCommand(), new GradeCommand(exercises())));
+                new ExercisesCommand(), new ExerciseCommand(), new GradeCommand(exercises()),
+                new GradeClassCommand()));
         return commands;
     }
 }

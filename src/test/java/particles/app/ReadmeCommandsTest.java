@@ -50,6 +50,7 @@ class ReadmeCommandsTest {
             "gradle scenes", ExitCode.DONE,
             "gradle solvers", ExitCode.DONE,
             "gradle exercises", ExitCode.DONE,
+            "gradle gradeClass -Pfolder=submissions", ExitCode.BAD_INPUT,       // there is no such folder
             "gradle exercise -Pnumber=1 -Pstudent=ID", ExitCode.DONE,
             "gradle exercise -Pnumber=5 -Pstudent=ID", ExitCode.DONE,
             "gradle exercise -Pnumber=5 -Pstudent=ID -Panswer=3.42", ExitCode.BAD_INPUT,

@@ -2,7 +2,16 @@
  * The commands for students' classes: skeletons, checks, exercises and marks. Code that calls a student's class runs in
  * a child process.
  *
- * <p>What {@code grade} promises:
+ * <p>{@code gradeClass} marks each student's hand-in as {@code grade} does, in three passes: it copies all hand-ins,
+ * marks all answers, and only then runs classes, one student on each core. Solvers, answers.yaml and the scene may
+ * lie in any folder of the hand-in; of two hand-ins the later one counts. With {@code -Pstudents=list.csv}, each line
+ * has an id, from which the numbers come, and then the names by which hand-ins are known: the name or number in
+ * {@code Name_123_assignsubmission_file_}, or the login in {@code assignment-login}. Without it, the id is Moodle's
+ * number or the folder's name. It writes class.csv, class.html and for each student a folder with grade.md. Classes
+ * that are the same but for names, comments and layout, and those that use the project's solvers, are listed; nobody
+ * loses a mark for it.
+ *
+ * <p>What both promise:
  * <ul>
  * <li>A line of {@code answers.yaml} that cannot be read costs only its own answer. A scene is read only from the
  * folder of that file, and links are not followed.

@@ -1,0 +1,129 @@
+package particles.app.student;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystem;
+import java.nio.file.FileSystems;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+
+/**
+ * A hand-in as Moodle and GitHub Classroom download it: a folder or a zip, or a folder with a zip. It is copied before
+ * any class runs. Links are not followed.
+ *
+ * @param name    the name of the folder or zip
+ * @param files   the text of each YAML and Java file, by its path
+ * @param newest  the latest date of one of these files
+ */
+record Submission(String name, Map<String, byte[]> files, Instant newest) {
+    private static final int MOST_FILES = 1000;
+    private static final int LARGEST = 1 << 20;
+    private static final String ANSWERS = "answers.yaml";
+    private static final Pattern MOODLE = Pattern.compile("(.*)_(\\d+)_assignsubmission_file.*");
+    private static final Pattern OTHER_PACKAGE = Pattern.compile("(?m)^\\s*package\\s+(?!exercises\\s*;)");
+
+    /**
+     * @param path a folder or a zip
+     * @return what is in it
+     * @throws IOException if it cannot be read
+     */
+    static Submission read(Path path) throws IOException {
+        Submission found = new Submission(path.getFileName().toString().replaceFirst("(?i)[.]zip$", ""),
+                new TreeMap<>(), Instant.EPOCH);
+        return isZip(path) ? found.withZip(path) : found.with(path, true);
+    }
+
+    private static boolean isZip(Path path) {
+        return path.toString().toLowerCase(Locale.ROOT).endsWith(".zip");
+    }
+
+    private Submission withZip(Path zip) throws IOException {
+        try (FileSystem inside = FileSystems.newFileSystem(zip)) {
+            return with(inside.getPath("/"), false);
+        }
+    }
+
+    private Submission with(Path root, boolean zips) throws IOException {
+        List<Path> paths;
+        try (Stream<Path> walk = Files.walk(root)) {
+            paths = walk.filter(file -> Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)).sorted().toList();
+        }
+        Submission all = this;
+        for (Path file : paths) {
+            if (zips && isZip(file)) {
+                all = all.withZip(file);
+            } else if (file.toString().matches(".*[.](java|yaml)") && files.size() < MOST_FILES) {
+                try (InputStream bytes = Files.newInputStream(file)) {
+                    files.put(root.relativize(file).toString().replace('\\', '/'), bytes.readNBytes(LARGEST));
+                }
+                Instant date = Files.getLastModifiedTime(file).toInstant();
+                all = new Submission(name, files, date.isAfter(all.newest) ? date : all.newest);
+            }
+        }
+        return all;
+    }
+
+    /** @return the number that Moodle gave the participant; otherwise the name */
+    String id() {
+        Matcher moodle = MOODLE.matcher(name);
+        return moodle.matches() ? moodle.group(2) : name;
+    }
+
+    /** @return whether a word from a list of students means this one: name, number, or the end of assignment-login */
+    boolean isOf(String word) {
+        Matcher moodle = MOODLE.matcher(name);
+        return !word.isBlank() && (moodle.matches() && word.equalsIgnoreCase(moodle.group(1))
+                || word.equalsIgnoreCase(id()) || name.toLowerCase(Locale.ROOT).endsWith("-" + word
+                .toLowerCase(Locale.ROOT)));
+    }
+
+    /** @return the text of each class in a folder exercises; without one, of each class of no other package */
+    Map<String, String> sources() {
+        Map<String, String> named = new TreeMap<>();
+        Map<String, String> others = new TreeMap<>();
+        files.forEach((path, bytes) -> {
+            String text = new String(bytes, StandardCharsets.UTF_8);
+            String simple = path.replaceFirst(".*/", "").replaceFirst("[.]java$", "");
+            if (path.endsWith(".java") && ("/" + path).contains("/exercises/")) {
+                named.put(simple, text);
+            } else if (path.endsWith(".java") && !OTHER_PACKAGE.matcher(text).find()) {
+                others.put(simple, text);
+            }
+        });
+        return named.isEmpty() ? others : named;
+    }
+
+    /**
+     * Writes the answers and the YAML files below their folder.
+     *
+     * @param folder a new folder
+     * @return the file of the answers there, which may be missing
+     * @throws IOException if something cannot be written
+     */
+    Path copyAnswers(Path folder) throws IOException {
+        Optional<String> answers = files.keySet().stream().filter(path -> path.matches("(.*/)?" + ANSWERS))
+                .min(Comparator.comparingLong(path -> path.chars().filter(c -> c == '/').count()));
+        String base = answers.map(path -> path.substring(0, path.length() - ANSWERS.length())).orElse("/");
+        for (Map.Entry<String, byte[]> file : files.entrySet()) {
+            Path copy = folder.resolve(file.getKey().substring(file.getKey().startsWith(base) ? base.length() : 0))
+                    .normalize();
+            if (file.getKey().startsWith(base) && file.getKey().endsWith(".yaml") && copy.startsWith(folder)) {
+                Files.createDirectories(copy.getParent());
+                Files.write(copy, file.getValue());
+            }
+        }
+        return folder.resolve(ANSWERS);
+    }
+}
