@@ -33,6 +33,7 @@ import particles.output.report.ResultPageWriter;
 import particles.teaching.exercises.AnswersFile;
 import particles.view.DataTable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** {@code gradle gradeClass -Pfolder=submissions}: marks every hand-in of a class, each as {@code grade} does. */
@@ -49,9 +50,8 @@ public final class GradeClassCommand extends ResultsCommand {
             description = "A CSV file with a header; each line has an id first, then names used in the hand-ins.")
     private Path students;
 
-    @Option(names = "--solvers", paramLabel = "NAMES", description = "Solver classes that have to pass, separated by"
-            + " commas (default: every ...Solver that was handed in).")
-    private String solvers;
+    @Mixin
+    private final WantedClasses wanted = new WantedClasses();
 
     /** A student's hand-in while it is marked; it has no submission if there is none. */
     private record Entry(String student, Optional<Submission> submission, Marking marking, List<String> problems,
@@ -165,7 +165,7 @@ public final class GradeClassCommand extends ResultsCommand {
         try {
             List<Future<List<Graded>>> marks = new ArrayList<>();
             for (Entry entry : entries) {
-                marks.add(workers.submit(() -> entry.marking().solvers(Optional.ofNullable(solvers))));
+                marks.add(workers.submit(() -> entry.marking().classes(wanted)));
             }
             PrintedProgress progress = new PrintedProgress(out, System::nanoTime);
             for (int k = 0; k < entries.size(); k++) {

@@ -5,13 +5,13 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.ProgramCommand;
 import particles.output.files.OutputFolder;
 import particles.teaching.exercises.AnswersFile;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /**
@@ -28,10 +28,8 @@ public final class GradeCommand extends ProgramCommand {
             description = "The file of answers, lines such as 5: 3.42 (default: answers.yaml).")
     private Path answers;
 
-    @Option(names = "--solvers", paramLabel = "NAMES",
-            description = "Solver classes that have to pass, separated by commas"
-            + " (default: every ...Solver.java in src/main/java/exercises).")
-    private String solvers;
+    @Mixin
+    private final WantedClasses wanted = new WantedClasses();
 
     @Option(names = "--out", paramLabel = "FOLDER", defaultValue = "build/out/grade",
             description = "Where the report goes (default: build/out/grade).")
@@ -56,7 +54,7 @@ public final class GradeCommand extends ProgramCommand {
             AnswersFile read = AnswersFile.read(answers);
             read.problems().forEach(out::println);
             List<Marking.Graded> graded = new ArrayList<>(marking.exercises(read));
-            graded.addAll(marking.solvers(Optional.ofNullable(solvers)));   // picocli leaves it null if not given
+            graded.addAll(marking.classes(wanted));
             graded.forEach(item -> item.print(out));
             out.println(marking.write(files, read.problems(), graded) + "; report: " + results.resolve(NAME + ".md"));
             long missing = graded.stream().filter(item -> !item.mark().right()).count();

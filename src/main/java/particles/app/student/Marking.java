@@ -6,12 +6,9 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
-import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.output.charts.ChartFormat;
@@ -92,35 +89,35 @@ record Marking(String student, Path answers, Map<String, String> sources, Path r
     }
 
     /**
-     * @param wanted the names of the solvers that have to pass, separated by commas; empty for each class ...Solver
-     * @return the mark of each solver
+     * @param wanted the classes that have to pass
+     * @return the mark of each
      * @throws IOException if no process can be made
      */
-    List<Graded> solvers(Optional<String> wanted) throws IOException {
-        Set<String> names = new LinkedHashSet<>();
-        wanted.ifPresentOrElse(list -> Stream.of(list.split(","))
-                .map(name -> name.strip().replaceFirst("^exercises[.]", "")).filter(name -> !name.isEmpty())
-                .forEach(names::add), () -> sources.keySet().stream().filter(name -> name.endsWith("Solver"))
-                .forEach(names::add));
+    List<Graded> classes(WantedClasses wanted) throws IOException {
         List<Graded> graded = new ArrayList<>();
-        for (String name : names) {
-            graded.add(new Graded("solver " + name, true, check(name)));
+        for (String name : wanted.solvers(sources.keySet())) {
+            graded.add(check("solver", name, CheckSolverCommand.NAME));
+        }
+        for (String name : wanted.effects()) {
+            graded.add(check("effect", name, CheckEffectCommand.NAME));
         }
         return graded;
     }
 
-    private Mark check(String name) throws IOException {
+    private Graded check(String kind, String name, String command) throws IOException {
+        Mark mark;
         if (!sources.containsKey(name)) {
-            return new Mark(false, List.of("there is no file " + name + ".java"));
+            mark = Mark.wrong("there is no file " + name + ".java");
+        } else {
+            try {
+                StudentProcess.Outcome outcome = StudentProcess.run(List.of(command, "--" + kind + "=exercises." + name,
+                        "--out=" + reports.resolve(name)), sources);
+                mark = new Mark(outcome.code() == ExitCode.DONE, outcome.lines());
+            } catch (Failure stopped) {
+                mark = new Mark(false, stopped.getLines());
+            }
         }
-        StudentProcess.Outcome outcome;
-        try {
-            outcome = StudentProcess.run(List.of(CheckSolverCommand.NAME, "--solver=exercises." + name,
-                    "--out=" + reports.resolve(name)), sources);
-        } catch (Failure stopped) {
-            return new Mark(false, stopped.getLines());
-        }
-        return new Mark(outcome.code() == ExitCode.DONE, outcome.lines());
+        return new Graded(kind + " " + name, true, mark);
     }
 
     /** Joins lines for a table's cell; sentences and headings stay on lines of their own. */

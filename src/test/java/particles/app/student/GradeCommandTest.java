@@ -25,6 +25,7 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Program;
 import particles.app.cli.ProgramCommand;
+import particles.teaching.effects.EffectSkeleton;
 import particles.teaching.exercises.Exercises;
 
 /** The exercises through the program: the list, a text, a mark,
@@ -239,6 +240,21 @@ class GradeCommandTest {
         Files.writeString(classes.resolve(name + ".java"), EULER.formatted(name, "0.5 * deltaT * dSdt[i]")
                 .replaceFirst("\\{\n", Matcher.quoteReplacement("{\n    static { try { " + statements
                 + " } catch (Exception e) { throw new IllegalStateException(e); } }\n")));
+    }
+
+    /** A constant force; in the wrong one, the energy that it declares has the wrong sign. */
+    @Tag("slow")
+    @Test
+    void effectsAreMarkedToo() throws Exception {
+        String law = EffectSkeleton.effect("RightForce", true).replace("return Vector3.ZERO;",
+                "return new Vector3(0, -mass, 0);").replace("return 0;", "return mass * position.y();");
+        Files.writeString(classes.resolve("RightForce.java"), law);
+        Files.writeString(classes.resolve("WrongForce.java"), law.replace("RightForce", "WrongForce")
+                .replace("return mass * ", "return -mass * "));
+        String screen = grade(ExitCode.BAD_INPUT, "--effects=RightForce,exercises.WrongForce,NoForce");
+        assertTrue(screen.contains("mark      effect RightForce"), screen);
+        assertTrue(screen.contains("no mark   effect WrongForce"), screen);
+        assertTrue(screen.contains("there is no file NoForce.java"), screen);
     }
 
     @Test
