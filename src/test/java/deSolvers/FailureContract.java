@@ -165,15 +165,20 @@ public abstract class FailureContract extends ContractBasics {
         } catch (SpySource.Failure expected) {
             assertSameBits(unbroken, source.problem(), "failure at " + call + " " + k);
         }
-        SecondOrderProblem restarted = windy(blocks);
+        solver.stepState(source, STEP);
+        assertContinuedOrRestarted(source.problem(), other, unbroken, "the step after a failure at " + call + " " + k);
+        return true;
+    }
+
+    /** A step after a failure has gone on as if uninterrupted, as the other solver does, or as a new solver begins. */
+    private void assertContinuedOrRestarted(SecondOrderProblem stepped, DESolver other, SecondOrderProblem unbroken,
+            String when) {
+        SecondOrderProblem restarted = windy(unbroken.getStateSize() / 6);
         moveTo(restarted, unbroken);
         createSolver().stepState(restarted, STEP);
         other.stepState(unbroken, STEP);
-        solver.stepState(source, STEP);                 // continues as if uninterrupted, or restarts
-        double[] end = source.problem().getState();
-        assertTrue(Arrays.equals(end, unbroken.getState()) || Arrays.equals(end, restarted.getState()),
-                "the step after a failure at " + call + " " + k);
-        return true;
+        double[] end = stepped.getState();
+        assertTrue(Arrays.equals(end, unbroken.getState()) || Arrays.equals(end, restarted.getState()), when);
     }
 
     @Test
@@ -203,14 +208,8 @@ public abstract class FailureContract extends ContractBasics {
             } catch (SpySource.Failure expected) {
                 assertSameBits(windy(1), b.problem(), "the source that failed");
             }
-            SecondOrderProblem restarted = windy(1);
-            moveTo(restarted, a);
-            createSolver().stepState(restarted, STEP);
             solver.stepState(a, STEP);
-            other.stepState(unbroken, STEP);
-            assertTrue(Arrays.equals(a.getState(), unbroken.getState())
-                    || Arrays.equals(a.getState(), restarted.getState()),
-                    "a's step after b failed at evaluation " + k);
+            assertContinuedOrRestarted(a, other, unbroken, "a's step after b failed at evaluation " + k);
         }
     }
 
@@ -226,13 +225,7 @@ public abstract class FailureContract extends ContractBasics {
             other.stepState(unbroken, STEP);
         }
         assertThrows(DESolverException.class, () -> solver.stepState(windy(2), Double.NaN));
-        SecondOrderProblem restarted = windy(1);
-        moveTo(restarted, problem);
-        createSolver().stepState(restarted, STEP);
         solver.stepState(problem, STEP);
-        other.stepState(unbroken, STEP);
-        assertTrue(Arrays.equals(problem.getState(), unbroken.getState()) || Arrays.equals(problem.getState(),
-                restarted.getState()),
-                "as if unbroken, or anew");
+        assertContinuedOrRestarted(problem, other, unbroken, "after a failed step of two blocks");
     }
 }

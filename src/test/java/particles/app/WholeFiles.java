@@ -18,6 +18,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
+import javax.imageio.ImageIO;
 import org.jcodec.common.io.ByteBufferSeekableByteChannel;
 import org.jcodec.containers.mp4.demuxer.MP4Demuxer;
 
@@ -40,6 +41,7 @@ final class WholeFiles {
             byte[] bytes = Files.readAllBytes(file);
             if (name.endsWith(".png")) {
                 assertEnds(PNG_END, bytes, name);
+                assertTrue(ImageIO.read(file.toFile()).getWidth() > 0, name);
             } else if (name.endsWith(".gif")) {
                 assertEnds(GIF_END, bytes, name);
             } else if (name.endsWith(".mp4")) {

@@ -81,23 +81,6 @@ class SceneNumbersTest {
         assertEquals(39, Math.sqrt(19.5) / slowest[0], 0.01);         // measured 39.0004
     }
 
-    /** Into the hard ground and the soft bump: lowest y of 'hard', and how far 'soft' comes below the bump's 0.4 m. */
-    @Test
-    void ballsSinkAsDeepIntoPenaltiesAsTheTextSays() {
-        double[] lowest = {1, 1};
-        Scene scene = scene("26", 1);
-        scene.simulation().addObserver(new Observer() {
-            @Override
-            public void moved(Motion motion) {
-                lowest[0] = Math.min(lowest[0], motion.getEndState()[1]);
-                lowest[1] = Math.min(lowest[1], motion.getEndState()[Particles.STRIDE + 1]);
-            }
-        });
-        scene.simulation().run();
-        assertEquals(0.09, -lowest[0], 0.005);
-        assertEquals(0.19, 0.4 - lowest[1], 0.005);
-    }
-
     private static Scene scene(String number, double duration) {
         return SceneBuilder.build(TestScenes.named(number).withDuration(duration));
     }
