@@ -31,6 +31,7 @@ import particles.output.report.ReportWriter;
 import particles.output.report.ResultPage;
 import particles.output.report.ResultPageWriter;
 import particles.teaching.exercises.AnswersFile;
+import particles.teaching.marking.Mark;
 import particles.view.DataTable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -153,11 +154,14 @@ public final class GradeClassCommand extends ResultsCommand {
                 new ArrayList<>());
     }
 
+    /** Marks the answers; messages name files as the student handed them in, not the copies. */
     private static void answers(Entry entry) {
+        String copy = entry.marking().answers().resolveSibling("").toString().replace('\\', '/') + "/";
         AnswersFile read = AnswersFile.read(entry.marking().answers());
-        entry.problems().addAll(read.problems().stream().map(line -> line.replaceFirst("^.*?(?=answers[.]yaml)", ""))
-                .toList());
-        entry.graded().addAll(entry.marking().exercises(read));
+        entry.problems().addAll(read.problems().stream().map(line -> line.replace(copy, "")).toList());
+        entry.marking().exercises(read).forEach(item -> entry.graded().add(new Graded(item.name(), item.answered(),
+                new Mark(item.mark().right(), item.mark().lines().stream().map(line -> line.replace(copy, ""))
+                .toList()))));
     }
 
     private void classes(List<Entry> entries, PrintWriter out) throws InterruptedException, ExecutionException {

@@ -89,7 +89,7 @@ class GradeClassCommandTest {
     @Test
     void eachStudentGetsHisOwnMarks() throws Exception {
         handIn("Ann Lee_101_assignsubmission_file_", "MySolver.java", EULER, "answers.yaml", answer("s1"));
-        handIn("Bob_102_assignsubmission_file_", "sub/answers.yaml", "2: 1\n\t3: 4\n", "sub/MySolver.java",
+        handIn("Bob_102_assignsubmission_file_", "sub/answers.yaml", "2: 1\n\t3: 4\n12: no.yaml\n", "sub/MySolver.java",
                 EULER.replace("deltaT * ", "0.5 * deltaT * "));
         handIn("hw1-carl", "src/main/java/exercises/MySolver.java", EULER.replace("dSdt", "slope") + "// mine\n",
                 "src/main/java/particles/Cheat.java", "package particles; class Cheat { }", "answers.yaml",
@@ -122,7 +122,8 @@ class GradeClassCommandTest {
         assertTrue(html.contains("uses a solver of the project: eve (MySolver)"), html);
         assertFalse(html.contains("project: s1"), html);
         String own = Files.readString(folder.resolve("out/s2/grade.md"));
-        assertTrue(own.contains("answers.yaml:2:") && !own.contains("s1") && !own.contains("desolver-class"), own);
+        assertTrue(own.contains("\nanswers.yaml:2:")
+                && own.contains("| no.yaml: there is no such file") && !own.contains("s1") && !own.contains("desolver-class"), own);
     }
 
     @Test
