@@ -4,10 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.concurrent.TimeUnit;
 import particles.app.cli.ExitCode;
 
 /** Runs a check of a class that never returns, in a process with the program's small memory. */
@@ -26,13 +24,10 @@ public final class CheckProcess {
      */
     public static String failureOf(String command, String option, Class<?> planted, Path folder) throws IOException,
             InterruptedException {
-        Process process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-Xmx256m",
-                "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"), Main.class.getName(), command,
-                option + planted.getName(), "--inThisProcess", "--out=" + folder).redirectErrorStream(true).start();
-        String screen = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        assertTrue(process.waitFor(ChildProgram.PATIENCE_SECONDS, TimeUnit.SECONDS));
-        assertEquals(ExitCode.BAD_INPUT.code(), process.exitValue(), screen);
+        ChildProgram.End end = new ChildProgram(folder.resolve("lines.txt")).jvm("-Xmx256m").run(command,
+                option + planted.getName(), "--inThisProcess", "--out=" + folder);
+        String screen = end.lines();
+        assertEquals(ExitCode.BAD_INPUT.code(), end.code(), screen);
         String report = Files.readString(folder.resolve(command + ".md"));
         assertTrue(report.startsWith("# " + planted.getName() + ": the check did not finish."), report);
         assertEquals(planted.getSimpleName(), screen.lines().findFirst().orElseThrow()

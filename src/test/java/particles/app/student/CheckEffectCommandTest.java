@@ -16,6 +16,8 @@ import java.util.function.Function;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import particles.app.CheckProcess;
 import particles.app.Main;
 import particles.app.cli.ExitCode;
@@ -189,13 +191,6 @@ class CheckEffectCommandTest {
         return out.toString();
     }
 
-    private static void assertFailure(String expected, Class<?> planted, Path folder)
-            throws IOException, InterruptedException {
-        String found = CheckProcess.failureOf("checkEffect", "--effect=", planted, folder);
-        assertTrue(found.startsWith("failure: " + expected), found);
-        assertTrue(found.endsWith(" of CheckEffectCommandTest.java"), "the place is named: " + found);
-    }
-
     @Test
     void aRightLawHasNothingWrong(@TempDir Path folder) throws IOException {
         String screen = here(ExitCode.DONE, "damped-springs", folder);
@@ -215,33 +210,25 @@ class CheckEffectCommandTest {
                 newEffect writes one to start from)"""));
     }
 
-    @Test
-    void aClassThatEndsTheProgramIsFoundOut(@TempDir Path folder) throws IOException, InterruptedException {
-        assertFailure("the class ends the whole program (System.exit), in Exits.addForces, line ", Exits.class, folder);
-    }
-
-    @Test
-    void aConstructorThatEndsTheProgramIsFoundOut(@TempDir Path folder) throws IOException, InterruptedException {
-        assertFailure("the class ends the whole program (System.exit), in ExitsAtOnce.<init>, line ", ExitsAtOnce.class,
-                folder);
+    /** Java counts 247 MB of 256 MB as usable with its serial collector. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            Exits       | the class ends the whole program (System.exit), in Exits.addForces, line
+            ExitsAtOnce | the class ends the whole program (System.exit), in ExitsAtOnce.<init>, line
+            Overflows   | the stack overflows: a method calls itself without end, in Overflows.getPotentialEnergy, line
+            Hoards      | it asks for more memory than the 247 MB that there are, in Hoards.addForces, line
+            """)
+    void aClassThatDoesNotComeBackIsFoundOut(String planted, String failure, @TempDir Path folder) throws Exception {
+        String found = CheckProcess.failureOf("checkEffect", "--effect=",
+                Class.forName(CheckEffectCommandTest.class.getName() + "$" + planted), folder);
+        assertTrue(found.startsWith("failure: " + failure), found);
+        assertTrue(found.endsWith(" of CheckEffectCommandTest.java"), "the place is named: " + found);
     }
 
     @Tag("slow")
     @Test
-    void anEndlessLoopEndsTheCheckAndNotTheRun(@TempDir Path folder) throws IOException, InterruptedException {
-        assertFailure("it did not come back within 7 s of CPU time: an endless loop, in Loops.addForces, line ",
-                Loops.class, folder);
-    }
-
-    @Test
-    void aMethodThatCallsItselfIsFoundOut(@TempDir Path folder) throws IOException, InterruptedException {
-        assertFailure("the stack overflows: a method calls itself without end, in Overflows.getPotentialEnergy, line ",
-                Overflows.class, folder);
-    }
-
-    @Test
-    void hugeArraysAreFoundOut(@TempDir Path folder) throws IOException, InterruptedException {
-        assertFailure("it asks for more memory than the 256 MB that there are, in Hoards.addForces, line ",
-                Hoards.class, folder);
+    void anEndlessLoopEndsTheCheckAndNotTheRun(@TempDir Path folder) throws Exception {
+        aClassThatDoesNotComeBackIsFoundOut("Loops",
+                "it did not come back within 7 s of CPU time: an endless loop, in Loops.addForces, line ", folder);
     }
 }
