@@ -123,7 +123,8 @@ class GradeClassCommandTest {
         assertFalse(html.contains("project: s1"), html);
         String own = Files.readString(folder.resolve("out/s2/grade.md"));
         assertTrue(own.contains("\nanswers.yaml:2:")
-                && own.contains("| no.yaml: there is no such file") && !own.contains("s1") && !own.contains("desolver-class"), own);
+                && own.contains("| no.yaml: there is no such file")
+                && !own.contains("s1") && !own.contains("desolver-class"), own);
     }
 
     @Test
