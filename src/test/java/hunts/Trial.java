@@ -158,7 +158,7 @@ final class Trial implements Observer {
         for (int k = 0; k < end.length; k++) {
             difference[k] -= other.end[k];
         }
-        double fast = Math.max(1e-6, Math.max(speed, other.speed));
+        double fast = Math.max(1e-3, Math.max(speed, other.speed));     // a bead held by its rod has 1e-11 m/s
         return Math.max(largest(difference, 0) / Math.max(0.1, largest(other.end, 0)),
                 largest(difference, 3) / fast);
     }
