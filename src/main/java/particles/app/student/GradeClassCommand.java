@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -189,8 +190,8 @@ public final class GradeClassCommand extends ResultsCommand {
                 DataTable.column("exercise", row -> row.item().name()),
                 DataTable.column("points", row -> row.item().mark().right() ? 1 : 0),
                 DataTable.column("mistake", Row::mistake),
-                DataTable.column("handed in", row -> row.entry().submission().map(found -> found.newest().toString())
-                .orElse("")),
+                DataTable.column("handed in", row -> row.entry().submission().map(found -> found.newest()
+                .truncatedTo(ChronoUnit.SECONDS).toString()).orElse("")),
                 DataTable.column("version", row -> Version.CURRENT));
         DataTable each = DataTable.of("students", "Students", entries,
                 DataTable.column("student", Entry::student), DataTable.column("points", Entry::points),
@@ -201,7 +202,7 @@ public final class GradeClassCommand extends ResultsCommand {
                 .collect(Collectors.groupingBy(Function.identity(), TreeMap::new, Collectors.counting()));
         DataTable common = DataTable.of("mistakes", "The commonest mistakes", counts.entrySet().stream()
                 .sorted(Map.Entry.<String, Long>comparingByValue().reversed()).limit(MOST_COMMON).toList(),
-                DataTable.column("mistake", Map.Entry::getKey), DataTable.column("students", Map.Entry::getValue));
+                DataTable.column("students", Map.Entry::getValue), DataTable.column("mistake", Map.Entry::getKey));
         List<String> text = new ArrayList<>(problems);
         Map<String, Map<String, String>> sources = new TreeMap<>();
         entries.forEach(entry -> sources.put(entry.student(), entry.marking().sources()));
