@@ -17,13 +17,17 @@ final class CurveDistance {
     /** @param curve positions along the curve, and the velocities there */
     CurveDistance(Series curve) {
         this.curve = curve;
-        positions = Arrays.stream(curve.x()).summaryStatistics();
-        velocities = Arrays.stream(curve.y()).summaryStatistics();
+        positions = range(curve.x());
+        velocities = range(curve.y());
     }
 
     /** @return the curve */
     Series getCurve() {
         return curve;
+    }
+
+    private static DoubleSummaryStatistics range(double[] values) {
+        return Arrays.stream(values).filter(value -> !Double.isNaN(value)).summaryStatistics();
     }
 
     private static double reach(DoubleSummaryStatistics range) {
@@ -61,7 +65,9 @@ final class CurveDistance {
         double largest = isDegenerate() ? Double.NaN : 0;
         int skip = Math.max(1, path.x().length / MOST_POINTS);
         for (int k = path.x().length - 1; k >= 0 && largest >= 0; k -= skip) {
-            largest = Math.max(largest, of(path.x()[k], path.y()[k]));
+            if (!Double.isNaN(path.x()[k])) {           // where the path is cut
+                largest = Math.max(largest, of(path.x()[k], path.y()[k]));
+            }
         }
         return largest;
     }
@@ -83,7 +89,9 @@ final class CurveDistance {
             double along = square > 0 ? Math.max(0, Math.min(1, -(ax * bx + av * bv) / square)) : 0;
             double dx = ax + along * bx;
             double dv = av + along * bv;
-            nearest = Math.min(nearest, dx * dx + dv * dv);
+            if (dx * dx + dv * dv < nearest) {          // false where the curve is cut
+                nearest = dx * dx + dv * dv;
+            }
         }
         return Math.sqrt(nearest);
     }

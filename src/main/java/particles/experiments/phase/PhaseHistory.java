@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import particles.Motion;
 import particles.Observer;
@@ -17,16 +18,17 @@ import particles.view.ChartData.Series;
 
 /**
  * Records the path of one particle in its state space: position against velocity along an axis, or its angle about
- * another particle against the angular velocity, after each step and again after rules changed something, so that a
- * bounce is a vertical line. A very long path is thinned to every 2nd, 4th, ... state, and then drawn as points, since
- * lines between distant states would show a motion that did not happen.
+ * another particle against the angular velocity, after each step and again after rules changed something. Where a rule
+ * changed this particle, as a bounce does, a point that is not a number cuts the line. A very long path is thinned to
+ * every 2nd, 4th, ... state, and then drawn as points, since lines between distant states would show a motion that did
+ * not happen.
  */
 public final class PhaseHistory implements Observer {
     private static final int CAPACITY = 1 << 15;
     /** A path of at most this number of states shows each of them. */
     private static final int FEW = 150;
-    /** Numbers of each state that is kept: position, velocity, angle and angular velocity. */
-    private static final int COLUMNS = Particles.STRIDE + 2;
+    /** Numbers of each state that is kept: position, velocity, angle, angular velocity, and 1 after a jump. */
+    private static final int COLUMNS = Particles.STRIDE + 3;
 
     private final String id;
     private final Optional<String> about;
@@ -64,7 +66,12 @@ public final class PhaseHistory implements Observer {
 
     @Override
     public void changed(ParticleSystem system, Rule rule) {
+        int size = path.size();
         add(system, system.getOwnState());
+        if (size > 0 && path.size() > size && !Arrays.equals(path.get(size), 0, Particles.STRIDE,
+                path.get(size - 1), 0, Particles.STRIDE)) {
+            path.get(size)[COLUMNS - 1] = 1;
+        }
     }
 
     /** Adds a state. Births and deaths may move the particle to another index; when it is removed, its path ends. */
@@ -89,6 +96,7 @@ public final class PhaseHistory implements Observer {
             double[] kept = Arrays.copyOfRange(state, Particles.STRIDE * index, Particles.STRIDE * index + COLUMNS);
             kept[Particles.STRIDE] = angle;
             kept[Particles.STRIDE + 1] = rate;
+            kept[COLUMNS - 1] = 0;
             path.add(kept);
         }
     }
@@ -117,18 +125,20 @@ public final class PhaseHistory implements Observer {
     }
 
     private double range(Axis axis) {
-        DoubleSummaryStatistics values = Arrays.stream(column(axis.ordinal())).summaryStatistics();
+        DoubleSummaryStatistics values = path.stream().mapToDouble(state -> state[axis.ordinal()])
+                .summaryStatistics();
         return values.getMax() - values.getMin();
     }
 
     private double[] column(int entry) {
-        return path.stream().mapToDouble(state -> state[entry]).toArray();
+        return path.stream().flatMapToDouble(state -> state[COLUMNS - 1] == 1 && every == 1
+                ? DoubleStream.of(Double.NaN, state[entry]) : DoubleStream.of(state[entry])).toArray();
     }
 
     /**
      * @param axis  the component of the motion
      * @param title the title of the chart, such as the scene and its solver
-     * @return the path, and its first and last state once more as marks of their own
+     * @return the path, cut at jumps, and its first and last state once more as marks of their own
      * @throws IllegalStateException if no run with this particle was observed
      */
     public ChartData chart(Axis axis, String title) {

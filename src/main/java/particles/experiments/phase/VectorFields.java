@@ -27,7 +27,7 @@ public final class VectorFields {
      *
      * @param system the system at its present time; not changed, and no evaluations are counted
      * @param axis   the axis along which the particle moves
-     * @param x      the positions of the path (m)
+     * @param x      the positions of the path (m); NaN where it is cut
      * @param v      its velocities (m/s)
      * @return the field; empty for an angle, if there are more degrees of freedom, or if the path has no extent
      */
@@ -69,7 +69,8 @@ public final class VectorFields {
     }
 
     private static double[] grid(double[] values, int count) {
-        DoubleSummaryStatistics range = Arrays.stream(values).summaryStatistics();
+        DoubleSummaryStatistics range = Arrays.stream(values).filter(value -> !Double.isNaN(value))
+                .summaryStatistics();
         double low = range.getMin();
         double extent = range.getMax() - low;
         return extent > 0 && Double.isFinite(extent) ? IntStream.range(0, count).mapToDouble(k ->

@@ -113,7 +113,7 @@ final class PhasePlot {
         int last = path.x().length - 1;
         for (double place : HEADS) {
             int k = (int) (place * last);
-            if (k < last) {
+            if (k < last && !Double.isNaN(path.x()[k] + path.x()[k + 1])) {
                 renderer.addAnnotation(new ArrowAnnotation(
                         new Line2D.Double(path.x()[k], path.y()[k], path.x()[k + 1], path.y()[k + 1]), PATH_HEAD, true,
                         colour), Layer.FOREGROUND);

@@ -100,10 +100,14 @@ final class SeriesRenderer {
         double low = Double.POSITIVE_INFINITY;
         double high = Double.NEGATIVE_INFINITY;
         double way = 0;
-        for (int k = 0; k < y.length; k++) {
-            low = Math.min(low, y[k]);
-            high = Math.max(high, y[k]);
-            way += Math.abs(y[k] - y[Math.max(0, k - 1)]);
+        double before = Double.NaN;
+        for (double value : y) {
+            if (!Double.isNaN(value)) {                 // where a line is cut
+                low = Math.min(low, value);
+                high = Math.max(high, value);
+                way += Double.isNaN(before) ? 0 : Math.abs(value - before);
+            }
+            before = value;
         }
         return way > DENSE * (high - low);
     }

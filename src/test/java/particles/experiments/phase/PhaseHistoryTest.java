@@ -2,17 +2,24 @@ package particles.experiments.phase;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Systems.rk4;
 
+import java.util.Arrays;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.effects.Gravity;
 import particles.effects.springs.SpringForce;
 import particles.law.Vector3;
+import particles.scene.Scene;
+import particles.scene.SceneBuilder;
+import particles.scene.TestScenes;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
@@ -92,6 +99,28 @@ class PhaseHistoryTest {
         assertEquals(all.x()[100], thinned.x()[50]);
     }
 
+    /** A ball lands at t = 0.45 s and at 1.35 s; between the cuts its velocity changes by g deltaT per step. */
+    @ParameterizedTest
+    @ValueSource(strings = {"clamp", "exact"})
+    void aPathIsCutWhereTheBallBounces(String impact) {
+        Scene scene = SceneBuilder.build(TestScenes.read(("""
+                title: a ball
+                teaches: bounces
+                solver: rk4
+                deltaT: 0.01
+                duration: 2
+                impact: IMPACT
+                particles: [{id: bob, position: [0, 1, 0]}]
+                effects: [gravity: {}]
+                rules: [ground: {restitution: 1}]
+                """).replace("IMPACT", impact)));
+        Series path = observe(scene.simulation()).chart(Axis.Y, "").series().get(0);
+        assertEquals(2, Arrays.stream(path.x()).filter(Double::isNaN).count());
+        for (int k = 1; k < path.y().length; k++) {
+            assertFalse(Math.abs(path.y()[k] - path.y()[k - 1]) > 9.81 * 0.01 + 1e-12, "false where it is cut");
+        }
+    }
+
     @Test
     void theFieldIsVelocityAndAcceleration() {
         Simulation simulation = oscillator(0.02, 4);
@@ -102,7 +131,7 @@ class PhaseHistoryTest {
             assertEquals(field.v()[k], field.dx()[k]);
             assertEquals(-4 * (field.x()[k] - 3), field.dv()[k], 1e-13);
         }
-        assertTrue(java.util.Arrays.stream(field.x()).max().orElse(0) > 4.1);
+        assertTrue(Arrays.stream(field.x()).max().orElse(0) > 4.1);
         assertEquals(evaluations, simulation.getSystem().getEvaluations());
     }
 
