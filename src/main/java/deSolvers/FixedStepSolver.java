@@ -12,8 +12,7 @@ import java.util.Arrays;
  *   eulerStep(s, deltaT)   deltaT f(s, t)
  *   plus(s, 0.5, k)        s + 0.5 k
  * </pre>
- * Each call returns a separate work array, valid until the end of the step; only the result of {@code plus} is valid
- * until it has been evaluated, and {@link #copy} keeps it for longer.
+ * Each call returns an array of its own, valid until the end of the step.
  */
 public abstract class FixedStepSolver extends DESolver {
     private final StepTransaction transaction = new StepTransaction(getClass());
@@ -24,9 +23,6 @@ public abstract class FixedStepSolver extends DESolver {
     private double[][] arrays = {};                     // made once, lent one by one in each step
     private int lent;
     private int n = -1;
-    private double[] sum = {};                          // the last result of plus
-    private boolean sumNeeded;                          // whether it is still to be evaluated
-    private boolean spoils;                             // whether it is spoilt then, to find out who reads it later
 
     /**
      * Makes the step.
@@ -47,46 +43,22 @@ public abstract class FixedStepSolver extends DESolver {
             double[] s = startState(source);
             if (deltaT != 0) {
                 step(guarded, s, deltaT);
-                if (spoils) {
-                    requireNoneReadLater(source, s, deltaT);
-                }
             }
             guarded.finish(s);
         }
     }
 
-    /** Frees all work arrays and reads the state into the first one. The first step with arrays of a size spoils. */
+    /** Frees all work arrays and reads the state into the first one. */
     private double[] startState(DEStateSource source) {
         if (n != source.getStateSize()) {
             n = source.getStateSize();
             arrays = new double[0][];
-            spoils = true;
         }
         evaluations = 0;
         lent = 0;
-        sumNeeded = false;
         double[] s = next();
         source.getState(s);
         return s;
-    }
-
-    /** A new state that is not finite in a step that spoils, but finite in one that does not, shows such a reader. */
-    private void requireNoneReadLater(DEStateSource source, double[] s, double deltaT) {
-        spoils = false;
-        sum = new double[n];
-        if (FiniteCheck.firstNonFinite(s) >= 0) {
-            transaction.close();
-            transaction.begin(source, deltaT);
-            step(transaction, startState(source), deltaT);      // into s again, the first of the arrays
-            if (FiniteCheck.firstNonFinite(s) < 0) {
-                throw misuse("reads a result of plus() after it was evaluated");
-            }
-        }
-    }
-
-    private IllegalStateException misuse(String what) {
-        return new IllegalStateException(getClass().getName() + " " + what + "; plus() returns the same array each"
-                + " time: take a copy() of its result");
     }
 
     /** An array that no other call returns until the next step begins; its entries are arbitrary. */
@@ -110,12 +82,6 @@ public abstract class FixedStepSolver extends DESolver {
         transaction.getStateDerivative(s, dSdt);
         if (evaluations++ < checked) {
             transaction.requireFinite(dSdt);
-        }
-        if (s == sum) {
-            sumNeeded = false;
-            if (spoils) {
-                Arrays.fill(s, Double.NaN);
-            }
         }
         return dSdt;
     }
@@ -142,21 +108,13 @@ public abstract class FixedStepSolver extends DESolver {
      * @param s      a state; length n
      * @param factor the multiple
      * @param k      an increment of the state; length n
-     * @return s + factor k; length n, valid until it has been evaluated
-     * @throws IllegalStateException if the last result has neither been evaluated nor copied
+     * @return s + factor k; length n
      */
     protected final double[] plus(double[] s, double factor, double[] k) {
-        if (sumNeeded) {
-            throw misuse("calls plus() again before its result was evaluated");
-        }
-        if (spoils) {
-            sum = new double[n];
-        }
-        double[] sum = this.sum;
+        double[] sum = next();
         for (int i = 0; i < sum.length; i++) {
             sum[i] = s[i] + factor * k[i];
         }
-        sumNeeded = true;
         return sum;
     }
 
@@ -169,7 +127,6 @@ public abstract class FixedStepSolver extends DESolver {
     protected final double[] copy(double[] a) {
         double[] copy = next();
         System.arraycopy(a, 0, copy, 0, copy.length);
-        sumNeeded &= a != sum;
         return copy;
     }
 
