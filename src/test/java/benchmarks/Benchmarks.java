@@ -1,116 +1,81 @@
 package benchmarks;
 
-import static particles.view.DataTable.column;
-
-import deSolvers.catalog.SolverCatalog;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
+import hunts.TaskOptions;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
-import java.util.function.Predicate;
-import java.util.function.ToDoubleFunction;
-import java.util.stream.Stream;
-import particles.experiments.runs.ProgressListener;
+import java.util.Set;
+import java.util.TreeSet;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.results.format.ResultFormatType;
+import org.openjdk.jmh.runner.Runner;
+import org.openjdk.jmh.runner.RunnerException;
+import org.openjdk.jmh.runner.options.ChainedOptionsBuilder;
+import org.openjdk.jmh.runner.options.OptionsBuilder;
+import org.openjdk.jmh.runner.options.TimeValue;
 import particles.output.FrameBenchmark;
-import particles.view.DataTable;
 
-/** The list of all benchmarks, which can be chosen by name. */
+/** {@code gradle benchmark}: runs the benchmarks with JMH, which prints its progress and a table at the end. */
 public final class Benchmarks {
-    private static final int STEPS = 16;
-    private static final double MILLI = 1e6;
-    private static final List<String> SCENES = List.of("02-one-spring", "09-cloth-in-wind", "10-jelly-block");
-    private static final List<String> FRAMES = List.of("05-hanging-chain", "08-cloth", "09-cloth-in-wind");
+    private static final List<Class<?>> CLASSES = List.of(StepBenchmark.class, ErrorBenchmark.class,
+            SceneBenchmark.class, FrameBenchmark.class);
+    /** These are measured only when they are asked for. */
+    private static final List<String> LARGE = List.of("cloth-64", "cloth-256");
+    private static final List<String> PARAMETERS = List.of("workload", "method", "integrator", "scene");
+    private static final List<String> OPTIONS = List.of("include", "workload", "method", "integrator", "scene", "forks",
+            "iterations", "milliseconds");
+    private static final Path RESULTS = Path.of("build", "out", "benchmark", "benchmark.csv");
 
-    private final Predicate<String> included;
-    private final Stopwatch stopwatch;
-    private final Stopwatch inOneProcess;
-    private final ProgressListener progress;
-    private int begun;
+    private Benchmarks() {
+    }
 
     /**
-     * @param included selects names
-     * @param times    measures a benchmark
-     * @param progress receives the progress
+     * @param args {@code --name=value}: a regular expression that selects classes, parameters of the benchmarks
+     *             separated by commas, and JMH's settings
+     * @throws IllegalArgumentException if an option is not valid
      */
-    public Benchmarks(Predicate<String> included, Measurement times, ProgressListener progress) {
-        this(included, times, new Measurement(0, times.iterations(), times.seconds()), progress);
-    }
-
-    Benchmarks(Predicate<String> included, Stopwatch stopwatch, Stopwatch inOneProcess, ProgressListener progress) {
-        this.included = included;
-        this.stopwatch = stopwatch;
-        this.inOneProcess = inOneProcess;
-        this.progress = progress;
-    }
-
-    /** @return the names of all benchmarks */
-    public static List<String> names() {
-        List<String> names = new ArrayList<>();
-        Comparison.plans().forEach(plan -> names.add(plan.toString()));
-        runs().forEach(run -> names.add(name("solver", run)));
-        steps().forEach(run -> names.add(name("steps", run)));
-        SCENES.forEach(scene -> names.add("scene " + scene));
-        FRAMES.forEach(scene -> names.add("frame " + scene));
-        return names;
-    }
-
-    private static List<Run> runs() {
-        return runs(List.of("oscillator", "chain"), SolverCatalog.names(), workload -> Workload.of(workload).deltaT());
-    }
-
-    /** Solvers that are measured against loops written by hand. */
-    private static List<Run> steps() {
-        return runs(List.of("oscillator", "chain", "cloth-64", "cloth-256"), ByHand.METHODS, workload ->
-                Workload.DELTA_T);
-    }
-
-    private static List<Run> runs(List<String> workloads, List<String> solvers, ToDoubleFunction<String> deltaT) {
-        return workloads.stream().flatMap(workload -> solvers.stream().map(solver ->
-                Run.steps(workload, solver, STEPS * deltaT.applyAsDouble(workload), STEPS))).toList();
-    }
-
-    private static String name(String kind, Run run) {
-        return kind + " " + run.workload() + " " + run.method();
-    }
-
-    /** @return a table for each kind of benchmark, the comparison first */
-    public List<DataTable> measure() {
-        List<Comparison> comparisons = progress.part(0, 0).each(Comparison.plans().stream().filter(plan ->
-                included.test(plan.toString())).toList(), plan -> "settings for " + plan, Comparison::of);
-        List<Run> both = comparisons.stream().flatMap(pair -> List.of(pair.ours(), pair.theirs()).stream()).distinct()
-                .toList();
-        List<Run> runs = runs().stream().filter(run -> included.test(name("solver", run))).toList();
-        List<Run> steps = steps().stream().filter(run -> included.test(name("steps", run)))
-                .flatMap(run -> Stream.of(run, ByHand.like(run))).toList();
-        List<String> scenes = chosen("scene ", SCENES);
-        List<String> frames = chosen("frame ", FRAMES);
-        int all = both.size() + runs.size() + steps.size() + scenes.size() + frames.size();
-        return Stream.of(BenchmarkTables.comparison(comparisons, medians(stopwatch, SolveBenchmark.class,
-                        both, all)),
-                BenchmarkTables.solvers(runs, medians(stopwatch, SolveBenchmark.class, runs, all)),
-                BenchmarkTables.steps(medians(inOneProcess, SolveBenchmark.class, steps, all)),
-                timeTable("scenes", "Reading, checking and building a scene",
-                        medians(stopwatch, SceneBenchmark.class, scenes, all)),
-                timeTable("frames", "Drawing a frame of 1280 x 720 pixels and compressing it to PNG, on one thread",
-                        medians(stopwatch, FrameBenchmark.class, frames, all)))
-                .filter(table -> !table.rows().isEmpty()).toList();
-    }
-
-    private List<String> chosen(String kind, List<String> names) {
-        return names.stream().filter(name -> included.test(kind + name)).toList();
-    }
-
-    private <T> Map<T, Double> medians(Stopwatch stopwatch, Class<?> benchmark, List<T> what, int all) {
-        Map<T, Double> medians = new LinkedHashMap<>();
-        for (T one : what) {
-            progress.reached((double) begun++ / all, one instanceof Run run ? run.label() : one.toString());
-            medians.put(one, stopwatch.median(benchmark, one.toString()));
+    static ChainedOptionsBuilder options(String... args) {
+        TaskOptions given = new TaskOptions(args, OPTIONS);
+        int iterations = (int) given.getCount("iterations", 5);
+        TimeValue time = TimeValue.milliseconds(given.getCount("milliseconds", 60));
+        // Compilation in the foreground: few iterations are enough for warm-up.
+        ChainedOptionsBuilder options = new OptionsBuilder().include(given.get("include", "."))
+                .forks((int) given.getCount("forks", 1)).jvmArgsAppend("-Xbatch").shouldFailOnError(true)
+                .warmupIterations(iterations).warmupTime(time).measurementIterations(iterations).measurementTime(time)
+                .resultFormat(ResultFormatType.CSV).result(RESULTS.toString());
+        for (String parameter : PARAMETERS) {
+            String values = given.get(parameter, "");
+            if (!values.isEmpty()) {
+                options.param(parameter, allowed(parameter, values.split(",")));
+            }
         }
-        return medians;
+        return options;
     }
 
-    private static DataTable timeTable(String name, String title, Map<String, Double> medians) {
-        return DataTable.of(name, title, List.copyOf(medians.keySet()), column("scene", scene -> scene),
-                column("time (ms)", 3, scene -> medians.get(scene) / MILLI));
+    private static String[] allowed(String parameter, String... values) {
+        Set<String> known = new TreeSet<>(parameter.equals("workload") ? LARGE : List.of());
+        CLASSES.stream().flatMap(type -> Arrays.stream(type.getFields()))
+                .filter(field -> field.getName().equals(parameter))
+                .forEach(field -> known.addAll(List.of(field.getAnnotation(Param.class).value())));
+        for (String value : values) {
+            if (!known.contains(value)) {
+                throw new IllegalArgumentException("option -P" + parameter + ": '" + value + "' is not one of: "
+                        + String.join(", ", known));
+            }
+        }
+        return values;
+    }
+
+    /** @param args as for {@link #options} */
+    public static void main(String[] args) throws Exception {
+        System.setProperty("jmh.ignoreLock", "true");           // another user's lock would block for ever
+        try {
+            Files.createDirectories(RESULTS.getParent());
+            new Runner(options(args).build()).run();
+        } catch (IllegalArgumentException | RunnerException e) {
+            System.err.println(e.getMessage());
+            System.exit(2);
+        }
     }
 }

@@ -1,6 +1,5 @@
 package benchmarks;
 
-import java.util.List;
 import particles.ParticleSystem;
 import particles.Systems;
 import particles.law.Particles;
@@ -11,10 +10,11 @@ import particles.view.SpringView;
  * system. A step of ours is measured against it.
  */
 final class ByHand implements Method {
-    static final List<String> METHODS = List.of("rk4", "midpoint", "euler", "symplectic-euler");
-    private static final String SUFFIX = "-by-hand";
+    static final String SUFFIX = " by hand";
 
-    private final Run run;
+    private final String name;
+    private final double duration;
+    private final int steps;
     private final double h;
     private final int d;                                // positions in a block of the state
     private final double[] s;
@@ -28,9 +28,11 @@ final class ByHand implements Method {
     private final double[] stiffness;
     private final double[] restLengths;
 
-    private ByHand(Run run, Workload workload) {
-        this.run = run;
-        h = run.duration() / run.steps();
+    ByHand(String name, Workload workload, double duration, int steps) {
+        this.name = name;
+        this.duration = duration;
+        this.steps = steps;
+        h = duration / steps;
         s = workload.start().getPrimaryState().clone();
         k = s.clone();
         trial = s.clone();
@@ -61,31 +63,18 @@ final class ByHand implements Method {
         }
     }
 
-    /** The run's solver, by hand. */
-    static Run like(Run run) {
-        return Run.steps(run.workload(), run.method() + SUFFIX, run.duration(), run.steps());
-    }
-
-    static boolean isMeant(Run run) {
-        return run.method().endsWith(SUFFIX);
-    }
-
-    static Method of(Run run) {
-        return new ByHand(run, Workload.of(run.workload()));
-    }
-
     @Override
     public void solve(Workload workload) {
         System.arraycopy(workload.start().getPrimaryState(), 0, s, 0, s.length);
-        for (int n = 0; n < run.steps(); n++) {
-            switch (run.method().charAt(0)) {
+        for (int n = 0; n < steps; n++) {
+            switch (name.charAt(0)) {
                 case 'r' -> rk4();
                 case 'm' -> midpoint();
                 case 'e' -> euler();
                 default -> symplecticEuler();
             }
         }
-        workload.end(run.duration(), s);
+        workload.end(duration, s);
     }
 
     private void rk4() {

@@ -36,31 +36,40 @@ interface Method {
     /** Solves the workload from its start. */
     void solve(Workload workload);
 
-    /** @return whether the method is adaptive and needs a tolerance */
-    static boolean isAdaptive(String name) {
-        return HIPPARCHUS_ADAPTIVE.containsKey(name) || SolverCatalog.names().contains(name)
-                && SolverCatalog.info(name).adaptive();
+    /**
+     * Makes a method with steps of equal length; its solver is reused for repeated runs.
+     *
+     * @param name     a solver of our catalogue, one of {@link #HIPPARCHUS_FIXED}, or one of {@link ByHand}
+     * @param duration the simulated time (s)
+     */
+    static Method withSteps(String name, Workload workload, double duration, int steps) {
+        if (name.endsWith(ByHand.SUFFIX)) {
+            return new ByHand(name, workload, duration, steps);
+        }
+        return HIPPARCHUS_FIXED.containsKey(name)
+                ? hipparchus(HIPPARCHUS_FIXED.get(name).create(duration / steps), duration)
+                : ours(SolverCatalog.create(name), duration, steps);
     }
 
-    /** Makes the method of a run; its solver is reused for repeated runs. */
-    static Method of(Run run) {
-        if (ByHand.isMeant(run)) {
-            return ByHand.of(run);
-        }
-        if (HIPPARCHUS_FIXED.containsKey(run.method())) {
-            return hipparchus(HIPPARCHUS_FIXED.get(run.method()).create(run.duration() / run.steps()), run.duration());
-        }
-        if (HIPPARCHUS_ADAPTIVE.containsKey(run.method())) {
-            return hipparchus(HIPPARCHUS_ADAPTIVE.get(run.method()).create(SHORTEST, run.duration(), run.tolerance(),
-                    run.tolerance()), run.duration());
-        }
-        Tolerances both = Tolerances.both(run.tolerance());
-        DESolver solver = Double.isNaN(run.tolerance()) ? SolverCatalog.create(run.method())
-                : SolverCatalog.create(run.method(), both.relative(), both.absolute());
+    /**
+     * Makes an adaptive method.
+     *
+     * @param name      a solver of our catalogue, or one of {@link #HIPPARCHUS_ADAPTIVE}
+     * @param duration  the simulated time (s)
+     * @param tolerance relative and absolute tolerance
+     */
+    static Method withTolerance(String name, double duration, double tolerance) {
+        Tolerances both = Tolerances.both(tolerance);
+        return HIPPARCHUS_ADAPTIVE.containsKey(name)
+                ? hipparchus(HIPPARCHUS_ADAPTIVE.get(name).create(SHORTEST, duration, tolerance, tolerance), duration)
+                : ours(SolverCatalog.create(name, both.relative(), both.absolute()), duration, 1);
+    }
+
+    private static Method ours(DESolver solver, double duration, int steps) {
         return workload -> {
             workload.restart();
-            for (int n = 0; n < run.steps(); n++) {
-                solver.stepState(workload.source(), run.duration() / run.steps());
+            for (int n = 0; n < steps; n++) {
+                solver.stepState(workload.source(), duration / steps);
             }
         };
     }

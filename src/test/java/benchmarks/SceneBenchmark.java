@@ -15,15 +15,15 @@ import particles.scene.TestScenes;
 /** The time from a scene's file to a simulation that is ready to run. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
-@OutputTimeUnit(TimeUnit.NANOSECONDS)
+@OutputTimeUnit(TimeUnit.MILLISECONDS)
 public class SceneBenchmark {
     /** The name of a scene. */
-    @Param("02-one-spring")
-    public String what;
+    @Param({"02-one-spring", "09-cloth-in-wind", "10-jelly-block"})
+    public String scene;
 
     /** @return the scene, read, checked and built */
     @Benchmark
     public Scene load() {
-        return SceneBuilder.build(TestScenes.named(what));
+        return SceneBuilder.build(TestScenes.named(scene));
     }
 }

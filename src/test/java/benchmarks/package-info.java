@@ -2,13 +2,15 @@
  * Programs that measure time, run by their own tasks and never by tests; tests check the counts behind them.
  *
  * <h2>All benchmarks: {@code gradle benchmark}</h2>
- * Every solver, reading a scene and drawing a frame, and solvers beside Hipparchus, by JMH, in three minutes.
- * {@code -Pinclude=chain} measures a part; {@code -Pforks=3 -Piterations=10} gives closer medians; {@code -Pseconds} is
- * the length of an iteration. Results go to {@code build/out/benchmark}.
+ * Steps of every solver, beside loops written by hand and the integrators of Hipparchus, reading a scene and drawing a
+ * frame, by JMH, in three minutes. {@code -Pinclude=StepBenchmark} selects a class, {@code -Pworkload=chain}, {@code
+ * -Pmethod=rk4,verlet}, {@code -Pintegrator=} and {@code -Pscene=} what is measured; {@code -Pforks=3 -Piterations=10}
+ * gives closer means; {@code -Pmilliseconds} is the length of an iteration. JMH's table is also written to {@code
+ * build/out/benchmark/benchmark.csv}.
  *
- * <p>The table says how many times as long as ours Hipparchus takes on the same sources. At equal evaluations both make
- * the same steps of the same method; at equal error each has the coarsest steps or the loosest tolerance that ends
- * within 1e-6 of a reference.
+ * <p>{@code StepBenchmark} compares equal evaluations: the same steps of the same method on the same source. The loops
+ * by hand show what the interface, the checks and the slides' form cost. {@code ErrorBenchmark} compares equal errors:
+ * each has the coarsest steps or the loosest tolerance that ends within 1e-6 of a reference.
  * <table>
  * <caption>time of Hipparchus 4.0.3 over ours</caption>
  * <tr><th>equal</th><th>ours, Hipparchus</th><th>oscillator</th><th>chain of 100</th><th>cloth of 12 x 12</th></tr>
@@ -24,9 +26,6 @@
  * other work of ours: medians of five iterations of 0.06 s, in a process for each, after as many that do not count.
  * With other work beside it, single rows differed by up to a factor of two. Adams-Moulton of Hipparchus chooses its
  * steps, ours does not.
- *
- * <p>{@code -Pinclude=steps} compares steps of the slides' solvers with loops written by hand for the workload
- * ({@code ByHand}), in one process and half a minute: what the interface, the checks and the slides' form cost.
  *
  * <h2>Stiff cloth: {@code gradle stiffCloth}</h2>
  * Measures the CPU time of a frame of 1/60 s of ever stiffer cloth of 64 x 64 particles: RK4, with up to 5,000 steps,

@@ -26,15 +26,15 @@ import particles.scene.format.SceneDescription.Drawing;
 /** Measures the time to draw a frame of 1280 x 720 pixels and to encode it as PNG. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
-@OutputTimeUnit(TimeUnit.NANOSECONDS)
+@OutputTimeUnit(TimeUnit.MILLISECONDS)
 public class FrameBenchmark {
     private static final int WIDTH = 1280;
     private static final int HEIGHT = 720;
     private static final int STEPS = 100;
 
     /** The name of a scene that has a camera. */
-    @Param("09-cloth-in-wind")
-    public String what;
+    @Param({"05-hanging-chain", "08-cloth", "09-cloth-in-wind"})
+    public String scene;
 
     private final FrameState state = new FrameState();
     private final PngEncoder encoder = new PngEncoder(WIDTH, HEIGHT);
@@ -43,17 +43,17 @@ public class FrameBenchmark {
     /** Runs the scene for a while, so that there are folds and shadows. */
     @Setup
     public void prepare() {
-        Scene scene = SceneBuilder.build(TestScenes.named(what));
-        ParticleSystem system = scene.system();
-        DESolver solver = scene.description().solving().create();
+        Scene built = SceneBuilder.build(TestScenes.named(scene));
+        ParticleSystem system = built.system();
+        DESolver solver = built.description().solving().create();
         for (int n = 0; n < STEPS; n++) {
-            solver.stepState(system, scene.description().deltaT());
+            solver.stepState(system, built.description().deltaT());
         }
         state.take(system.getStateArray(), system.getParticles().count(), system.getTime(), false);
         state.takeStructure(system, false, List.of());
-        Drawing drawing = scene.description().drawing();
-        renderer = new FrameRenderer(new FrameSetup(drawing.camera().orElseThrow(), drawing.look(), scene.scenery(),
-                scene.description().title(), ""), WIDTH, HEIGHT, 2);
+        Drawing drawing = built.description().drawing();
+        renderer = new FrameRenderer(new FrameSetup(drawing.camera().orElseThrow(), drawing.look(), built.scenery(),
+                built.description().title(), ""), WIDTH, HEIGHT, 2);
     }
 
     /** @return the pixels */
