@@ -111,15 +111,16 @@ class ArchitectureTest {
             particles.output.animation:    particles.output.files particles.output.frames java.awt javax.imageio
                                            org.jcodec
             particles.output.charts:       deSolvers.text particles.output.files particles.output.text particles.view
-                                           java.awt javax.xml org.apache.batik org.jfree org.w3c.dom
+                                           java.awt javax.xml com.lowagie org.apache.batik org.jfree
+                                           org.w3c.dom
             particles.output.files:        particles particles.law com.fasterxml.jackson
             particles.output.frames:       deSolvers.text particles particles.law particles.output.files
                                            particles.output.painters particles.output.raster
                                            particles.output.text particles.view java.awt
             particles.output.painters:     particles particles.law particles.output.raster particles.view
             particles.output.race:         particles particles.output.animation particles.output.charts
-                                           particles.output.frames particles.output.text particles.view
-                                           java.awt
+                                           particles.output.files particles.output.frames particles.output.text
+                                           particles.view java.awt
             particles.output.raster:       particles.law particles.output.text particles.view java.awt
             particles.output.report:       particles.output.charts particles.output.files particles.output.text
                                            particles.view java.awt javax.imageio

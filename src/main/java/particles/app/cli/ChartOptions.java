@@ -11,8 +11,8 @@ public final class ChartOptions {
     private static final String DARK = "--dark";
 
     @Option(names = SLIDE, arity = "0..1", fallbackValue = "true", defaultValue = "false", paramLabel = "true|false",
-            description =
-            "Draws each chart as a slide: 16:9, large type, at most five curves (default: ${DEFAULT-VALUE}).")
+            description = "Draws each chart as a slide: 16:9, large type, at most five curves; slides.pdf has all of"
+            + " them (default: ${DEFAULT-VALUE}).")
     private boolean slide;
 
     @Option(names = SVG, arity = "0..1", fallbackValue = "true", defaultValue = "false", paramLabel = "true|false",

@@ -13,7 +13,7 @@ import particles.experiments.race.RaceCharts;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
 import particles.output.animation.GifAnimation;
-import particles.output.charts.ChartWriter;
+import particles.output.charts.ChartPage;
 import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
@@ -28,7 +28,6 @@ import picocli.CommandLine.Option;
         description = "Runs solvers with equal work on a scene, side by side in one animation.")
 public final class RaceCommand extends ExperimentCommand {
     private static final String SOLVERS = "euler,midpoint,rk4,symplectic-euler,verlet";
-    private static final String SHEET = "race.png";
     /** Frames shown in a second. */
     private static final double PLAYBACK = 20;
     private static final int FEWEST_FRAMES = 40;
@@ -118,13 +117,12 @@ public final class RaceCommand extends ExperimentCommand {
         try (RacePictures pictures = new RacePictures(solvers.size(), count / scene.get().duration(), PLAYBACK)) {
             Result race = new Race(scene.get(), solvers, count).run(pictures,
                     (part, what) -> progress.reached(RUNS * part, what));
-            pictures.write(new ChartWriter(folder, format()), SHEET, race,
-                    part -> progress.reached(RUNS + (1 - RUNS) * part, "drawing the animation"));
-            return page(race, count);
+            return page(race, count, pictures.write(folder, race,
+                    part -> progress.reached(RUNS + (1 - RUNS) * part, "drawing the animation")));
         }
     }
 
-    private ResultPage page(Result race, int count) {
+    private ResultPage page(Result race, int count, ChartPage sheet) {
         double speed = race.duration() * PLAYBACK / count;
         String pace = race.shares().slowest().map(slowest -> slowest.label() + ", which cannot do with less,")
                 .orElse("rk4 at the scene's step");
@@ -143,7 +141,7 @@ public final class RaceCommand extends ExperimentCommand {
                 Digits.format("The animation runs %s.", Math.abs(speed - 1) < 0.01 ? "in real time"
                         : Digits.format("at %.3g times the speed of the scene", speed))),
                 List.of(Picture.made(GifAnimation.FILE, "The race."),
-                        Picture.made(SHEET, "The end of the race, and the energy error over time."),
+                        Picture.drawn("race", "The end of the race, and the energy error over time.", sheet),
                         Picture.stacked("race-charts", """
                                 Above: distance of each solver from the reference, root mean square over the \
                                 particles. Below: energy error. A cross marks where a solver left the race.""",

@@ -12,12 +12,16 @@ import particles.experiments.race.RaceCharts;
 import particles.experiments.runs.Extent;
 import particles.experiments.runs.SolverChoice;
 import particles.law.Vector3;
-import particles.output.charts.ChartWriter;
+import particles.output.charts.ChartPage;
+import particles.output.files.OutputFolder;
 import particles.output.frames.FrameSetup;
 import particles.output.race.RaceFilm;
 import particles.output.raster.CameraFraming;
 import particles.scene.Scene;
+import particles.scene.format.OutputDescription.Frames;
+import particles.scene.format.SceneDescription;
 import particles.view.Camera;
+import particles.view.ChartData;
 
 /** Watches a race, and makes its film. The panels take their shape from where the reference goes. */
 final class RacePictures implements Race.ObserverFactory, AutoCloseable {
@@ -49,7 +53,7 @@ final class RacePictures implements Race.ObserverFactory, AutoCloseable {
     @Override
     public List<Observer> of(Scene scene, Optional<SolverChoice> solver, Extent extent) {
         if (solver.isEmpty()) {
-            begin(extent);
+            begin(scene.description(), extent);
         }
         FrameSetup stage = new FrameSetup(camera.orElseThrow(), scene.description().drawing().look(),
                 scene.scenery(), "", "");
@@ -57,32 +61,37 @@ final class RacePictures implements Race.ObserverFactory, AutoCloseable {
         return List.of(solver.isPresent() ? made.watch(solver.get().label(), stage) : made.watchReference(stage));
     }
 
-    private void begin(Extent extent) {
+    /** A scene's own camera shows what it does in pictures of the scene; otherwise one is placed here. */
+    private void begin(SceneDescription scene, Extent extent) {
         double room = ROOM * (extent.longest() > 0 ? extent.longest() : 1);     // where nothing moves, 1 m around it
         Vector3 around = new Vector3(room, room, extent.high().z() > extent.low().z() ? room : 0);
         Vector3 low = extent.low().minus(around);
         Vector3 high = extent.high().plus(around);
-        double aspect = (high.x() - low.x() + high.z() - low.z()) / Math.max(room, high.y() - low.y());
-        aspect = Math.max(NARROWEST, Math.min(WIDEST, aspect));
-        camera = Optional.of(CameraFraming.around(low, high, aspect));
+        Optional<Camera> own = scene.drawing().camera();
+        Frames frames = scene.output().frames();
+        double aspect = Math.max(NARROWEST, Math.min(WIDEST, own.isPresent() ? (double) frames.width() / frames.height()
+                : (high.x() - low.x() + high.z() - low.z()) / Math.max(room, high.y() - low.y())));
+        camera = Optional.of(own.orElseGet(() -> CameraFraming.around(low, high, aspect)));
         film = Optional.of(new RaceFilm(panels, aspect, rate, playback));
     }
 
     /**
-     * Writes the film and the sheet.
+     * Writes the film.
      *
-     * @param writer   writes the sheet, and has the output folder
-     * @param sheet    the name of the sheet
+     * @param folder   the output folder
      * @param race     the result of the race
      * @param progress receives the progress
+     * @return the page with its end
      */
-    void write(ChartWriter writer, String sheet, Result race, DoubleConsumer progress) {
+    ChartPage write(OutputFolder folder, Result race, DoubleConsumer progress) {
         List<RaceFilm.Words> words = race.lanes().stream().map(lane -> new RaceFilm.Words(
                 lane.label(), step(lane), cost(lane, race.equalTime()), lane.left()))
                 .toList();
-        film.orElseThrow().write(writer, sheet, new RaceFilm.Head(race.scene() + ": " + RaceCharts.work(race),
-                RaceCharts.finding(race), "Grey ghost: the reference, " + Race.REFERENCE + ".", words),
-                RaceCharts.energy(race), progress);
+        RaceFilm.Head head = new RaceFilm.Head(race.scene() + ": " + RaceCharts.work(race),
+                RaceCharts.finding(race), "Grey ghost: the reference, " + Race.REFERENCE + ".", words);
+        ChartData strip = RaceCharts.energy(race);
+        film.orElseThrow().write(folder, head, strip, progress);
+        return film.get().sheet(head, strip);
     }
 
     /** Two digits, as there is little room; the table has the others. */

@@ -9,11 +9,12 @@ import particles.view.ChartData;
 /**
  * A page to be drawn.
  *
- * @param width   the width, in pixels of the layout
- * @param height  the height
- * @param drawing draws the page
+ * @param width      the width, in pixels of the layout
+ * @param height     the height
+ * @param showsScene whether it has pictures of a scene, which are never drawn on black
+ * @param drawing    draws the page
  */
-public record ChartPage(int width, int height, Consumer<Graphics2D> drawing) {
+public record ChartPage(int width, int height, boolean showsScene, Consumer<Graphics2D> drawing) {
     private static final int WIDTH = 900;
     private static final int HEIGHT = 560;
     private static final int STACKED_HEIGHT = 760;
@@ -33,6 +34,7 @@ public record ChartPage(int width, int height, Consumer<Graphics2D> drawing) {
         int width = format.width(chart.hasEqualUnits() ? SQUARE_WIDTH : WIDTH);
         int height = format.height(chart.hasEqualUnits() ? SQUARE_HEIGHT
                 : (ofQuantities > 1 ? STACKED_HEIGHT : HEIGHT) + (rows == 0 ? 0 : Charts.ROW * (rows + 2)));
-        return new ChartPage(width, height, g -> chart.draw(g, new Rectangle2D.Double(0, 0, width, height)));
+        return new ChartPage(width, height, false,
+                g -> chart.draw(g, new Rectangle2D.Double(0, 0, width, height)));
     }
 }

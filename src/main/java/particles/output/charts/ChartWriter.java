@@ -4,6 +4,7 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -14,17 +15,27 @@ import particles.output.text.FontCheck;
 import particles.view.ChartData;
 import particles.view.VectorField;
 
-/**
- * Writes charts as PNG pictures, and as SVG if wanted, all in one style.
- *
- * @param folder the output folder
- * @param format the format of the pictures
- */
-public record ChartWriter(OutputFolder folder, ChartFormat format) {
+/** Writes charts as PNG pictures, and as SVG if wanted, all in one style; slides at the end once more as one PDF. */
+public final class ChartWriter implements AutoCloseable {
     /** The ending of a picture's name. */
     public static final String PNG = ".png";
     /** The ending of a vector graphic's name. */
     public static final String SVG = ".svg";
+    /** The file with all slides. */
+    public static final String PDF = "slides.pdf";
+
+    private final OutputFolder folder;
+    private final ChartFormat format;
+    private final List<ChartPage> slides = new ArrayList<>();
+
+    /**
+     * @param folder the output folder
+     * @param format the format of the pictures
+     */
+    public ChartWriter(OutputFolder folder, ChartFormat format) {
+        this.folder = folder;
+        this.format = format;
+    }
 
     /**
      * Writes charts above each other over the same x axis, or on slides each by itself.
@@ -53,11 +64,6 @@ public record ChartWriter(OutputFolder folder, ChartFormat format) {
         write(name, ChartPage.of(Panel.phase(data, field), format));
     }
 
-    /** @return a writer for pages with pictures of scenes, which are never inverted */
-    public ChartWriter onWhite() {
-        return new ChartWriter(folder, new ChartFormat(format.slide(), format.svg()));
-    }
-
     /**
      * @param name the file's name, such as {@code work-precision.png}
      * @param page the page
@@ -65,6 +71,7 @@ public record ChartWriter(OutputFolder folder, ChartFormat format) {
      */
     public void write(String name, ChartPage page) {
         FontCheck.require(folder.getPath().resolve(name));
+        boolean dark = format.dark() && !page.showsScene();
         int scale = format.scale();
         BufferedImage image = new BufferedImage(scale * page.width(), scale * page.height(),
                 BufferedImage.TYPE_INT_RGB);
@@ -75,12 +82,23 @@ public record ChartWriter(OutputFolder folder, ChartFormat format) {
         page.drawing().accept(g);
         g.dispose();
         int[] pixels = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
-        if (format.dark()) {
+        if (dark) {
             Arrays.setAll(pixels, k -> ChartFormat.onBlack(pixels[k]));
         }
         folder.write(name, PngEncoder.file(image.getWidth(), image.getHeight(), pixels));
         if (format.svg()) {
-            SvgDrawing.write(folder, name.replace(PNG, SVG), page, format.dark());
+            SvgDrawing.write(folder, name.replace(PNG, SVG), page, dark);
+        }
+        if (format.slide()) {
+            slides.add(page);
+        }
+    }
+
+    /** Writes the PDF if there are slides. */
+    @Override
+    public void close() {
+        if (!slides.isEmpty()) {
+            folder.write(PDF, SlidesPdf.of(slides, format.dark()));
         }
     }
 }

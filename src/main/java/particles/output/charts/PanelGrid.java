@@ -116,7 +116,7 @@ public final class PanelGrid {
         double head = LINE * (lines.size() + 1);
         double bottom = head + rows * cellHeight;
         int height = (int) Math.ceil(bottom + (legendInCell ? 0 : size.height) + MARGIN);
-        return new ChartPage(width, height, g -> {
+        return new ChartPage(width, height, false, g -> {
             g.setColor(Color.WHITE);
             g.fill(new Rectangle2D.Double(0, 0, width, height));
             g.setColor(ChartStyle.TEXT);

@@ -11,9 +11,9 @@ import java.util.function.DoubleConsumer;
 import particles.Observer;
 import particles.output.animation.GifAnimation;
 import particles.output.charts.ChartPage;
-import particles.output.charts.ChartWriter;
 import particles.output.charts.SolverStyle;
 import particles.output.charts.StripChart;
+import particles.output.files.OutputFolder;
 import particles.output.frames.FrameSetup;
 import particles.output.frames.Pipeline;
 import particles.view.ChartData;
@@ -99,21 +99,20 @@ public final class RaceFilm implements AutoCloseable {
     }
 
     /**
-     * Writes {@code animation.gif} and a still of 16:9 of the end.
+     * Writes {@code animation.gif}.
      *
-     * @param writer   writes the sheet, and has the output folder
-     * @param sheet    the name of the sheet, such as {@code race.png}
+     * @param folder   the output folder
      * @param head     the text at the top
      * @param strip    the data of the chart, with a line of each run's name
      * @param progress receives the progress
      */
-    public void write(ChartWriter writer, String sheet, Head head, ChartData strip, DoubleConsumer progress) {
+    public void write(OutputFolder folder, Head head, ChartData strip, DoubleConsumer progress) {
         close();
         PanelFilm ghost = films.get(0);
         int[] backdrop = ghost.getRenderer().renderBackdrop();
         int[] colours = films.stream().flatMapToInt(film -> Arrays.stream(film.getRenderer().importantColours()))
                 .distinct().toArray();
-        try (GifAnimation gif = new GifAnimation(writer.folder(), page.width(), page.height(), colours, page.width(),
+        try (GifAnimation gif = new GifAnimation(folder, page.width(), page.height(), colours, page.width(),
                 playback);
                 Pipeline<Canvas> pipeline = new Pipeline<>(Pipeline.threads(BYTES_PER_PIXEL * page.width()
                         * page.height()), () -> new Canvas(page, strip))) {
@@ -131,10 +130,20 @@ public final class RaceFilm implements AutoCloseable {
                 });
             }
         }
+    }
+
+    /**
+     * @param head  the text at the top
+     * @param strip the data of the chart
+     * @return a page of 16:9 with the end of the film, to be drawn when that is written
+     */
+    public ChartPage sheet(Head head, ChartData strip) {
+        PanelFilm ghost = films.get(0);
         int last = ghost.count() - 1;
         RacePage still = page.sheet(films.size() - 1);
-        writer.onWhite().write(sheet, new ChartPage(still.width(), still.height(),
-                g -> still.draw(g, head, last / rate, panels(last, backdrop), new StripChart(strip))));
+        List<BufferedImage> panels = panels(last, ghost.getRenderer().renderBackdrop());
+        return new ChartPage(still.width(), still.height(), true, g ->
+                still.draw(g, head, last / rate, panels, new StripChart(strip)));
     }
 
     /** @return each run's picture, over the ghost */

@@ -31,7 +31,7 @@ record RacePage(int width, int height, int columns, int panelWidth, int panelHei
     private static final int WIDTH = 1000;
     private static final int SHEET_WIDTH = 960;
     private static final int SHEET_HEIGHT = 540;
-    private static final int MOST_COLUMNS = 6;
+    private static final int WIDEST = 640;
     private static final int LEAST_STRIP = 170;
     private static final int GAP = 8;
     private static final int HEAD = 72;
@@ -54,28 +54,38 @@ record RacePage(int width, int height, int columns, int panelWidth, int panelHei
      * @return the page of a film; its height is even, as films need it
      */
     static RacePage ofFilm(int panels, double aspect) {
-        int columns = panels <= 3 ? panels : (int) Math.ceil(Math.sqrt(panels));
-        int rows = (panels + columns - 1) / columns;
-        int free = rows * columns - panels;
-        int width = Math.min(640, (WIDTH - (columns + 1) * GAP) / columns);
-        int height = (int) Math.max(width / 2.5, Math.min(width, width / aspect));
-        int all = (HEAD + rows * (LABEL + height + GAP) + (free > 0 ? 0 : STRIP) + 1) / 2 * 2;
-        int left = margin(WIDTH, columns, width) + (columns - free) * (width + GAP);
-        return new RacePage(WIDTH, all, columns, width, height, free == 0
-                ? new Rectangle2D.Double(0, all - STRIP, WIDTH, STRIP)
-                : new Rectangle2D.Double(left, all - GAP - height - LABEL, WIDTH - left, height + LABEL));
+        int columns = columns(panels);
+        int wide = Math.min(WIDEST, (WIDTH - (columns + 1) * GAP) / columns);
+        int high = (int) Math.max(wide / 2.5, Math.min(wide, wide / aspect));
+        int all = bottom(panels, high) + (panels % columns > 0 ? 0 : STRIP);
+        return of(WIDTH, (all + 1) / 2 * 2, panels, wide, high);
     }
 
-    /** @return a page of 16:9 for the same panels, in two rows if there are many, with the chart below */
+    /** @return a page of 16:9 for the same panels */
     RacePage sheet(int panels) {
-        int rows = panels > MOST_COLUMNS ? 2 : 1;
-        int across = (panels + rows - 1) / rows;
-        int most = (SHEET_HEIGHT - HEAD - LEAST_STRIP) / rows - LABEL - GAP;
-        int small = Math.min((SHEET_WIDTH - (across + 1) * GAP) / across, most * panelWidth / panelHeight);
-        int high = small * panelHeight / panelWidth;
-        int bottom = HEAD + rows * (LABEL + high + GAP);
-        return new RacePage(SHEET_WIDTH, SHEET_HEIGHT, across, small, high,
-                new Rectangle2D.Double(0, bottom, SHEET_WIDTH, SHEET_HEIGHT - bottom));
+        int rows = (panels + columns - 1) / columns;
+        int most = (SHEET_HEIGHT - HEAD - (panels % columns > 0 ? 0 : LEAST_STRIP)) / rows - LABEL - GAP;
+        int wide = Math.min((SHEET_WIDTH - (columns + 1) * GAP) / columns, most * panelWidth / panelHeight);
+        return of(SHEET_WIDTH, SHEET_HEIGHT, panels, wide, wide * panelHeight / panelWidth);
+    }
+
+    /** A page of this size, with the chart in the free cells of the last row, or below if there are none. */
+    private static RacePage of(int width, int height, int panels, int wide, int high) {
+        int columns = columns(panels);
+        int bottom = bottom(panels, high);
+        int left = margin(width, columns, wide) + panels % columns * (wide + GAP);
+        return new RacePage(width, height, columns, wide, high, panels % columns == 0
+                ? new Rectangle2D.Double(0, bottom, width, height - bottom)
+                : new Rectangle2D.Double(left, bottom - GAP - high - LABEL, width - left, high + LABEL));
+    }
+
+    /** Up to three panels are in one row; most other numbers leave a cell free. */
+    private static int columns(int panels) {
+        return panels <= 3 ? panels : (int) Math.ceil(Math.sqrt(panels + 1));
+    }
+
+    private static int bottom(int panels, int high) {
+        return HEAD + (panels + columns(panels) - 1) / columns(panels) * (LABEL + high + GAP);
     }
 
     /** @return an empty picture of a panel's size */

@@ -19,15 +19,16 @@ import particles.view.VectorField;
  * @param caption  the caption
  * @param file     the name of the picture's file
  * @param title    the title over several panels
- * @param panels   the charts; none if the picture is made elsewhere
+ * @param panels   the charts
+ * @param drawn    the whole page instead of charts
  * @param slides   what is shown on slides instead, if it is not each panel by itself
  * @param repeated whether it shows a part of another one again, in a file of its own
  */
 public record Picture(String name, String caption, String file, String title, List<Panel> panels,
-        Optional<List<Picture>> slides, boolean repeated) {
+        Optional<ChartPage> drawn, Optional<List<Picture>> slides, boolean repeated) {
 
     private Picture(String name, String caption, String title, List<Panel> panels) {
-        this(name, caption, name + ".png", title, panels, Optional.empty(), false);
+        this(name, caption, name + ".png", title, panels, Optional.empty(), Optional.empty(), false);
     }
 
     /**
@@ -99,18 +100,28 @@ public record Picture(String name, String caption, String file, String title, Li
      * @return a picture that is not drawn again, such as an animation
      */
     public static Picture made(String file, String caption) {
-        return new Picture(file.replaceFirst("[.].*", ""), caption, file, "", List.of(),
+        return new Picture(file.replaceFirst("[.].*", ""), caption, file, "", List.of(), Optional.empty(),
                 Optional.empty(), false);
+    }
+
+    /**
+     * @param name    the name of the picture's file, without an ending
+     * @param caption the caption
+     * @param page    the page, the same in all formats
+     * @return a picture that is more than charts
+     */
+    public static Picture drawn(String name, String caption, ChartPage page) {
+        return new Picture(name, caption, name + ".png", "", List.of(), Optional.of(page), Optional.empty(), false);
     }
 
     /** @return the picture, marked as a repetition of a part of a larger picture of the page */
     public Picture again() {
-        return new Picture(name, caption, file, title, panels, slides, true);
+        return new Picture(name, caption, file, title, panels, drawn, slides, true);
     }
 
     /** @return the picture, replaced on slides by these, each of them without more than one panel */
     public Picture onSlides(List<Picture> others) {
-        return new Picture(name, caption, file, title, panels, Optional.of(others), repeated);
+        return new Picture(name, caption, file, title, panels, drawn, Optional.of(others), repeated);
     }
 
     List<ChartData> data() {
@@ -165,7 +176,7 @@ public record Picture(String name, String caption, String file, String title, Li
 
     /** @return the page to be drawn; none if the picture is made elsewhere */
     public Optional<ChartPage> page(ChartFormat format) {
-        return panels.isEmpty() ? Optional.empty() : Optional.of(panels.size() == 1
+        return panels.isEmpty() ? drawn : Optional.of(panels.size() == 1
                 ? ChartPage.of(panels.get(0), format) : new PanelGrid(title, panels).page());
     }
 }

@@ -35,11 +35,12 @@ public final class ResultPageWriter {
      */
     public static ResultPage write(OutputFolder folder, ResultPage page, ChartFormat format) {
         ResultPage laidOut = page.laidOut(format);
-        ChartWriter writer = new ChartWriter(folder, format);
-        for (Picture picture : laidOut.pictures()) {
-            picture.page(format).ifPresent(drawn -> writer.write(picture.file(), drawn));
-            if (!picture.data().isEmpty()) {
-                writeLines(folder, picture.name() + ".csv", points(picture.data()));
+        try (ChartWriter writer = new ChartWriter(folder, format)) {
+            for (Picture picture : laidOut.pictures()) {
+                picture.page(format).ifPresent(drawn -> writer.write(picture.file(), drawn));
+                if (!picture.data().isEmpty()) {
+                    writeLines(folder, picture.name() + ".csv", points(picture.data()));
+                }
             }
         }
         for (DataTable table : page.tables()) {

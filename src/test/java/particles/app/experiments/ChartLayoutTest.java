@@ -74,7 +74,7 @@ class ChartLayoutTest {
     void whatIsInTheWayIsSeen(String fault, Consumer<Graphics2D> besides) {
         ChartPage page = ChartPage.of(LINE, SLIDE);
         assertEquals(List.of(), Layout.faults(page, List.of(LINE), SLIDE));
-        List<String> faults = Layout.faults(new ChartPage(page.width(), page.height(),
+        List<String> faults = Layout.faults(new ChartPage(page.width(), page.height(), false,
                 page.drawing().andThen(besides)), List.of(LINE), SLIDE);
         assertTrue(faults.size() > 0 && faults.stream().allMatch(line -> line.contains(fault)), faults.toString());
     }
@@ -100,7 +100,7 @@ class ChartLayoutTest {
     void panelsThatAreComparedHaveEqualFrames() {
         List<Panel> two = List.of(LINE, LINE);
         ChartPage one = ChartPage.of(LINE, SLIDE);
-        ChartPage unequal = new ChartPage(2 * one.width(), one.height(), g -> {
+        ChartPage unequal = new ChartPage(2 * one.width(), one.height(), false, g -> {
             one.drawing().accept(g);
             g.translate(one.width(), 0);
             g.scale(0.9, 0.9);

@@ -4,6 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.lowagie.text.pdf.PdfName;
+import com.lowagie.text.pdf.PdfReader;
+import com.lowagie.text.pdf.parser.PdfTextExtractor;
 import java.awt.geom.Line2D;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -27,6 +30,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.output.charts.ChartFormat;
+import particles.output.charts.ChartWriter;
 import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
@@ -59,16 +63,35 @@ class HeadlineTest {
             ResultPage measured = ChartLayoutTest.measured(task, folder);
             assertEquals("", String.join("\n", ChartLayoutTest.faults(measured)));
             for (boolean slide : List.of(false, true)) {
-                ResultPage page = ResultPageWriter.write(folder, measured, new ChartFormat(slide, false));
+                ChartFormat format = new ChartFormat(slide, false);
+                ResultPage page = ResultPageWriter.write(folder, measured, format);
                 for (Picture picture : page.pictures()) {
                     if (Files.exists(out.resolve(picture.name() + ".csv"))) {
                         judge(picture.title(), Drawn.read(out.resolve(picture.name() + ".csv")));
                         judged++;
                     }
                 }
+                if (slide) {
+                    assertAreInOneFile(out.resolve(ChartWriter.PDF), page.pictures().stream()
+                            .filter(picture -> picture.page(format).isPresent()).toList());
+                }
             }
         }
         assertTrue(judged > 1, task);
+    }
+
+    /** The PDF of all slides has a page of 16:9 for each, with its title as text and nothing as pixels. */
+    private static void assertAreInOneFile(Path pdf, List<Picture> slides) throws IOException {
+        try (PdfReader reader = new PdfReader(Files.readAllBytes(pdf))) {
+            assertEquals(slides.size(), reader.getNumberOfPages());
+            for (int k = 0; k < slides.size(); k++) {
+                String text = new PdfTextExtractor(reader).getTextFromPage(k + 1).replaceAll("[\\s\\u00a0]", "");
+                assertTrue(text.contains(slides.get(k).title().replaceAll("[\\s\\u00a0]", "")), text);
+                assertEquals(16 * reader.getPageSize(k + 1).getHeight(), 9 * reader.getPageSize(k + 1).getWidth());
+                boolean pixels = reader.getPageN(k + 1).getAsDict(PdfName.RESOURCES).contains(PdfName.XOBJECT);
+                assertEquals(slides.get(k).panels().isEmpty(), pixels, "only a race has pictures of a scene");
+            }
+        }
     }
 
     @Tag("slow")

@@ -158,10 +158,11 @@ class FittedChartTest {
 
     @Test
     void slidesAreWideAndSvgHasTheTextOfTheChart(@TempDir Path top) throws Exception {
-        ChartWriter writer = new ChartWriter(OutputFolder.open(top), new ChartFormat(true, true));
         ChartData below = new ChartData("", "time (s)", "energy error / scale", false, false,
                 List.of(new Series("b", Mark.LINE, new double[] {0, 1}, new double[] {0, 1})));
-        writer.write("energy.png", List.of(ellipse(3), below));
+        try (ChartWriter writer = new ChartWriter(OutputFolder.open(top), new ChartFormat(true, true))) {
+            writer.write("energy.png", List.of(ellipse(3), below));
+        }
         for (String name : List.of("energy.png", "energy-energy-error.png")) {
             BufferedImage slide = ImageIO.read(top.resolve(name).toFile());
             assertEquals(slide.getWidth() * HIGH, slide.getHeight() * WIDE, name);

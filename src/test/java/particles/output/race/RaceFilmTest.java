@@ -129,11 +129,11 @@ class RaceFilmTest {
             } catch (SimulationException e) {
                 assertEquals(0.75, e.getTime());
             }
-            film.write(new ChartWriter(folder, ChartFormat.PAGE), "race.png",
-                    new RaceFilm.Head("A fall", "rk4 wins", "grey", List.of(
+            RaceFilm.Head head = new RaceFilm.Head("A fall", "rk4 wins", "grey", List.of(
                     new RaceFilm.Words("rk4", "deltaT = 0.25 s", "16 evaluations", OptionalDouble.empty()),
-                    new RaceFilm.Words("euler", "deltaT = 0.25 s", "16 evaluations", OptionalDouble.of(0.75)))), strip,
-                    part -> heard[0]++);
+                    new RaceFilm.Words("euler", "deltaT = 0.25 s", "16 evaluations", OptionalDouble.of(0.75))));
+            film.write(folder, head, strip, part -> heard[0]++);
+            new ChartWriter(folder, ChartFormat.PAGE).write("race.png", film.sheet(head, strip));
             parts = heard[0];
         }
         assertEquals(6, parts);

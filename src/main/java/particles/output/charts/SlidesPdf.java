@@ -1,0 +1,88 @@
+package particles.output.charts;
+
+import com.lowagie.text.Document;
+import com.lowagie.text.FontFactory;
+import com.lowagie.text.Rectangle;
+import com.lowagie.text.pdf.BaseFont;
+import com.lowagie.text.pdf.DefaultFontMapper;
+import com.lowagie.text.pdf.PdfContentByte;
+import com.lowagie.text.pdf.PdfGraphics2D;
+import com.lowagie.text.pdf.PdfWriter;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Paint;
+import java.io.ByteArrayOutputStream;
+import java.util.List;
+import particles.output.files.OutputFolder;
+
+/**
+ * All slides of a task as one PDF file: vectors, and text that can be searched if the font is found. Otherwise letters
+ * are outlines, since the fonts of every PDF reader lack a minus sign.
+ */
+final class SlidesPdf {
+    /** The folders of fonts are searched once. */
+    private static final class Fonts extends DefaultFontMapper {
+        static final Fonts FOUND = new Fonts();
+        final boolean areFound;
+
+        private Fonts() {
+            FontFactory.registerDirectories();
+            areFound = List.of(ChartStyle.TITLE, ChartStyle.LABEL).stream()
+                    .allMatch(font -> FontFactory.isRegistered(font.getFontName()));
+        }
+
+        @Override
+        public BaseFont awtToPdf(Font font) {
+            return FontFactory.getFont(font.getFontName(), BaseFont.IDENTITY_H, BaseFont.EMBEDDED).getBaseFont();
+        }
+    }
+
+    /** Draws a page, on black if wanted. */
+    private static final class PageGraphics extends PdfGraphics2D {
+        private final boolean dark;
+
+        PageGraphics(PdfContentByte page, Rectangle size, boolean dark) {
+            super(page, size.getWidth(), size.getHeight(), Fonts.FOUND, !Fonts.FOUND.areFound, false, 0);
+            this.dark = dark;
+        }
+
+        private PageGraphics(PageGraphics parent) {
+            super(parent);
+            dark = parent.dark;
+        }
+
+        @Override
+        protected PdfGraphics2D createChild() {
+            return new PageGraphics(this);
+        }
+
+        @Override
+        public void setPaint(Paint paint) {
+            super.setPaint(dark && paint instanceof Color colour ? new Color(colour.getAlpha() << 24
+                    | ChartFormat.onBlack(colour.getRGB() & 0xffffff), true) : paint);
+        }
+    }
+
+    private SlidesPdf() {
+    }
+
+    static byte[] of(List<ChartPage> pages, boolean dark) {
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        Document document = new Document();
+        PdfWriter writer = PdfWriter.getInstance(document, file);
+        for (ChartPage page : pages) {
+            Rectangle size = new Rectangle(page.width(), page.height());
+            document.setPageSize(size);
+            if (document.isOpen()) {
+                document.newPage();
+            } else {
+                document.open();
+            }
+            PageGraphics g = new PageGraphics(writer.getDirectContent(), size, dark && !page.showsScene());
+            page.drawing().accept(g);
+            g.dispose();
+        }
+        document.close();
+        return file.toByteArray();
+    }
+}
