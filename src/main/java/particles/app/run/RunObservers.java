@@ -61,6 +61,7 @@ final class RunObservers implements AutoCloseable {
             addIf(output.energy(), ENERGY.replace(ChartWriter.PNG, end), names);
             addIf(output.phase().isPresent(), PHASE.replace(ChartWriter.PNG, end), names);
         }
+        addIf(charts.slide() && (output.energy() || output.phase().isPresent()), ChartWriter.PDF, names);
         names.add(TrajectoryWriter.FILE);
         names.add(Summary.FILE);
         return names;
@@ -156,19 +157,27 @@ final class RunObservers implements AutoCloseable {
         if (!scene.description().output().energy() && phase.isEmpty()) {
             return;                                     // drawing classes are not even loaded
         }
-        ChartWriter writer = new ChartWriter(folder, format);
-        String title = scene.description().title() + " (" + caption() + ")";
-        if (scene.description().output().energy()) {
-            List<ChartData> charts = new ArrayList<>(List.of(energy.getHistory().chart(title)));
-            charts.addAll(energy.getLedger().charts(energy.getHistory().getScale(), energy.getHistory().hasGrown()));
-            writer.write(ENERGY, charts);
+        String title = scene.description().title() + " (" + caption() + "): ";
+        try (ChartWriter writer = new ChartWriter(folder, format)) {
+            if (scene.description().output().energy()) {
+                boolean log = energy.getHistory().hasGrown();
+                List<ChartData> charts = new ArrayList<>();
+                ChartData energies = energy.getHistory().chart(title);
+                charts.add(energies.titled(title + RunFindings.energy(energies.series())));
+                for (ChartData chart : energy.getLedger().charts(energy.getHistory().getScale(), log)) {
+                    charts.add(chart.titled(title + (chart.series().get(0).name().startsWith("work")
+                            ? RunFindings.work(chart.series(), !log) : RunFindings.error(chart.series()))));
+                }
+                writer.write(ENERGY, charts);
+            }
+            phase.ifPresent(history -> {
+                Axis axis = Axis.values()[scene.description().output().phase().orElseThrow().axis()];
+                ChartData path = history.chart(axis, title);
+                ChartData.Series states = path.series().get(0);
+                writer.writePhase(PHASE, path.titled(title + RunFindings.path(states)),
+                        VectorFields.around(scene.system(), axis, states.x(), states.y()));
+            });
         }
-        phase.ifPresent(history -> {
-            Axis axis = Axis.values()[scene.description().output().phase().orElseThrow().axis()];
-            ChartData path = history.chart(axis, title);
-            ChartData.Series states = path.series().get(0);
-            writer.writePhase(PHASE, path, VectorFields.around(scene.system(), axis, states.x(), states.y()));
-        });
     }
 
     /** The caption: solver and settings of this run. */

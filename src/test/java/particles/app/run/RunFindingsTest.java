@@ -1,0 +1,124 @@
+package particles.app.run;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.lowagie.text.pdf.PdfReader;
+import com.lowagie.text.pdf.parser.PdfTextExtractor;
+import deSolvers.text.Digits;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import particles.app.cli.ExitCode;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.Program;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+
+/** The titles of a run's charts, recomputed from run.json and trajectory.csv, which are written by other classes. */
+class RunFindingsTest {
+    @TempDir
+    Path out;
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "3  | 5   | falls from (\\S+) J to (\\S+) J  | (\\S+) times as large as the first",
+        "11 | 20  | rises from (\\S+) J to (\\S+) J  | (\\S+) times as wide and (\\S+) times as high",
+        "2  | 6.2 | stays at (\\S+) J to             | as large as the first"})
+    void titlesSayWhatTheRunShows(String scene, double duration, String energy, String path) throws IOException {
+        StringWriter errors = new StringWriter();
+        assertEquals(ExitCode.DONE, new Program(List.of(new RunCommand(Path.of("scenes"), new StopRequest())),
+                OptionStyle.GRADLE, new PrintWriter(new StringWriter()), new PrintWriter(errors)).execute("run",
+                "--scene=" + scene, "--duration=" + duration, "--frames=false", "--slide", "--out=" + out),
+                errors.toString());
+        List<String> slides = slides();
+        Matcher energies = find(energy, slides.get(0));
+        String json = Files.readString(out.resolve("run.json"));
+        assertEquals(Digits.few(number(json, "start")), energies.group(1));
+        if (energies.groupCount() > 1) {
+            assertEquals(Digits.few(number(json, "end")), energies.group(2));
+        }
+        assertEquals(Digits.few(number(json, "largestRelativeNumericalError")),
+                find("error is at most (\\S+) of the energy scale", slides.get(slides.size() - 2)).group(1));
+        Matcher sizes = find("the second half of the path is " + path, slides.get(slides.size() - 1));
+        double wider = sizes.groupCount() > 0 ? Double.parseDouble(sizes.group(1)) : 1;
+        double higher = sizes.groupCount() > 1 ? Double.parseDouble(sizes.group(2)) : wider;
+        assertEquals(growth(2), wider, 0.051 * wider);
+        assertEquals(growth(5), higher, 0.051 * higher);
+    }
+
+    private List<String> slides() throws IOException {
+        List<String> slides = new ArrayList<>();
+        try (PdfReader reader = new PdfReader(Files.readAllBytes(out.resolve("slides.pdf")))) {
+            for (int page = 1; page <= reader.getNumberOfPages(); page++) {
+                slides.add(new PdfTextExtractor(reader).getTextFromPage(page).replaceAll("\\s+", " "));
+            }
+        }
+        return slides;
+    }
+
+    private static Matcher find(String regex, String text) {
+        Matcher matcher = Pattern.compile(regex).matcher(text);
+        assertTrue(matcher.find(), regex + " in " + text);
+        return matcher;
+    }
+
+    private static double number(String json, String key) {
+        return Double.parseDouble(find("\"" + key + "\" : ([^,\\s]+)", json).group(1));
+    }
+
+    /** How much larger a column's extent is in the second half of the run, of the particle that moves. */
+    private double growth(int column) throws IOException {
+        double[] values = Files.readAllLines(out.resolve("trajectory.csv")).stream().skip(1)
+                .map(line -> line.split(",")).filter(cells -> cells[1].matches("block|particle")).mapToDouble(cells ->
+                Double.parseDouble(cells[column])).toArray();
+        return extent(Arrays.copyOfRange(values, values.length / 2, values.length))
+                / extent(Arrays.copyOfRange(values, 0, values.length / 2 + 1));
+    }
+
+    private static double extent(double[] values) {
+        DoubleSummaryStatistics all = Arrays.stream(values).summaryStatistics();
+        return all.getMax() - all.getMin();
+    }
+
+    @Test
+    void anEnergyIsConstantVariesOrGoesOneWay() {
+        assertEquals("the total energy stays at 4 J", RunFindings.energy(List.of(line(4, 4, 4))));
+        assertEquals("the total energy stays at 4 J to 0.25 % of the largest energy",
+                RunFindings.energy(List.of(line(4, 4.01, 4), line(4, 0, 1))));
+        assertEquals("the total energy varies from 1 J to 4 J", RunFindings.energy(List.of(line(4, 1, 3))));
+        assertEquals("the total energy falls from 4 J to 1 J", RunFindings.energy(List.of(line(4, 5, 1))));
+        assertEquals("the total energy rises from 0 J to 1 J",
+                RunFindings.energy(List.of(line(1e-20, 1.5, 1), line(2))));
+    }
+
+    @Test
+    void worksAreNamedTheLargestFirst() {
+        List<Series> works = List.of(line(0, 1), new Series("work: wind", Mark.LINE, new double[2],
+                new double[] {0, -3}));
+        assertEquals("work by the end: wind \u22123 J, drag +1 J", RunFindings.work(works, true));
+        assertEquals("work by the end: wind 3 J, drag 1 J", RunFindings.work(works, false));
+    }
+
+    @Test
+    void aPathOfOneStateHasNoHalves() {
+        assertEquals("a path of 1 state", RunFindings.path(new Series("path", Mark.LINE, new double[1],
+                new double[1])));
+    }
+
+    private static Series line(double... values) {
+        return new Series("work: drag", Mark.LINE, new double[values.length], values);
+    }
+}
