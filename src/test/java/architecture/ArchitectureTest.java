@@ -45,10 +45,16 @@ class ArchitectureTest {
             deSolvers.symplectic:          deSolvers
             deSolvers.text:
             particles:                     deSolvers deSolvers.text particles.engine particles.law
-            particles.app:                 particles.app.cli particles.app.experiments particles.app.run
-                                           particles.app.student particles.output.files particles.output.report
+            particles.app:                 particles.app.cli particles.app.course particles.app.experiments
+                                           particles.app.run particles.app.student particles.output.files
+                                           particles.output.report
             particles.app.cli:             deSolvers deSolvers.text particles particles.experiments.runs
                                            particles.output.charts particles.output.files particles.scene picocli
+            particles.app.course:          deSolvers.catalog particles.app.cli particles.app.student
+                                           particles.output.charts particles.output.files particles.output.report
+                                           particles.spec particles.spec.documents particles.spec.messages
+                                           particles.teaching particles.teaching.exercises
+                                           particles.teaching.marking particles.view picocli
             particles.app.experiments:     deSolvers.catalog deSolvers.text particles particles.app.cli
                                            particles.app.student particles.experiments.energy
                                            particles.experiments.lecture particles.experiments.phase

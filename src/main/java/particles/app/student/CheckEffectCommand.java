@@ -25,7 +25,8 @@ import picocli.CommandLine.Option;
 @Command(name = CheckEffectCommand.NAME,
         description = "Checks a force law: whether it has the properties that it claims.")
 public final class CheckEffectCommand extends CheckCommand {
-    static final String NAME = "checkEffect";
+    /** The name of the command. */
+    public static final String NAME = "checkEffect";
 
     @Option(names = "--effect", paramLabel = "NAME", required = true, description = "An effect's name, as in scenes;"
             + " springs or damped-springs; or the class of your own.")

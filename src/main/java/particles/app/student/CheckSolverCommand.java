@@ -8,6 +8,7 @@ import java.util.NoSuchElementException;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.app.cli.ChartOptions;
+import particles.app.cli.Mistakes;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.Panel;
 import particles.output.report.Picture;
@@ -16,7 +17,6 @@ import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.StudentFailure;
 import particles.teaching.figures.SolverFigures;
-import particles.teaching.solvers.SolverCheck;
 import particles.teaching.solvers.SolverVerdict;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -26,18 +26,33 @@ import picocli.CommandLine.Option;
 @Command(name = CheckSolverCommand.NAME,
         description = "Checks a solver: which method it is, and what is wrong with it.")
 public final class CheckSolverCommand extends CheckCommand {
-    static final String NAME = "checkSolver";
+    /** The name of the command. */
+    public static final String NAME = "checkSolver";
 
     @Option(names = "--solver", paramLabel = "NAME", required = true,
             description = "A solver's name, or the class of your own.")
     private String solver;
 
+    @Option(names = "--method", paramLabel = "NAME", defaultValue = AskedMethods.ANY,
+            description = "The method that it has to be, such as heun (default: the one that its name promises).")
+    private String method;
+
     @Mixin
     private final ChartOptions charts = new ChartOptions();
 
     @Override
+    protected void read(Mistakes mistakes) {
+        mistakes.check(() -> {
+            if (!AskedMethods.names().contains(method)) {
+                throw wrong("method", "no method that can be asked for is called '" + method + "'; known: "
+                        + String.join(", ", AskedMethods.names()));
+            }
+        });
+    }
+
+    @Override
     List<String> chartArguments() {
-        return charts.arguments();
+        return Stream.concat(charts.arguments().stream(), Stream.of("--method=" + method)).toList();
     }
 
     @Override
@@ -62,7 +77,7 @@ public final class CheckSolverCommand extends CheckCommand {
                     e.getMessage())), new ResultPage(NAME, solver + " cannot be checked",
                             List.of(String.valueOf(e.getMessage())), List.of(), List.of()));
         }
-        SolverVerdict verdict = SolverCheck.check(maker, name);
+        SolverVerdict verdict = AskedMethods.check(maker, name, method);
         String title = name + ": " + verdict.identity();
         List<String> text = paragraphs(verdict.findings());
         if (verdict.wrong().stream().anyMatch(finding -> finding.kind() == Kind.FAILURE

@@ -8,7 +8,7 @@ import java.util.regex.Matcher;
 import particles.teaching.solvers.SolverCheck;
 
 /** The template of a student's solver: it compiles, and has the algorithm's outline as comments. */
-final class SolverSkeleton {
+public final class SolverSkeleton {
     private static final String MIDPOINT = """
                     // 1. deltaS = deltaT * derivative at (s, t)                 the Euler step
                     // 2. gMid   = derivative at (s + deltaS/2, t + deltaT/2)    after half the time and half of deltaS
@@ -33,9 +33,9 @@ final class SolverSkeleton {
             """;
 
     /** The class that solvers extend on the slides. */
-    static final String SLIDES_WAY = "DESolver";
+    public static final String SLIDES_WAY = "DESolver";
     /** The classes that a solver may extend to begin with. */
-    static final List<String> SOLVER_BASES = List.of(SLIDES_WAY, "FixedStepSolver");
+    public static final List<String> SOLVER_BASES = List.of(SLIDES_WAY, "FixedStepSolver");
 
     private static final String ON_DE_SOLVER = """
             package exercises;
@@ -149,7 +149,7 @@ final class SolverSkeleton {
      * @param base the class that it extends, one of {@link #SOLVER_BASES}
      * @return the text of a solver
      */
-    static String solver(String name, String base) {
+    public static String solver(String name, String base) {
         String outline = switch (SolverCheck.promise(name)) {
             case "the midpoint method", "Heun's method or the midpoint method", "a Runge-Kutta method of order 2" ->
                     MIDPOINT;

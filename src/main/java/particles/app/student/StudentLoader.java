@@ -64,7 +64,7 @@ public final class StudentLoader extends ClassLoader {
     }
 
     /** @return the text of each class in this folder; links are not followed, so that they show no other file */
-    static Map<String, String> sources(Path folder) {
+    public static Map<String, String> sources(Path folder) {
         Map<String, String> sources = new TreeMap<>();
         if (!Files.isDirectory(folder)) {
             return sources;

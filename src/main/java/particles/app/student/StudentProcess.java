@@ -25,13 +25,15 @@ import particles.app.cli.Failure;
 import particles.app.cli.OptionStyle;
 
 /** Runs code that calls a student's class in a child process, so that the class cannot stop the program. */
-final class StudentProcess {
+public final class StudentProcess {
     private static final String PROGRAM = "particles.app.Main";      // by name: it imports the commands
     private static final int MEGABYTES = 256;
     /** A check has 7 s of CPU time in its process, beside what the machine needs to start. */
     private static final Duration MOST_CPU_TIME = Duration.ofSeconds(40);
     /** A busy machine gives it an eighth of a processor, or less. */
     private static final int SECONDS = 900;
+    /** A process that Ctrl-C, kill or a lack of memory ended has an exit code over this. */
+    private static final int SIGNAL = 128;
     private static final int SECRET = 32;
     private static final int LONGEST = 1 << 20;
     /** The option for a check to read its {@link Task} from its input and to write its verdict into this file. */
@@ -46,7 +48,7 @@ final class StudentProcess {
      * @param code  the check's verdict: DONE is right, STOPPED is not decided, all others are wrong
      * @param lines the check's own lines, without those that the class printed
      */
-    record Outcome(ExitCode code, List<String> lines) {
+    public record Outcome(ExitCode code, List<String> lines) {
     }
 
     /**
@@ -96,7 +98,7 @@ final class StudentProcess {
      * @return the result
      * @throws IOException if no process can be made
      */
-    static Outcome run(List<String> args, Map<String, String> sources) throws IOException {
+    public static Outcome run(List<String> args, Map<String, String> sources) throws IOException {
         byte[] secret = new byte[SECRET];
         new SecureRandom().nextBytes(secret);
         Task task = new Task(secret, new TreeMap<>(sources));
@@ -105,7 +107,10 @@ final class StudentProcess {
         try {
             List<String> all = new ArrayList<>(args);
             all.add(VERDICT + "=" + verdict);
-            await(builder(all).redirectErrorStream(true).redirectOutput(Redirect.DISCARD), task);
+            int ended = await(builder(all).redirectErrorStream(true).redirectOutput(Redirect.DISCARD), task);
+            if (ended > SIGNAL) {
+                throw new Failure(ExitCode.STOPPED, "not decided: the check was ended from outside; run it again");
+            }
             boolean isThere = Files.isRegularFile(verdict, LinkOption.NOFOLLOW_LINKS)
                     && Files.size(verdict) <= LONGEST;
             return task.read(isThere ? Files.readAllBytes(verdict) : new byte[0]);
@@ -128,14 +133,15 @@ final class StudentProcess {
         return new ProcessBuilder(line);
     }
 
-    private static void await(ProcessBuilder builder, Task task) throws IOException {
+    /** @return the exit code of the process */
+    private static int await(ProcessBuilder builder, Task task) throws IOException {
         Process process = builder.start();
         try (ObjectOutputStream input = new ObjectOutputStream(process.getOutputStream())) {
             input.writeObject(task);
             input.flush();
             for (int second = 0; second < SECONDS; second++) {
                 if (process.waitFor(1, TimeUnit.SECONDS)) {
-                    return;
+                    return process.exitValue();
                 }
                 if (process.info().totalCpuDuration().filter(time -> time.compareTo(MOST_CPU_TIME) > 0).isPresent()) {
                     throw new Failure(ExitCode.BAD_INPUT, "wrong: the check did not end within "

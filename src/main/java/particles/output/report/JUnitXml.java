@@ -24,18 +24,19 @@ public final class JUnitXml {
      * Writes TEST-SUITE.xml.
      *
      * @param folder the output folder
-     * @param suite  the name of the test suite; the class name of all results
+     * @param suite  the name of the test suite
+     * @param owner  the class name of all results
      * @param cases  the results
      * @throws OutputException if it cannot be written
      */
-    public static void write(OutputFolder folder, String suite, List<Case> cases) {
+    public static void write(OutputFolder folder, String suite, String owner, List<Case> cases) {
         StringBuilder xml = new StringBuilder(Html.fill("""
                 <?xml version="1.0" encoding="UTF-8"?>
                 <testsuite name="%s" tests="%s" failures="%s" errors="0" skipped="0" time="0">
                 """, suite, cases.size(), cases.stream().filter(c -> c.failure().isPresent()).count()));
         for (Case result : cases) {
             String details = String.join("\n", result.details());
-            xml.append(Html.fill("  <testcase classname=\"%s\" name=\"%s\" time=\"0\">", suite, result.name()))
+            xml.append(Html.fill("  <testcase classname=\"%s\" name=\"%s\" time=\"0\">", owner, result.name()))
                     .append(result.failure().map(why -> Html.fill(
                             "<failure type=\"mark\" message=\"%s\">%s</failure>", why, details))
                             .orElseGet(() -> Html.fill("<system-out>%s</system-out>", details)))

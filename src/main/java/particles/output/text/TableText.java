@@ -13,6 +13,9 @@ import particles.view.DataTable;
 
 /** Tables as text: for the screen, for Markdown, and with all digits as CSV. */
 public final class TableText {
+    /** The beginning of a text that a spreadsheet takes for a formula, which may do harm. */
+    private static final String FORMULA = "^(?=[=@\\t]|[+-](?![\\d.eE+-]*$))";
+
     private TableText() {
     }
 
@@ -67,7 +70,7 @@ public final class TableText {
         List<String> lines = new ArrayList<>();
         lines.add(line(table.columns(), DataTable.Column::name));
         table.rows().forEach(row -> lines.add(line(row, cell -> cell instanceof Double d ? Numbers.shortest(d)
-                : cell.toString())));
+                : cell.toString().replaceFirst(FORMULA, "'"))));
         return lines;
     }
 

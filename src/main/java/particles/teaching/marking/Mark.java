@@ -10,9 +10,13 @@ import java.util.List;
  */
 public record Mark(boolean right, List<String> lines) {
 
-    /** Copies the list, with control characters made visible: lines hold what a student's class said. */
+    private static final int MOST = 60;
+    private static final int LONGEST = 1000;
+
+    /** Copies the list, cut short and with control characters made visible: lines hold what a student's class said. */
     public Mark {
-        lines = lines.stream().map(line -> line.replaceAll("[\\p{Cc}\\p{Cf}]", "\ufffd")).toList();
+        lines = lines.stream().limit(MOST).map(line -> line.substring(0, Math.min(LONGEST, line.length()))
+                .replaceAll("[\\p{Cc}\\p{Cf}\\p{Cs}]", "\ufffd")).toList();
     }
 
     /** @return an answer that is not right, for this reason */

@@ -1,4 +1,4 @@
-package particles.app.student;
+package particles.app.course;
 
 import java.io.IOException;
 import java.io.InputStream;

@@ -1,4 +1,4 @@
-package particles.app.student;
+package particles.app.course;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -11,7 +11,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.xml.parsers.DocumentBuilderFactory;
@@ -25,6 +24,8 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Program;
 import particles.app.cli.ProgramCommand;
+import particles.app.student.ExerciseCommand;
+import particles.app.student.ExercisesCommand;
 import particles.teaching.effects.EffectSkeleton;
 import particles.teaching.exercises.Exercises;
 
@@ -75,6 +76,14 @@ class GradeCommandTest {
                 + folder.resolve("answers.yaml"), "--out=" + folder.resolve("report")));
         args.addAll(List.of(more));
         return run(expected, args.toArray(new String[0]));
+    }
+
+    private String assignment(String text) {
+        try {
+            return "--assignment=" + Files.writeString(folder.resolve("assignment.yaml"), text);
+        } catch (java.io.IOException e) {
+            throw new java.io.UncheckedIOException(e);
+        }
     }
 
     @Test
@@ -128,21 +137,22 @@ class GradeCommandTest {
                 EULER.formatted("WrongSolver", "0.5 * deltaT * dSdt[i]"));
         Files.writeString(classes.resolve("BrokenSolver.java"), EULER.formatted("BrokenSolver", "deltaT * dSdx[i]"));
         String screen = grade(ExitCode.BAD_INPUT);
-        assertTrue(screen.contains("2 of 15 marks for " + STUDENT), screen);
+        assertTrue(screen.contains("2 of 15 points for " + STUDENT), screen);
         assertEquals(8, screen.lines().filter(line -> line.startsWith("missing   ")).count(), screen);
         assertTrue(screen.strip().endsWith("13 marks are missing"), screen);
 
         String report = Files.readString(folder.resolve("report/grade.md"));
-        assertTrue(report.contains("| 2. Why Euler spirals: the energy that steps add | 1 | This is right. |"), report);
-        assertTrue(report.contains("| 1. Three steps of the Euler method | 0 | 'NaN' is no finite number"), report);
+        assertTrue(report.contains("| s-123 | 2. Why Euler spirals: the energy that steps add | 1 | 1 | This is right"),
+                report);
+        assertTrue(report.contains("| 1. Three steps of the Euler method | 0 | 1 | 'NaN' is no finite number"), report);
         assertTrue(report.contains("'kg' after the number is not understood: the answer is wanted in m/s"), report);
-        assertTrue(report.contains("| solver GoodSolver | 1 | GoodSolver: right. This is the Euler method."), report);
+        assertTrue(report.contains("| solver GoodSolver | 1 | 1 | GoodSolver: right. This is the Euler m"), report);
         assertTrue(report.contains(
-                "| solver BrokenSolver | 0 | exercises.BrokenSolver: it cannot be checked. WRONG, failure: "), report);
+                "| solver BrokenSolver | 0 | 1 | exercises.BrokenSolver: it cannot be checked. WRONG, f"), report);
         assertTrue(report.contains(
                 "WRONG, failure: it does not compile: BrokenSolver.java:11: cannot find symbol: variable dSdx"),
                 report);
-        assertTrue(report.contains("| solver WrongSolver | 0 | WrongSolver: "), report);
+        assertTrue(report.contains("| solver WrongSolver | 0 | 1 | WrongSolver: "), report);
         assertEquals(Exercises.all().size() + 3,
                 report.lines().filter(line -> line.matches("\\| .* \\| [01] \\| .*")).count());
 
@@ -183,20 +193,7 @@ class GradeCommandTest {
         String screen = grade(ExitCode.BAD_INPUT);
         assertTrue(screen.contains("no mark   solver HaltSolver" + System.lineSeparator()
                 + "            wrong: the check did not finish; the class ended the program"), screen);
-        assertTrue(screen.contains("0 of 13 marks"), screen);
-    }
-
-    @Test
-    void onlyAVerdictSignedInThisRunCounts() {
-        StudentProcess.Task task = new StudentProcess.Task(new byte[] {1, 2}, new TreeMap<>());
-        StudentProcess.Task other = new StudentProcess.Task(new byte[] {1, 3}, new TreeMap<>());
-        StudentProcess.Outcome right = new StudentProcess.Outcome(ExitCode.DONE, List.of("a line", "", "another"));
-        assertEquals(right, task.read(task.sign(right)));
-        String wrong = new String(task.sign(new StudentProcess.Outcome(ExitCode.BAD_INPUT, List.of("a line"))));
-        for (byte[] forged : List.of(other.sign(right), wrong.replace("BAD_INPUT", "DONE").getBytes(),
-                (wrong + "\nDONE").getBytes(), "DONE\nDONE\na line".getBytes(), new byte[0])) {
-            assertEquals(ExitCode.BAD_INPUT, task.read(forged).code());
-        }
+        assertTrue(screen.contains("0 of 13 points"), screen);
     }
 
     /** Each wrong solver does something hostile first; their names come before that of the right one. */
@@ -251,7 +248,7 @@ class GradeCommandTest {
         Files.writeString(classes.resolve("RightForce.java"), law);
         Files.writeString(classes.resolve("WrongForce.java"), law.replace("RightForce", "WrongForce")
                 .replace("return mass * ", "return -mass * "));
-        String screen = grade(ExitCode.BAD_INPUT, "--effects=RightForce,exercises.WrongForce,NoForce");
+        String screen = grade(ExitCode.BAD_INPUT, assignment("effects: {RightForce: 1, WrongForce: 1, NoForce: 1}"));
         assertTrue(screen.contains("mark      effect RightForce"), screen);
         assertTrue(screen.contains("no mark   effect WrongForce"), screen);
         assertTrue(screen.contains("there is no file NoForce.java"), screen);
@@ -294,8 +291,8 @@ class GradeCommandTest {
 
     @Test
     void solversThatAreAskedForHaveToBeThere() {
-        String screen = grade(ExitCode.BAD_INPUT, "--solvers=exercises.HeunSolver");
-        assertTrue(screen.contains("no mark   solver HeunSolver" + System.lineSeparator()
+        String screen = grade(ExitCode.BAD_INPUT, assignment("solvers: {HeunSolver: any}"));
+        assertTrue(screen.contains("missing   solver HeunSolver" + System.lineSeparator()
                 + "            there is no file HeunSolver.java"), screen);
         List<String> lines = screen.lines().toList();
         assertTrue(lines.get(0).endsWith("answers.yaml: there is no such file"), screen);
@@ -304,6 +301,55 @@ class GradeCommandTest {
         assertEquals("missing   1. Three steps of the Euler method", lines.get(1));
         assertEquals("missing   12. Design a scene", lines.get(12));
         assertTrue(Files.exists(folder.resolve("report/TEST-grade.xml")), "who hands in nothing gets a report too");
+    }
+
+    /** Right solvers get no mark where another method is asked for. */
+    @Tag("slow")
+    @Test
+    void aSolverHasToBeTheMethodThatIsAskedFor() throws Exception {
+        for (String name : List.of("ASolver", "BSolver", "CSolver")) {
+            Files.writeString(classes.resolve(name + ".java"), EULER.formatted(name, "deltaT * dSdt[i]"));
+        }
+        String screen = grade(ExitCode.BAD_INPUT, assignment("""
+                exercises: {2: 3}
+                solvers:
+                  ASolver: euler
+                  BSolver: {method: heun, weight: 4}
+                  CSolver: {weight: 0.5}
+                """));
+        assertTrue(screen.contains("mark      solver ASolver") && screen.contains("no mark   solver BSolver")
+                && screen.contains("PROMISE, name: ") && screen.contains("mark      solver CSolver"), screen);
+        assertTrue(screen.contains("points: 1.5 of 8.5") && !screen.contains("12. Design"), screen);
+    }
+
+    @Test
+    void theAssignmentSaysHowMuchIsShown() throws Exception {
+        Files.writeString(folder.resolve("answers.yaml"), "1: 7\n2: 8\n");
+        for (String[] row : new String[][] {{"comments", "no mark   1. Three", "This is not right yet"},
+            {"marks", "no mark   1. Three", "points: 0 of 2"}, {"handed-in", "handed in 1. Three", "points: 0 of 0"}}) {
+            String screen = grade(row[0].equals("handed-in") ? ExitCode.DONE : ExitCode.BAD_INPUT,
+                    assignment("exercises: {1: 1, 2: 1}\nshows: " + row[0]));
+            assertTrue(screen.contains(row[1]) && screen.contains(row[2]), screen);
+            assertEquals(row[0].equals("comments"), screen.contains("This is not right yet"), screen);
+            assertEquals(row[0].equals("comments"), Files.readString(folder.resolve("report/grade.md"))
+                    .contains("This is not right yet"), row[0]);
+        }
+    }
+
+    @Test
+    void aMistakeInTheAssignmentIsOneLineWithItsPlace() throws Exception {
+        for (String[] row : new String[][] {
+            {"solver: {A: heun}", ":1:1: unknown key 'solver'; did you mean 'solvers'?"},
+            {"solvers: {A: huen}", ":1:14: unknown method 'huen'; did you mean 'heun'?"},
+            {"exercises: {13: 1}", ":1:13: unknown key '13'"}, {"exercises: {1: -2}", ":1:16: '1' is -2; it has to be"},
+            {"effects: {my force: 1}", ":1:11: a key of 'effects' is the text 'my force'; it has"},
+            {"effects: {A: 1, A: 2}", ":1:17: 'A' appears twice in 'effects'"}, {"shows: all", ":1:8: unknown choice"},
+            {"deadline: 2026-03-14", ":1:11: 'deadline' is '2026-03-14'; it has to be a date, a time"},
+            {"x", ":1:1: the assignment is the text 'x'; it has to be"}, {"numbers: [", ":1:"}}) {
+            String screen = grade(ExitCode.BAD_INPUT, assignment(row[0]));
+            assertTrue(screen.contains("assignment.yaml" + row[1]), row[0] + ": " + screen);
+            assertEquals(1, screen.strip().lines().count(), screen);
+        }
     }
 
     @Test

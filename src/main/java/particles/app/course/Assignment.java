@@ -1,0 +1,147 @@
+package particles.app.course;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.DateTimeException;
+import java.time.OffsetDateTime;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import particles.app.cli.ExitCode;
+import particles.app.cli.Failure;
+import particles.app.student.AskedMethods;
+import particles.spec.Key;
+import particles.spec.MapType;
+import particles.spec.MappingType;
+import particles.spec.NameType;
+import particles.spec.NumberType;
+import particles.spec.Reading;
+import particles.spec.SourceText;
+import particles.spec.TextType;
+import particles.spec.Type;
+import particles.spec.Values;
+import particles.spec.YamlText;
+import particles.spec.messages.Problems;
+import particles.teaching.exercises.Exercises;
+
+/**
+ * What counts, and how much: the file {@code assignment.yaml} of a lecturer. All of its keys may be left out:
+ *
+ * <pre>
+ * deadline: 2026-03-14T23:59:00+13:00       # later hand-ins are listed, not marked down
+ * shows: comments                           # what a student's own `grade` shows: comments, marks or handed-in
+ * numbers: id                               # numbers from the id; sheet: those of the key file
+ * exercises: {1: 1, 5: 2}                   # number and weight; without this key, all count 1
+ * solvers:                                  # without this key, every ...Solver counts 1
+ *   HeunSolver: heun                        # any other right method does not pass
+ *   MySolver: {method: any, weight: 2}
+ * effects: {MyForce: 2}                     # class and weight; without this key, none
+ * </pre>
+ *
+ * @param text      the text of the file
+ * @param deadline  the time after which a hand-in is late, if there is one
+ * @param shows     what {@code grade} shows a student
+ * @param sheets    whether the numbers are those of handouts, so that marking needs the key file
+ * @param exercises the weight of each exercise that counts
+ * @param solvers   each solver that counts; empty for every class with such a name
+ * @param effects   the weight of each effect that counts
+ */
+record Assignment(String text, Optional<OffsetDateTime> deadline, String shows, boolean sheets,
+        Map<Integer, Double> exercises, Optional<Map<String, Asked>> solvers, Map<String, Double> effects) {
+    static final String FILE = "assignment.yaml";
+    private static final String COMMENTS = "comments";
+    private static final String HANDED_IN = "handed-in";
+    private static final String SHEET = "sheet";
+    private static final Type<String> CLASS = TextType.of("the name of a class", "^[A-Za-z_][A-Za-z0-9_]*$");
+    private static final NumberType POINTS = NumberType.notNegative("");
+
+    private static final Key<String> DEADLINE = TextType.prose().optional("deadline",
+            "The time after which a hand-in is late, such as 2026-03-14T23:59:00+13:00.");
+    private static final Key<String> SHOWS = NameType.of("choice", List.of(COMMENTS, "marks", HANDED_IN))
+            .withDefault("shows", COMMENTS, "What a student's own grade shows.");
+    private static final Key<String> NUMBERS = NameType.of("choice", List.of("id", SHEET)).withDefault("numbers", "id",
+            "Where the numbers of exercises come from.");
+    private static final List<Key<Double>> EXERCISES = IntStream.rangeClosed(1, Exercises.all().size())
+            .mapToObj(n -> POINTS.optional(Integer.toString(n), "The weight of this exercise.")).toList();
+    private static final Key<Values> COUNTED = MappingType.of("exercises", EXERCISES.toArray(new Key<?>[0]))
+            .optional("exercises", "The weight of each exercise that counts.");
+    private static final Key<String> METHOD = NameType.of("method", AskedMethods.names()).withDefault("method",
+            AskedMethods.ANY, "The method that it has to be.");
+    private static final Key<Double> WEIGHT = POINTS.withDefault("weight", 1.0, "What it counts.");
+    private static final Key<Map<String, Values>> SOLVERS = MapType.of(CLASS, MappingType.of("a solver", METHOD, WEIGHT)
+            .shortFor(METHOD)).optional("solvers", "The solvers that count.");
+    private static final Key<Map<String, Double>> EFFECTS = MapType.of(CLASS, POINTS).withDefault("effects", Map.of(),
+            "The effects that count.");
+    private static final MappingType FORMAT = MappingType.of("the assignment", DEADLINE, SHOWS, NUMBERS, COUNTED,
+            SOLVERS, EFFECTS);
+
+    /**
+     * A solver that counts.
+     *
+     * @param method the method that it has to be
+     * @param weight what it counts
+     */
+    record Asked(String method, double weight) {
+    }
+
+    /**
+     * @param file the file, or assignment.yaml in this folder, which may be missing
+     * @return the assignment
+     * @throws Failure with a line for each mistake
+     */
+    static Assignment read(Optional<Path> file) {
+        Path path = file.orElse(Path.of(FILE));
+        Problems problems = new Problems();
+        Reading in = new Reading(path.toString().replace('\\', '/'), problems);
+        Optional<byte[]> bytes = file.isEmpty() && !Files.exists(path) ? Optional.of("{}".getBytes(
+                StandardCharsets.UTF_8)) : SourceText.read(path, in);
+        Optional<Values> values = bytes.flatMap(text -> YamlText.compose(text, in)).map(root ->
+                FORMAT.readRoot(root, in));
+        Optional<OffsetDateTime> deadline = values.flatMap(all -> all.find(DEADLINE).flatMap(text -> {
+            try {
+                return Optional.of(OffsetDateTime.parse(text));
+            } catch (DateTimeException e) {
+                return problems.add(all.place(DEADLINE), "'deadline' is '" + text + "'; it has to be a date, a time"
+                        + " and its distance from UTC, such as 2026-03-14T23:59:00+13:00");
+            }
+        }));
+        if (problems.count() > 0) {
+            throw new Failure(ExitCode.BAD_INPUT, problems.lines());
+        }
+        Values all = values.orElseThrow();
+        Map<Integer, Double> exercises = new TreeMap<>();
+        EXERCISES.forEach(key -> all.find(COUNTED).map(counted -> counted.find(key)).orElse(Optional.of(1.0))
+                .ifPresent(weight -> exercises.put(Integer.valueOf(key.name()), weight)));
+        return new Assignment(new String(bytes.orElseThrow(), StandardCharsets.UTF_8), deadline, all.get(SHOWS),
+                all.get(NUMBERS).equals(SHEET), exercises, all.find(SOLVERS).map(asked -> asked.entrySet().stream()
+                .collect(Collectors.toMap(Map.Entry::getKey, entry -> new Asked(entry.getValue().get(METHOD),
+                entry.getValue().get(WEIGHT)), (a, b) -> a, TreeMap::new))), all.get(EFFECTS));
+    }
+
+    /** @return the solvers that count, if a student has these classes */
+    Map<String, Asked> solvers(Iterable<String> there) {
+        Map<String, Asked> every = new TreeMap<>();
+        there.forEach(name -> {
+            if (name.endsWith("Solver")) {
+                every.put(name, new Asked(AskedMethods.ANY, 1));
+            }
+        });
+        return solvers.orElse(every);
+    }
+
+    /** @return whether a student's own grade shows marks */
+    boolean showsMarks() {
+        return !shows.equals(HANDED_IN);
+    }
+
+    /** @return as much of a mark as a student's own grade shows */
+    Result.Item shown(Result.Item item) {
+        return shows.equals(COMMENTS) ? item : new Result.Item(item.name(), item.answered(), showsMarks()
+                ? item.status() : item.answered() ? Result.Status.PASS : Result.Status.FAIL, showsMarks()
+                ? item.weight() : 0, List.of());
+    }
+}

@@ -1,0 +1,128 @@
+package particles.app.course;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import particles.app.cli.Version;
+import particles.app.course.Result.Item;
+import particles.app.course.Result.Status;
+import particles.output.charts.ChartFormat;
+import particles.output.files.OutputFolder;
+import particles.output.report.Report;
+import particles.output.report.ReportWriter;
+import particles.output.report.ResultPage;
+import particles.output.report.ResultPageWriter;
+import particles.view.DataTable;
+
+/** Writes the tables of a class: class.csv, class.html and class.md. */
+final class ClassTables {
+    static final List<String> FILES = List.of("class.md", "class.csv", "students.csv", "mistakes.csv", "talk.csv",
+            "class.html");
+    private static final int MOST_COMMON = 10;
+    private static final double SECONDS_PER_HOUR = 3600;
+
+    private final Assignment assignment;
+    private final List<Result> results;
+
+    /** A mark of a student. */
+    private record Row(Result result, Item item) {
+    }
+
+    /**
+     * @param assignment tells the deadline
+     * @param all        the results, one or more for each student
+     * @param best       whether a student's best hand-in counts, and not the last one
+     */
+    ClassTables(Assignment assignment, List<Result> all, boolean best) {
+        this.assignment = assignment;
+        Comparator<Result> byDate = Comparator.comparing(Result::date);
+        Comparator<Result> order = best ? Comparator.comparingDouble(Result::points).thenComparing(byDate) : byDate;
+        results = new ArrayList<>(new TreeMap<>(all.stream().collect(Collectors.toMap(Result::student,
+                Function.identity(), (a, b) -> order.compare(a, b) > 0 ? a : b))).values());
+    }
+
+    /** @return a whole number without a point */
+    static Object number(double points) {
+        return points == Math.rint(points) ? (Object) Math.round(points) : points;
+    }
+
+    private static String date(Result result) {
+        return result.handedIn().isEmpty() ? "" : result.date().truncatedTo(ChronoUnit.SECONDS).toString();
+    }
+
+    /** Hours after the deadline; empty if in time. */
+    private String late(Result result) {
+        Optional<Instant> deadline = assignment.deadline().map(date -> date.toInstant());
+        return result.handedIn().isEmpty() || deadline.isEmpty() || !result.date().isAfter(deadline.get()) ? ""
+                : "%.1f".formatted(Duration.between(deadline.get(), result.date()).toSeconds() / SECONDS_PER_HOUR);
+    }
+
+    /** @return each student to talk to, and why */
+    private List<Map.Entry<String, String>> toTalkTo() {
+        List<Map.Entry<String, String>> whom = new ArrayList<>();
+        for (Result result : results) {
+            Stream.of(result.handedIn().isEmpty() ? "nothing was handed in" : result.points() == 0
+                    && result.most() > 0 ? "no points" : "", late(result).isEmpty() ? "" : "late by " + late(result)
+                    + " h", result.items().stream().filter(item -> item.status() == Status.ERROR).map(item ->
+                    item.name() + " is not decided: run this again").collect(Collectors.joining("; ")))
+                    .filter(why -> !why.isEmpty()).forEach(why -> whom.add(Map.entry(result.student(), why)));
+            result.problems().stream().filter(line -> !result.handedIn().isEmpty()).limit(2).forEach(line ->
+                    whom.add(Map.entry(result.student(), line)));
+        }
+        whom.addAll(Copies.toLookAt(new TreeMap<>(results.stream().collect(Collectors.toMap(Result::student,
+                Result::classes)))));
+        whom.sort(Map.Entry.comparingByKey());
+        return whom;
+    }
+
+    /** @return the number of students, in words, and what there is to say about hand-ins */
+    String write(OutputFolder files, Path folder, Collection<String> problems) {
+        List<Row> rows = results.stream().flatMap(result -> result.items().stream().map(item -> new Row(result, item)))
+                .toList();
+        DataTable all = DataTable.of("class", "All marks", rows,
+                DataTable.column("student", row -> row.result().student()),
+                DataTable.column("exercise", row -> row.item().name()),
+                DataTable.column("points", row -> number(row.item().points())),
+                DataTable.column("of", row -> number(row.item().weight())),
+                DataTable.column("mistake", row -> row.item().mistake()),
+                DataTable.column("attempt", row -> row.result().handedIn()),
+                DataTable.column("handed in", row -> date(row.result())),
+                DataTable.column("late (h)", row -> late(row.result())),
+                DataTable.column("version", row -> row.result().program()));
+        DataTable each = DataTable.of("students", "Students", results,
+                DataTable.column("student", Result::student),
+                DataTable.column("points", result -> number(result.points())),
+                DataTable.column("of", result -> number(result.most())),
+                DataTable.column("handed in", ClassTables::date), DataTable.column("late (h)", this::late),
+                DataTable.column("attempt", Result::handedIn));
+        Map<String, Long> counts = rows.stream().filter(row -> row.item().answered()
+                && !row.item().mistake().isEmpty()).map(row -> row.item().name() + ": " + row.item().mistake())
+                .collect(Collectors.groupingBy(Function.identity(), TreeMap::new, Collectors.counting()));
+        DataTable common = DataTable.of("mistakes", "The commonest mistakes", counts.entrySet().stream()
+                .sorted(Map.Entry.<String, Long>comparingByValue().reversed()).limit(MOST_COMMON).toList(),
+                DataTable.column("students", Map.Entry::getValue), DataTable.column("mistake", Map.Entry::getKey));
+        DataTable talk = DataTable.of("talk", "Who to talk to", toTalkTo(), DataTable.column("student",
+                Map.Entry::getKey), DataTable.column("why", Map.Entry::getValue));
+        List<String> text = new ArrayList<>(problems);
+        text.add("Nobody lost a mark for a class that is like another or uses a solver of the project: look at it."
+                + " JPlag compares more closely.");
+        ResultPage page = new ResultPage("class", number(results.stream().mapToDouble(Result::points).sum())
+                + " points for " + results.size() + " students", text, List.of(), List.of(each, talk, common, all));
+        ResultPageWriter.write(files, page, ChartFormat.PAGE);
+        ReportWriter.write(files, "class.html", new Report(page.title(), List.of(), List.of(new Report.Section(
+                GradeClassCommand.NAME, "marks the hand-ins of a class", folder, 0, Optional.of(page),
+                Optional.empty())), "version " + Version.CURRENT));
+        return results.size() + " students; table: " + folder.resolve("class.html");
+    }
+}

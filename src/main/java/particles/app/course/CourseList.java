@@ -1,0 +1,37 @@
+package particles.app.course;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import particles.app.cli.ExitCode;
+import particles.app.cli.Failure;
+
+/** A CSV file with a header and a line for each student, with commas or semicolons; the id comes first. */
+final class CourseList {
+    private CourseList() {
+    }
+
+    /**
+     * @param file a file such as a list of students with the names used in their hand-ins, or a key file
+     * @return the cells of each line, by the id
+     * @throws Failure if it cannot be read
+     */
+    static Map<String, List<String>> read(Path file) {
+        Map<String, List<String>> lines = new TreeMap<>();
+        try {
+            for (String line : Files.readString(file).replaceFirst("^\ufeff", "").lines().skip(1).toList()) {
+                List<String> cells = Stream.of(line.split("[,;]", -1)).map(cell -> cell.strip()
+                        .replaceAll("^\"|\"$", "")).toList();
+                lines.put(cells.get(0), cells);
+            }
+        } catch (IOException e) {
+            throw new Failure(ExitCode.BAD_INPUT, file + ": there is no such file, or it is not in UTF-8");
+        }
+        lines.remove("");
+        return lines;
+    }
+}

@@ -1,0 +1,209 @@
+package particles.app.course;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.stream.Stream;
+import particles.app.cli.ExitCode;
+import particles.app.cli.Failure;
+import particles.app.cli.PrintedProgress;
+import particles.app.cli.ResultsCommand;
+import particles.output.files.OutputException;
+import particles.output.files.OutputFolder;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** {@code gradle gradeClass -Pfolder=submissions}: marks every hand-in of a class, each as {@code grade} does. */
+@Command(name = GradeClassCommand.NAME, description = "Marks the hand-ins of a class.")
+public final class GradeClassCommand extends ResultsCommand {
+    static final String NAME = "gradeClass";
+    private static final String BEST = "best";
+    private static final String STOPPED = "stopped; the same command goes on with those who are not marked yet";
+
+    @Option(names = "--folder", paramLabel = "FOLDER",
+            description = "A folder or zip for each student, as Moodle and GitHub Classroom download them.")
+    private Path folder;
+
+    @Option(names = "--collect", paramLabel = "FOLDER",
+            description = "In place of --folder: the results of grade, each in a folder of its own.")
+    private Path collect;
+
+    @Option(names = "--students", paramLabel = "FILE",
+            description = "A CSV file with a header; each line has an id first, then names used in the hand-ins.")
+    private Path students;
+
+    @Option(names = "--attempt", paramLabel = "WHICH", defaultValue = "last",
+            description = "Which of several hand-ins counts: last or best (default: last).")
+    private String attempt;
+
+    @Mixin
+    private final CourseOptions course = new CourseOptions();
+
+    private final AtomicBoolean stopped = new AtomicBoolean();
+
+    @Override
+    public void run(PrintWriter out) throws Exception {
+        if (!attempt.equals("last") && !attempt.equals(BEST)) {
+            throw wrong("attempt", "'" + attempt + "' has to be last or best");
+        }
+        if ((folder == null) == (collect == null)) {    // null where it was not given
+            throw wrong("folder", "give either this option or " + getStyle().option("collect"));
+        }
+        Assignment assignment = course.assignment();
+        if (assignment.sheets() && !course.hasKey() && collect == null) {
+            throw wrong("key", "is needed: by the assignment, the numbers are those of the handouts");
+        }
+        List<String> problems = new ArrayList<>();
+        Path copies = Files.createTempDirectory("desolver-class");
+        try (OutputFolder files = OutputFolder.open(getFolder(), ClassTables.FILES.toArray(new String[0]))) {
+            Map<String, List<String>> words = students == null ? Map.of() : CourseList.read(students);
+            List<Result> results = new ArrayList<>();
+            if (collect == null) {
+                results.addAll(marked(found(words, problems), assignment, copies, problems, out));
+            } else {
+                results.addAll(collected());
+            }
+            for (String id : words.keySet()) {
+                if (results.stream().noneMatch(result -> result.student().equalsIgnoreCase(id))) {
+                    problems.add("nothing was handed in by " + id);
+                    results.add(HandInMarking.begin(id, Optional.empty(), assignment, Optional.empty(), copies,
+                            copies.resolve("none")).call());
+                }
+            }
+            Marking.clear(getFolder(), ClassTables.FILES);
+            String said = new ClassTables(assignment, results, attempt.equals(BEST)).write(files, getFolder(),
+                    problems);
+            problems.forEach(out::println);
+            out.println(said);
+        } finally {
+            HandInMarking.delete(copies);
+        }
+    }
+
+    private List<Result> collected() {
+        try {
+            return Result.readAll(collect);
+        } catch (IOException e) {
+            throw wrong("collect", "'" + collect + "' is not a folder that can be read");
+        }
+    }
+
+    /** Finds each student's hand-ins, the last one first. */
+    private Map<String, List<Submission>> found(Map<String, List<String>> words, List<String> problems) {
+        List<Path> paths;
+        try (Stream<Path> all = Files.list(folder)) {
+            paths = all.filter(path -> Files.isDirectory(path) || path.toString().toLowerCase(Locale.ROOT)
+                    .endsWith(".zip")).sorted().toList();
+        } catch (IOException e) {
+            throw wrong("folder", "'" + folder + "' is not a folder that can be read");
+        }
+        Map<String, List<Submission>> found = new TreeMap<>();
+        for (Path path : paths) {
+            Submission read;
+            try {
+                read = Submission.read(path);
+            } catch (IOException | RuntimeException e) {
+                problems.add(path.getFileName() + " cannot be read: " + e.getMessage());
+                continue;
+            }
+            List<String> ids = words.keySet().stream().filter(id -> words.get(id).stream().anyMatch(read::isOf))
+                    .toList();
+            if (ids.size() != 1 && !words.isEmpty()) {
+                problems.add(read.name() + " belongs to " + (ids.isEmpty() ? "nobody" : "more than one") + " in "
+                        + students.getFileName());
+            }
+            found.computeIfAbsent(ids.size() == 1 ? ids.get(0) : read.id(), id -> new ArrayList<>()).add(read);
+        }
+        found.values().forEach(all -> all.sort(Comparator.comparing(Submission::newest).reversed()));
+        return found;
+    }
+
+    /** Marks all answers, which runs no class, and only then all classes, one hand-in on each core. */
+    private List<Result> marked(Map<String, List<Submission>> found, Assignment assignment, Path copies,
+            List<String> problems, PrintWriter out) throws Exception {
+        Map<Path, Callable<Result>> begun = new LinkedHashMap<>();
+        for (Map.Entry<String, List<Submission>> each : found.entrySet()) {
+            Optional<String> numbers = course.numbers(assignment, each.getKey());
+            if (numbers.isEmpty()) {
+                problems.add(each.getKey() + " is not in the key file");
+            }
+            for (Submission handIn : each.getValue().subList(0, attempt.equals(BEST) ? each.getValue().size() : 1)) {
+                Path results = folderOf(each.getKey(), begun.keySet());
+                begun.put(results, HandInMarking.begin(each.getKey(), Optional.of(handIn), assignment, numbers, results,
+                        copies.resolve("" + begun.size())));
+            }
+        }
+        Map<Path, Result> results = finished(begun, out);
+        results.forEach((where, result) -> {            // once more: a class may have changed what was written
+            try {
+                Marking.write(where, result);
+            } catch (OutputException e) {
+                problems.add("the page of " + result.student() + " is missing: " + e.getMessage());
+            }
+        });
+        return new ArrayList<>(results.values());
+    }
+
+    private Path folderOf(String student, Set<Path> taken) {
+        Path plain = getFolder().resolve(student.replaceAll("[^\\w-]", "_"));
+        Path free = plain;
+        for (int k = 2; taken.contains(free); k++) {
+            free = plain.resolveSibling(plain.getFileName() + "." + k);
+        }
+        return free;
+    }
+
+    private Map<Path, Result> finished(Map<Path, Callable<Result>> begun, PrintWriter out)
+            throws InterruptedException, ExecutionException {
+        Runtime.getRuntime().addShutdownHook(new Thread(() -> stopped.set(true)));
+        ExecutorService workers = Executors.newFixedThreadPool(Runtime.getRuntime().availableProcessors());
+        try {
+            Map<Path, Future<Result>> marks = new LinkedHashMap<>();
+            begun.forEach((where, marking) -> marks.put(where, workers.submit(() -> finished(where, marking))));
+            PrintedProgress progress = new PrintedProgress(out, System::nanoTime);
+            Map<Path, Result> results = new LinkedHashMap<>();
+            for (Map.Entry<Path, Future<Result>> mark : marks.entrySet()) {
+                Result result = mark.getValue().get();
+                if (stopped.get()) {
+                    throw new Failure(ExitCode.STOPPED, STOPPED);
+                }
+                results.put(mark.getKey(), result);
+                progress.reached((double) results.size() / marks.size(), result.student());
+            }
+            return results;
+        } finally {
+            workers.shutdownNow();
+        }
+    }
+
+    /** Writes the result at once, so that it counts after a stop. */
+    private Result finished(Path where, Callable<Result> marking) throws Exception {
+        if (stopped.get()) {
+            throw new Failure(ExitCode.STOPPED, STOPPED);
+        }
+        Result result = marking.call();
+        try {
+            Marking.write(where, result);
+        } catch (OutputException e) {
+            return result;                              // it is written once more, and the failure told, at the end
+        }
+        return result;
+    }
+}

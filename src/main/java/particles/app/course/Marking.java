@@ -1,0 +1,191 @@
+package particles.app.course;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import particles.app.cli.ExitCode;
+import particles.app.cli.Failure;
+import particles.app.course.Result.Item;
+import particles.app.course.Result.Status;
+import particles.app.student.CheckEffectCommand;
+import particles.app.student.CheckSolverCommand;
+import particles.app.student.StudentProcess;
+import particles.output.charts.ChartFormat;
+import particles.output.files.OutputFolder;
+import particles.output.report.JUnitXml;
+import particles.output.report.ResultPage;
+import particles.output.report.ResultPageWriter;
+import particles.teaching.GuardedRun;
+import particles.teaching.GuardedRun.Outcome;
+import particles.teaching.exercises.AnswersFile;
+import particles.teaching.exercises.Exercises;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.Exercise;
+import particles.teaching.marking.Mark;
+import particles.view.DataTable;
+
+/**
+ * The marking of one hand-in.
+ *
+ * @param assignment what counts
+ * @param numbers    the text from which the student's numbers come: the id or a random one; empty if it is not known
+ * @param answers    the file of answers
+ * @param sources    the text of each class that was handed in
+ * @param reports    the folder of the reports
+ */
+record Marking(Assignment assignment, Optional<String> numbers, Path answers, Map<String, String> sources,
+        Path reports) {
+    static final String PAGE = "grade";
+    static final String NO_ANSWER = "There is no answer.";
+    private static final double SECONDS = 60;
+
+    /** @return a short text that no other text has */
+    static String digest(String text) {
+        try {
+            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(text.getBytes(
+                    StandardCharsets.UTF_8)));
+        } catch (NoSuchAlgorithmException e) {
+            throw new AssertionError("every Java has SHA-256", e);
+        }
+    }
+
+    /** @return the marks of the answers, where their numbers are known; runs no class of the student */
+    List<Item> exercises(AnswersFile read) {
+        List<Item> items = new ArrayList<>();
+        assignment.exercises().forEach((number, weight) -> {
+            Exercise exercise = Exercises.all().get(number - 1);
+            Optional<String> answer = Optional.ofNullable(read.answers().get(number));      // null: no answer
+            Mark mark = answer.isEmpty() ? Mark.wrong(NO_ANSWER) : numbers.isEmpty() ? Mark.wrong(
+                    "Its numbers are on your handout: the lecturer marks it.") : mark(exercise, number, answer.get());
+            items.add(new Item(number + ". " + exercise.title(), answer.isPresent(), mark.right() ? Status.PASS
+                    : Status.FAIL, weight, withoutFolder(mark.lines())));
+        });
+        return items;
+    }
+
+    /** @return the lines, with files named as they were handed in */
+    List<String> withoutFolder(List<String> lines) {
+        String folder = answers.toAbsolutePath().getParent().toString().replace('\\', '/') + "/";
+        return lines.stream().map(line -> line.replace(folder, "")).toList();
+    }
+
+    /** A scene's path is relative to the folder of the answers, which it cannot leave; both are handed in together. */
+    private Mark mark(Exercise exercise, int number, String answer) {
+        Draw draw = new Draw(numbers.orElseThrow(), number);
+        if (number < Exercises.all().size() || answer.isBlank()) {
+            return exercise.mark(draw, answer);
+        }
+        try {
+            Path folder = answers.toAbsolutePath().normalize().getParent();
+            Path scene = folder.resolve(answer.strip()).normalize();
+            if (!scene.startsWith(folder) || Files.exists(scene)
+                    && !scene.toRealPath().equals(folder.toRealPath().resolve(folder.relativize(scene)))) {
+                return Mark.wrong("'" + answer.strip() + "' is outside of the folder of " + answers.getFileName()
+                        + ", or a link: hand the scene's file in beside it.");
+            }
+            Outcome<Mark> marked = new GuardedRun(SECONDS).run(() -> exercise.mark(draw,
+                    answers.resolveSibling(answer.strip()).toString()));
+            return marked.value().orElseGet(() -> Mark.wrong(marked.failure().orElseThrow().text()));
+        } catch (IOException | InvalidPathException e) {
+            return Mark.wrong("'" + answer.strip() + "' cannot be read: " + e.getMessage());
+        }
+    }
+
+    /**
+     * @return the mark of each class
+     * @throws IOException if no process can be made
+     */
+    List<Item> classes() throws IOException {
+        List<Item> items = new ArrayList<>();
+        for (Map.Entry<String, Assignment.Asked> asked : assignment.solvers(sources.keySet()).entrySet()) {
+            items.add(check("solver", asked.getKey(), asked.getValue().weight(), CheckSolverCommand.NAME,
+                    "--method=" + asked.getValue().method()));
+        }
+        for (Map.Entry<String, Double> effect : assignment.effects().entrySet()) {
+            items.add(check("effect", effect.getKey(), effect.getValue(), CheckEffectCommand.NAME));
+        }
+        return items;
+    }
+
+    private Item check(String kind, String name, double weight, String command, String... more) throws IOException {
+        boolean there = sources.containsKey(name);
+        ExitCode code = ExitCode.BAD_INPUT;
+        List<String> lines = List.of("there is no file " + name + ".java");
+        if (there) {
+            List<String> args = new ArrayList<>(List.of(command, "--" + kind + "=exercises." + name, "--out="
+                    + reports.resolve(name)));
+            args.addAll(List.of(more));
+            try {
+                StudentProcess.Outcome outcome = StudentProcess.run(args, sources);
+                code = outcome.code();
+                lines = outcome.lines();
+            } catch (Failure stopped) {
+                code = stopped.getExitCode();
+                lines = stopped.getLines();
+            }
+        }
+        return new Item(kind + " " + name, there, code == ExitCode.DONE ? Status.PASS : code == ExitCode.STOPPED
+                ? Status.ERROR : Status.FAIL, weight, new Mark(false, lines).lines());
+    }
+
+    /** Joins lines for a table's cell; sentences and headings stay on lines of their own. */
+    private static String paragraph(List<String> lines) {
+        StringBuilder text = new StringBuilder();
+        for (String line : lines) {
+            text.append(text.length() == 0 ? "" : text.toString().matches("(?s).*[.:]") ? " "
+                    : "; ").append(line.strip());
+        }
+        return text.toString();
+    }
+
+    /**
+     * Writes the student's page, grade.md, with marks.csv, grade.json and TEST-grade.xml.
+     *
+     * @return how many points there are, in words
+     */
+    static String write(Path folder, Result result) {
+        String title = ClassTables.number(result.points()) + " of " + ClassTables.number(result.most())
+                + " points for " + result.student();
+        DataTable table = DataTable.of("marks", "Marks", result.items(),
+                DataTable.column("student", item -> result.student()), DataTable.column("exercise", Item::name),
+                DataTable.column("points", item -> ClassTables.number(item.points())),
+                DataTable.column("of", item -> ClassTables.number(item.weight())),
+                DataTable.column("what there is to say", item -> paragraph(item.lines())));
+        List<String> names = List.of(PAGE + ".md", "marks.csv", Result.FILE, "TEST-" + PAGE + ".xml");
+        clear(folder, names);
+        try (OutputFolder files = OutputFolder.open(folder, names.toArray(new String[0]))) {
+            ResultPageWriter.write(files, new ResultPage(PAGE, title, result.problems(), List.of(), List.of(table)),
+                    ChartFormat.PAGE);
+            JUnitXml.write(files, PAGE, result.student(), result.items().stream().map(item -> new JUnitXml.Case(
+                    item.name(), item.status() == Status.PASS ? Optional.empty() : Optional.of(item.lines().stream()
+                    .findFirst().orElse("")), item.lines())).toList());
+            files.write(Result.FILE, result.json());
+        }
+        return title;
+    }
+
+    /** Moves aside what a class put, as a folder, in the place of a file. */
+    static void clear(Path folder, List<String> names) {
+        for (String name : names) {
+            Path file = folder.resolve(name);
+            if (Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS)) {
+                try {
+                    Files.move(file, folder.resolve(name + "-moved-aside-" + System.nanoTime()));
+                } catch (IOException e) {
+                    throw new UncheckedIOException(e);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,286 @@
+package particles.app.course;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystem;
+import java.nio.file.FileSystems;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import particles.app.cli.ExitCode;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.Program;
+import particles.app.student.SolverSkeleton;
+import particles.teaching.exercises.Exercises;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.NumericExercise;
+
+/** A class is marked as each student is alone, and one bad hand-in spoils only itself. */
+class GradeClassCommandTest {
+    private static final String EULER = """
+            package exercises;
+
+            public class MySolver extends deSolvers.DESolver {
+                @Override
+                public void stepState(deSolvers.DEStateSource source, double deltaT) {
+                    double[] state = new double[source.getStateSize()];
+                    double[] dSdt = new double[source.getStateSize()];
+                    source.getState(state);
+                    source.getStateDerivative(dSdt);
+                    for (int i = 0; i < state.length; i++) {
+                        state[i] += deltaT * dSdt[i];
+                    }
+                    source.setState(state);
+                    source.incTime(deltaT);
+                }
+            }
+            """;
+    private static final String CALLS = EULER.replaceFirst("(?s)double.. state.*incTime.deltaT.;",
+            "new deSolvers.RK4Solver().stepState(source, deltaT);");
+
+    @TempDir
+    private Path folder;
+
+    private String mark(ExitCode expected, Path list) {
+        return grade(expected, options("--folder=" + folder.resolve("in"), "--students=" + list));
+    }
+
+    @BeforeEach
+    void writeAssignment() throws Exception {
+        Files.writeString(folder.resolve("assignment.yaml"), "solvers: {MySolver: any}\n");
+    }
+
+    private Path handIn(String name, String... namesAndTexts) throws Exception {
+        Path root = folder.resolve("in").resolve(name);
+        for (int k = 0; k < namesAndTexts.length; k += 2) {
+            Path file = root.resolve(namesAndTexts[k]);
+            Files.createDirectories(file.getParent());
+            Files.writeString(file, namesAndTexts[k + 1]);
+        }
+        return root;
+    }
+
+    private static String answer(String student) {
+        NumericExercise second = (NumericExercise) Exercises.all().get(1);
+        return "2: " + second.question(new Draw(student, 2)).answer() + "\n";
+    }
+
+    private List<String> rows(String student) throws Exception {
+        return Files.readString(folder.resolve("out/class.csv")).lines().filter(line -> line.startsWith(student + ","))
+                .toList();
+    }
+
+    private void points(int expected, String student) throws Exception {
+        assertEquals(expected, rows(student).stream().filter(line -> line.matches("\\w+,(\"[^\"]*\"|[^,]*),1,.*"))
+                .count(), student + rows(student));
+    }
+
+    @Tag("slow")
+    @Test
+    void eachStudentGetsHisOwnMarks() throws Exception {
+        handIn("Ann Lee_101_assignsubmission_file_", "MySolver.java", EULER, "answers.yaml", answer("s1"));
+        handIn("Bob_102_assignsubmission_file_", "sub/answers.yaml", "2: 1\n\t3: 4\n12: no.yaml\n", "sub/MySolver.java",
+                EULER.replace("deltaT * ", "0.5 * deltaT * "));
+        handIn("hw1-carl", "src/main/java/exercises/MySolver.java", EULER.replace("dSdt", "slope") + "// mine\n",
+                "src/main/java/particles/Cheat.java", "package particles; class Cheat { }", "answers.yaml",
+                answer("carl"));
+        handIn("hw1-dora", "MySolver.java", EULER.replace("incTime(", "incTime)"));
+        handIn("hw1-eve", "MySolver.java", CALLS);
+        handIn("hw1-loop", "MySolver.java", EULER.replace("source.setState(state);", "while (deltaT != 0) { }"));
+        Path zip = folder.resolve("in/Fay_103_assignsubmission_file_.zip");
+        try (FileSystem in = FileSystems.newFileSystem(zip, Map.of("create", "true"))) {
+            Files.writeString(in.getPath("/answers.yaml"), answer("s3"));
+        }
+        Files.writeString(folder.resolve("in/broken.zip"), "no zip");
+        Files.setLastModifiedTime(handIn("Fay_103_assignsubmission_file_old", "answers.yaml", "2: 1\n")
+                .resolve("answers.yaml"), FileTime.fromMillis(0));
+        Path list = Files.writeString(folder.resolve("list.csv"), "\ufeffid,name\ns1,\"Ann Lee\"\ns2;102\ns3,Fay\n"
+                + "carl\ndora\neve\nloop\nnobody,No Body\n");
+        String screen = mark(ExitCode.DONE, list);
+        points(2, "s1");
+        points(0, "s2");
+        points(1, "s3");
+        points(2, "carl");
+        points(0, "dora");
+        points(1, "eve");
+        points(0, "loop");
+        points(0, "nobody");
+        assertTrue(screen.contains("broken.zip cannot be read") && screen.contains("nothing was handed in by nobody"),
+                screen);
+        String html = Files.readString(folder.resolve("out/class.html"));
+        assertTrue(html.contains("MySolver is the same but for names, comments and layout as that of s1"), html);
+        assertEquals(1, html.split("MySolver uses a solver of the project").length - 1, html);
+        String own = Files.readString(folder.resolve("out/s2/grade.md"));
+        assertTrue(own.contains("\nanswers.yaml:2:")
+                && own.contains("| no.yaml: there is no such file")
+                && !own.contains("s1") && !own.contains("desolver-class"), own);
+    }
+
+    private String grade(ExitCode expected, String... options) {
+        StringWriter out = new StringWriter();
+        PrintWriter both = new PrintWriter(out);
+        assertEquals(expected, new Program(List.of(new GradeClassCommand(), new GradeCommand(folder)),
+                OptionStyle.GRADLE, both, both).execute(options), out.toString());
+        return out.toString();
+    }
+
+    private String[] options(String... more) {
+        return Stream.concat(Stream.of("gradeClass", "--out=" + folder.resolve("out"), "--assignment="
+                + folder.resolve("assignment.yaml")), Stream.of(more)).toArray(String[]::new);
+    }
+
+    private void dated(String name, String time, String answers) throws Exception {
+        Files.setLastModifiedTime(handIn(name, "answers.yaml", answers).resolve("answers.yaml"),
+                FileTime.from(Instant.parse(time)));
+    }
+
+    /** Three hand-ins of one student, the middle one right, the last one late. */
+    @Test
+    void theLastOrTheBestAttemptCountsAndLateOnesAreTold() throws Exception {
+        Files.writeString(folder.resolve("assignment.yaml"), """
+                exercises: {2: 2}
+                solvers: {}
+                deadline: 2026-03-14T13:00:00+01:00
+                """);
+        dated("Ann_7_assignsubmission_file_a", "2026-03-14T10:00:00Z", "2: 1\n");
+        dated("Ann_7_assignsubmission_file_b", "2026-03-14T11:59:59Z", answer("7"));
+        dated("Ann_7_assignsubmission_file_c", "2026-03-14T13:30:00Z", "2: 1\n");
+        grade(ExitCode.DONE, options("--folder=" + folder.resolve("in")));
+        assertTrue(rows("7").get(0).matches("7,2[.].*,0,2,.*_c,2026-03-14T13:30:00Z,1[.]5,.*"), rows("7").toString());
+        assertTrue(Files.readString(folder.resolve("out/talk.csv")).contains("7,late by 1.5 h"));
+        grade(ExitCode.DONE, options("--folder=" + folder.resolve("in"), "--attempt=best"));
+        assertTrue(rows("7").get(0).matches("7,2[.].*,2,2,,.*_b,2026-03-14T11:59:59Z,,.*"), rows("7").toString());
+    }
+
+    /** Each student by itself, in any order and on any machine, and then the tables. */
+    @Test
+    void resultsThatAreCollectedGiveTheSameTables() throws Exception {
+        Files.writeString(folder.resolve("assignment.yaml"), "exercises: {2: 1}\nsolvers: {NoSolver: heun}\n");
+        handIn("hw1-ann", "answers.yaml", answer("hw1-ann"), "MySolver.java", EULER);
+        handIn("hw1-bob", "answers.yaml", "2: x \u00e9 \ud83d\ude00 \\ \"\n3: 1\n\t4: 2\n", "YourSolver.java", EULER);
+        handIn("=1+1", "answers.yaml", "2: 7");
+        grade(ExitCode.DONE, options("--folder=" + folder.resolve("in")));
+        Map<String, String> whole = tables();
+        for (String name : List.of("hw1-bob", "hw1-ann", "=1+1")) {
+            grade(ExitCode.BAD_INPUT, "grade", "--handin=" + folder.resolve("in").resolve(name), "--out="
+                    + folder.resolve("one").resolve("r" + name.hashCode()), "--assignment="
+                    + folder.resolve("assignment.yaml"));
+        }
+        grade(ExitCode.DONE, options("--collect=" + folder.resolve("one")));
+        assertEquals(whole, tables());
+        assertTrue(whole.get("class.csv").contains("\n'=1+1,"), whole.get("class.csv"));
+        assertTrue(whole.get("talk.csv").contains("hw1-bob,\"YourSolver is the same"), whole.get("talk.csv"));
+        Path damaged = folder.resolve("one/x/grade.json");
+        Files.createDirectories(damaged.getParent());
+        Files.writeString(damaged, "{\"version\": 1}");
+        assertTrue(grade(ExitCode.BAD_INPUT, options("--collect=" + folder.resolve("one")))
+                .contains("grade.json:1:1: the result needs 'student'"));
+    }
+
+    private Map<String, String> tables() throws Exception {
+        Map<String, String> tables = new TreeMap<>();
+        for (String name : ClassTables.FILES) {
+            tables.put(name, Files.readString(folder.resolve("out").resolve(name)));
+        }
+        return tables;
+    }
+
+    /** After a stop those who are marked stay so; what changed is marked again. */
+    @Test
+    void onlyHandInsThatChangedAreMarkedAgain() throws Exception {
+        Files.writeString(folder.resolve("assignment.yaml"), "exercises: {2: 1}\nsolvers: {}\n");
+        for (String name : List.of("a", "b", "c", "d")) {
+            handIn(name, "answers.yaml", answer(name));
+        }
+        grade(ExitCode.DONE, options("--folder=" + folder.resolve("in")));
+        for (String name : List.of("a", "b", "c", "d")) {       // a mark that only a new marking would change
+            Path result = folder.resolve("out").resolve(name).resolve("grade.json");
+            Files.writeString(result, Files.readString(result).replace("\"pass\"", name.equals("d") ? "\"error\""
+                    : "\"fail\"").replace("This is right.", "kept"));
+        }
+        handIn("b", "answers.yaml", answer("b") + "# changed\n");
+        Files.writeString(folder.resolve("out/c/grade.json"), "damaged");
+        Files.createDirectories(folder.resolve("out/class.csv-new"));
+        grade(ExitCode.DONE, options("--folder=" + folder.resolve("in")));
+        for (String name : List.of("a", "b", "c", "d")) {
+            assertTrue(rows(name).get(0).contains(name.equals("a") ? ",0,1,kept," : ",1,1,,"), rows(name).toString());
+        }
+        Files.writeString(folder.resolve("assignment.yaml"), "exercises: {2: 2}\nsolvers: {}\n");
+        grade(ExitCode.DONE, options("--folder=" + folder.resolve("in")));
+        assertTrue(rows("a").get(0).contains(",2,2,,"), "another assignment: " + rows("a"));
+    }
+
+    /** A folder in the place of a report costs nobody a mark. */
+    @Tag("slow")
+    @Test
+    void aPlantedFolderStopsNobody() throws Exception {
+        String plant = """
+                static {
+                    for (String name : new String[] {"/class.csv/x", "/zoe/grade.json/x", "/zoe/grade.md/x"}) {
+                        new java.io.File("%s" + name).mkdirs();
+                    }
+                }
+                """.formatted(folder.resolve("out"));
+        handIn("ann", "MySolver.java", EULER.replaceFirst("\\{\n", "{\n" + plant));
+        handIn("zoe", "answers.yaml", answer("zoe"));
+        grade(ExitCode.DONE, options("--folder=" + folder.resolve("in")));
+        points(1, "zoe");
+        points(1, "ann");
+        assertTrue(Files.readString(folder.resolve("out/zoe/grade.md")).contains("1 of 13 points for zoe"));
+    }
+
+    @Test
+    void aLinkInAHandInIsNotFollowed() throws Exception {
+        Path secret = Files.writeString(folder.resolve("secret.yaml"), "2: 1\n");
+        Path root = Files.createDirectories(folder.resolve("in/one"));
+        Files.createSymbolicLink(root.resolve("answers.yaml"), secret);
+        Files.createSymbolicLink(root.resolve("MySolver.java"), secret);
+        Submission read = Submission.read(root);
+        assertEquals(Map.of(), read.files());
+        Path zip = folder.resolve("slip.zip");
+        try (FileSystem in = FileSystems.newFileSystem(zip, Map.of("create", "true"))) {
+            Files.writeString(in.getPath("/answers.yaml"), "1: 1\n");
+            Files.writeString(in.getPath("/xx_evil.yaml"), "1: 1\n");
+        }
+        byte[] bytes = new String(Files.readAllBytes(zip), StandardCharsets.ISO_8859_1).replace("xx_evil", "../evil")
+                .getBytes(StandardCharsets.ISO_8859_1);
+        Files.write(zip, bytes);
+        try {
+            Submission.read(zip).copyAnswers(Files.createDirectories(folder.resolve("copy")));
+        } catch (java.io.IOException refused) {
+            assertTrue(refused.getMessage().contains(".."), refused.getMessage());
+        }
+        assertFalse(Files.exists(folder.resolve("evil.yaml")), "a zip writes only below its copy");
+    }
+
+    @Test
+    void onlyNamesCommentsAndLayoutMakeNoDifference() {
+        String other = EULER.replace("dSdt", "slope").replace("MySolver", "YourSolver").replace("\n", "\n // x\n")
+                .replace("package exercises;", "package exercises; import java.util.List;");
+        assertEquals(Copies.shape(EULER), Copies.shape(other));
+        assertNotEquals(Copies.shape(EULER), Copies.shape(EULER.replace("i++", "++i")));
+        String skeleton = SolverSkeleton.solver("HeunSolver", SolverSkeleton.SLIDES_WAY);
+        assertEquals(List.of(), Copies.of(Map.of("HeunSolver", skeleton)));
+    }
+
+    @Test
+    void aFolderThatIsNotThereIsToldAsSuch() throws Exception {
+        Path list = Files.writeString(folder.resolve("list.csv"), "id\n");
+        assertTrue(mark(ExitCode.BAD_INPUT, list).contains("option -Pfolder: "));
+    }
+}
