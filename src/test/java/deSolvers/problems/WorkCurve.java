@@ -23,6 +23,24 @@ public final class WorkCurve {
     }
 
     /**
+     * Reads a curve that was measured elsewhere.
+     *
+     * @param rows a text with a row for each curve: its name, a bar, and pairs of evaluations and error
+     * @param name the row to read
+     * @return the curve
+     */
+    public static WorkCurve read(String rows, String name) {
+        String row = rows.lines().filter(line -> line.startsWith(name + " | ")).findFirst().orElseThrow();
+        double[] pairs = Arrays.stream(row.substring(name.length() + 3).split(" +")).mapToDouble(Double::parseDouble)
+                .toArray();
+        WorkCurve curve = new WorkCurve();
+        for (int i = 0; i < pairs.length; i += 2) {
+            curve.add(pairs[i], pairs[i + 1]);
+        }
+        return curve;
+    }
+
+    /**
      * Runs a solver over a problem with tolerances (relative = absolute) of 10^-from, half a decade smaller, ...
      * 10^-to.
      *
