@@ -169,7 +169,7 @@ class ArchitectureTest {
                                            particles.teaching.solvers particles.teaching.sources particles.view
             particles.teaching.marking:    particles.law
             particles.teaching.solvers:    deSolvers particles.teaching particles.teaching.contract
-                                           particles.teaching.sources org.ejml
+                                           particles.teaching.sources
             particles.teaching.sources:    deSolvers deSolvers.problems particles.teaching
             particles.threads:             particles particles.engine particles.law
             particles.view:                particles.law

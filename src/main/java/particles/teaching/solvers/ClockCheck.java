@@ -6,6 +6,7 @@ import java.util.function.Supplier;
 import particles.teaching.EndlessLoop;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
+import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 
 /** Whether the clock ends where the step does: for steps of several lengths, backward ones and later ones. */
@@ -53,9 +54,7 @@ final class ClockCheck {
     }
 
     private static double moved(Supplier<DESolver> maker, double h) {
-        WindyOscillators source = source();
-        maker.get().stepState(source, h);
-        return source.getTime() - START;
+        return StudentSource.after(source(), maker.get(), 1, h).getTime() - START;
     }
 
     private static Finding ends(String when, double h, double moved) {

@@ -10,9 +10,11 @@ import particles.teaching.Formula;
  *
  * @param what    what it says, such as "k2 is evaluated at"
  * @param names   the names of the things, the old state first
+ * @param own     the place of the state that it moves
+ * @param first   the place of the first derivative
  * @param weights their weights; may be fewer
  */
-record Combination(String what, List<String> names, double[] weights) {
+record Combination(String what, List<String> names, int own, int first, double[] weights) {
     private static final double SAME = 1e-9;
 
     /** @return the formula, such as s + k1/2 */
@@ -20,23 +22,42 @@ record Combination(String what, List<String> names, double[] weights) {
         return Formula.sum(weights, names);
     }
 
-    /** @return whether it is the same sum, where missing weights are 0 */
-    boolean is(Combination other) {
-        return same(weights, other.weights);
+    /** @return the places whose weights are others than in another sum */
+    int[] unlike(Combination other) {
+        return IntStream.range(0, Math.max(weights.length, other.weights.length)).filter(j -> !Formula.same(weight(j),
+                other.weight(j))).toArray();
     }
 
     double weight(int j) {
         return j < weights.length ? weights[j] : 0;
     }
 
-    /** @return the weights from one on, as many as asked for */
-    double[] from(int first, int count) {
+    /** @return the weights of so many derivatives */
+    double[] slopes(int count) {
         return IntStream.range(first, first + count).mapToDouble(this::weight).toArray();
     }
 
-    /** @return the sum of the weights of all but the old state */
+    /** @return the sum of the weights of all but the old state, or position and velocity */
     double increment() {
-        return sum(weights) - weights[0];
+        return sum(weights) - sum(Arrays.copyOf(weights, first));
+    }
+
+    /** @return how far it moves; a position, by the velocity alone */
+    double moves() {
+        return isPosition() ? weight(1) : increment();
+    }
+
+    boolean isPosition() {
+        return first - own == 2;
+    }
+
+    /** @return the weight of the old state, which has to be 1 */
+    double ofOwn() {
+        return weight(own);
+    }
+
+    String state() {
+        return names.get(own);
     }
 
     static boolean same(double[] x, double[] y) {

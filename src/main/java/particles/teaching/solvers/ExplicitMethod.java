@@ -3,9 +3,7 @@ package particles.teaching.solvers;
 import deSolvers.DESolver;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
-import java.util.function.DoubleSupplier;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -15,6 +13,7 @@ import particles.teaching.StudentFailure;
 import particles.teaching.sources.Probe;
 import particles.teaching.sources.Springs;
 import particles.teaching.sources.StiffDecay;
+import particles.teaching.sources.StudentSource;
 
 /**
  * Identifies a method whose step is a combination with fixed weights, and its mistakes: first those that all methods
@@ -28,14 +27,14 @@ final class ExplicitMethod {
     private static final double ALMOST = 0.3;
 
     private final Supplier<DESolver> maker;
-    private final Optional<NamePromise> promise;
-    private final DoubleSupplier measured;
+    private final NamePromise promise;
+    private final Supplier<OrderMeasurement> measured;
     private final List<Finding> findings = new ArrayList<>();
     private StepReading step;
     private int order;
     private String method = "";
 
-    ExplicitMethod(Supplier<DESolver> maker, Optional<NamePromise> promise, DoubleSupplier measured) {
+    ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<OrderMeasurement> measured) {
         this.maker = maker;
         this.promise = promise;
         this.measured = measured;
@@ -68,9 +67,9 @@ final class ExplicitMethod {
             return Optional.of(new Diagnosis("It makes no step.", Stream.concat(findings.stream(), Stream.of(
                     Phrase.NO_DERIVATIVE.of())).findFirst()));
         }
-        oddSize().filter(finding -> !step.isOfParticles()).ifPresent(findings::add);
-        Scheme scheme = scheme();
-        boolean end = rules.checkState(scheme) && rules.checkDeltaT(scheme);
+        oddSize().filter(finding -> !step.scheme().isOfParticles()).ifPresent(findings::add);
+        Scheme scheme = step.scheme().isOfParticles() ? step.scheme().withoutUnused() : step.scheme();
+        boolean end = rules.checkState(scheme) && rules.checkDeltaT();
         String identity = identity(scheme, end);
         return Optional.of(new Diagnosis(identity, List.copyOf(findings), order, method));
     }
@@ -86,20 +85,8 @@ final class ExplicitMethod {
         }
     }
 
-    static String twoDigits(double x) {
-        return String.format(Locale.ROOT, "%.2f", x);
-    }
-
     private boolean isWrong() {
         return findings.stream().anyMatch(Finding::isWrong);
-    }
-
-    private Scheme scheme() {
-        List<double[]> rows = new ArrayList<>(List.of(step.rows()));
-        rows.remove(step.evaluations());                // the state before the step
-        Scheme read = new Scheme("", 0, rows, IntStream.range(0, step.evaluations()).mapToDouble(step::clock).toArray(),
-                step.isOfParticles());
-        return step.isOfParticles() ? read.withoutUnused() : read;
     }
 
     /** The method in a sentence; adds what differs from it. */
@@ -111,26 +98,23 @@ final class ExplicitMethod {
         if (scheme.size() < read.size()) {
             findings.add(Phrase.UNUSED.of());
         }
-        boolean[] set = new boolean[step.evaluations()];
-        IntStream.range(0, set.length).forEach(i -> set[i] = step.calls().recorded().get(i).stateSet());
-        Comparison nearest = Comparison.nearest(KnownMethods.like(scheme), scheme, set, clock);
-        if (nearest.isEmpty()) {
+        List<Scheme> like = KnownMethods.like(scheme);
+        Comparison nearest = Comparison.nearest(like, scheme, step);
+        if (nearest.first().isEmpty()) {
             order = nearest.known().order();
             method = end && clock ? nearest.known().name() : "";
             return "This is " + nearest.known().name();
         }
-        List<Scheme> meant = KnownMethods.like(scheme).stream().filter(known -> promise.filter(name -> name.allows(
-                known.name(), known.order())).isPresent()).toList();
-        Comparison named = meant.isEmpty() ? nearest : Comparison.nearest(meant, scheme, set, clock);
+        List<Scheme> meant = like.stream().filter(known -> promise.isGiven() && promise.allows(known.name(),
+                known.order())).toList();
+        Comparison named = meant.isEmpty() ? nearest : Comparison.nearest(meant, scheme, step);
         if (!end || !clock) {
-            if (end && scheme.isInTurn() && named.isNear()) {
-                findings.add(named.first());            // the clock may follow the drifts
-            }
+            named.first().filter(finding -> end && scheme.isInTurn() && named.isNear()).ifPresent(findings::add);
             return "This is nearest to " + named.known().name();
         }
         Optional<Finding> unsolved = SolvedEquation.rounds(maker, scheme, promise).or(() -> KnownMethods.mistake(
-                scheme)).or(() -> promise.filter(NamePromise::isImplicit).map(name -> Phrase.EXPLICIT.of("an explicit"
-                + " method with " + count(scheme), name.says())));
+                scheme)).or(() -> Phrase.EXPLICIT.when(promise.isImplicit(), "an explicit method with "
+                + count(scheme), promise.says()));
         if (unsolved.isPresent()) {
             findings.add(0, unsolved.get());
             return "This is an explicit method";
@@ -146,30 +130,28 @@ final class ExplicitMethod {
     /** Judges coefficients that are those of no known method by their measured order, and by the nearest one. */
     private String unknown(Scheme scheme, Comparison nearest) {
         boolean particles = scheme.isOfParticles();
-        double full = Math.max(0, measured.getAsDouble());
-        full = Double.isNaN(full) ? 0 : full;
-        int wanted = promise.map(NamePromise::order).orElse(nearest.isNear() ? nearest.known().order() : 1);
-        order = (int) Math.round(full);
-        boolean keepsArea = particles && keepsArea();
-        boolean pays = full > 1.7 || full > 1 - ALMOST && (particles ? keepsArea : isStableBeyondEuler(scheme));
-        if (!nearest.isRounded() && (!particles || !isWrong()) && full >= wanted - ALMOST && pays) {
+        OrderMeasurement full = measured.get();
+        int wanted = promise.isGiven() ? promise.order() : nearest.isNear() ? nearest.known().order() : 1;
+        order = (int) Math.max(0, Math.round(full.order()));     // 0 for NaN
+        boolean keepsArea = particles && Math.abs(StudentSource.after(new Springs(), maker.get(), 1, 1).steps()
+                .determinant() - 1) < 1e-10;
+        boolean pays = full.order() > 1.7 || full.order() > 1 - ALMOST && (particles ? keepsArea : isStableBeyondEuler(
+                scheme));
+        if (!nearest.isRounded() && (!particles || !isWrong()) && full.order() >= wanted - ALMOST && pays) {
             return "This is a " + (particles ? "method of order " + order + " that moves positions and velocities in"
                     + " turn," + (keepsArea ? " symplectic," : "") : "Runge-Kutta method of order " + order) + " with "
                     + count(scheme) + "; its coefficients match no named method";
         }
-        if (nearest.isNear() || promise.filter(NamePromise::isWhole).isPresent() && nearest.known().size()
-                == scheme.size() && (particles || scheme.size() <= MANY)) {
-            findings.add(nearest.first());
-            return "This is nearest to " + nearest.known().name();
-        }
+        boolean near = nearest.isNear() || promise.isWhole() && nearest.known().size() == scheme.size() && (particles
+                || scheme.size() <= MANY);
         Combination row = scheme.ends().get(0);
-        String measured = twoDigits(full);
-        findings.add(IntStream.range(0, particles ? 0 : scheme.size()).mapToObj(i -> offTime(scheme.stages().get(i),
-                scheme.times()[i])).flatMap(Optional::stream).findFirst().orElseGet(() -> particles || Formula.same(
-                row.increment(), 1) ? Phrase.LOW_ORDER.of(measured, count(scheme), promise.map(name ->
-                "; the name promises " + name.saysWithOrder()).orElse(""), row.what(), row.formula())
-                : Phrase.WEIGHTS_SUM.of(row.increment())));
-        return "This is a method of your own";
+        Search.first(() -> nearest.first().filter(finding -> near), () -> IntStream.range(0, particles ? 0
+                : scheme.size()).mapToObj(i -> offTime(scheme.stages().get(i), scheme.times()[i])).flatMap(
+                Optional::stream).findFirst(), () -> Phrase.WEIGHTS_SUM.when(!particles && !Formula.same(
+                row.increment(), 1), row.increment()), () -> Optional.of(Phrase.LOW_ORDER.of(full.digits(), count(
+                scheme), promise.isGiven() ? "; " + promise.saysWithOrder() : "", row.what(), row.formula())))
+                .ifPresent(findings::add);
+        return near ? "This is nearest to " + nearest.known().name() : "This is a method of your own";
     }
 
     private static Optional<Finding> offTime(Combination stage, double time) {
@@ -177,18 +159,9 @@ final class ExplicitMethod {
                 Formula.time(time), Formula.time(stage.increment()));
     }
 
-    private boolean keepsArea() {
-        Springs springs = new Springs();
-        maker.get().stepState(springs, 1);
-        return Math.abs(springs.steps().determinant() - 1) < 1e-10;
-    }
-
     /** On the negative real axis s Euler steps are stable to 2 s; a method of order 1 has to do as well to pay. */
     private boolean isStableBeyondEuler(Scheme scheme) {
-        return IntStream.range(1, 16 * scheme.size()).allMatch(z -> {
-            StiffDecay decay = new StiffDecay();
-            maker.get().stepState(decay, z / 8.0 / StiffDecay.RATE);
-            return decay.size() <= 1 + 1e-9;
-        });
+        return IntStream.range(1, 16 * scheme.size()).allMatch(z -> StudentSource.after(new StiffDecay(),
+                maker.get(), 1, z / 8.0 / StiffDecay.RATE).size() <= 1 + 1e-9);
     }
 }

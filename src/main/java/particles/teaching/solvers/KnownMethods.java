@@ -74,13 +74,32 @@ final class KnownMethods {
             | 1.3512071919596578 -1.7024143839193155 1.3512071919596578
             """;
 
-    /** Name, old states, places of the derivatives from the old state, 0, to the new one, 1; all weights. */
+    /** Name, places of the derivatives (0 is the old state, 1 the new one, -1 the one before), weights, mistake. */
     static final String EQUATIONS = """
-            backward Euler | 1 | 0 1 | 1 0 1
-            the implicit trapezoidal rule | 1 | 0 1 | 1 1/2 1/2
-            the implicit midpoint method | 1 | 1/2 | 1 1
-            the BDF formula of order 2 | 2 | 1 | 4/3 -1/3 2/3
-            the BDF formula of order 3 | 3 | 1 | 18/11 -9/11 2/11 6/11
+            backward Euler | 1 | 1 1 |
+            the implicit trapezoidal rule | 0 1 | 1 1/2 1/2 |
+            the implicit midpoint method | 1/2 | 1 1 |
+            the BDF formula of order 2 | 1 | 4/3 -1/3 2/3 |
+            the BDF formula of order 3 | 1 | 18/11 -9/11 2/11 6/11 |
+            backward Euler | 1 | 1 1/2 | : deltaT/2 stands where deltaT is meant
+            backward Euler | 1 | 1 2 | : deltaT comes in twice
+            backward Euler | 1 | 1 -1 | : the sign is wrong
+            the implicit midpoint method | 1/2 | 1 2 | : does deltaT stand where deltaT/2 is meant?
+            the implicit midpoint method | 1/2 | 1 1/2 | : the step ends at the midpoint
+            the implicit trapezoidal rule | 0 1 | 1 1 1 | : the half is missing
+            the implicit trapezoidal rule | 0 1 | 1 1/2 1 | : the weights of the derivatives add up to 3/2, not to 1
+            the implicit trapezoidal rule | 0 1 | 1 1 1/2 | : the weights of the derivatives add up to 3/2, not to 1
+            the implicit trapezoidal rule | 0 1 | 1 1/2 -1/2 | : a sign is wrong
+            the BDF formula of order 2 | 1 | 4/3 -1/3 1 | : the 2/3 is missing
+            the BDF formula of order 2 | 1 | 4/3 1/3 2/3 | : the sign of the older state is wrong
+            the BDF formula of order 2 | 1 | 4/3 -1/3 1/3 | : the weight of the derivative is not 2/3
+            the BDF formula of order 3 | 1 | 18/11 -9/11 2/11 1 | : the 6/11 is missing
+            the Adams method of order 2 | 0 -1 | 1 3/2 -1/2 |
+            the Adams method of order 3 | 0 -1 -2 | 1 23/12 -4/3 5/12 |
+            the Adams method of order 4 | 0 -1 -2 -3 | 1 55/24 -59/24 37/24 -9/24 |
+            the Adams method of order 5 | 0 -1 -2 -3 -4 | 1 1901/720 -1387/360 109/30 -637/360 251/720 |
+            the Adams method of order 3 | 1 0 -1 | 1 5/12 8/12 -1/12 |
+            the Adams method of order 4 | 1 0 -1 -2 | 1 9/24 19/24 -5/24 1/24 |
             """;
 
     /** What becomes of methods by mistakes that are more than one wrong row: the mistake for a name. */
@@ -101,7 +120,7 @@ final class KnownMethods {
 
     private static final List<Scheme> ONE_FORMULA = RUNGE_KUTTA.lines().map(KnownMethods::rungeKutta).toList();
     private static final List<Scheme> OF_PARTICLES = Stream.concat(Stream.of(new Scheme(EULER, 1, List.of(
-            numbers("1 0"), numbers("1 1"), numbers("1 1")), new double[1], true)), TURNS.lines().map(
+            numbers("1 0"), numbers("1 1"), numbers("0 1 1")), new double[1], true)), TURNS.lines().map(
             KnownMethods::turns)).toList();
 
     private KnownMethods() {
@@ -133,13 +152,13 @@ final class KnownMethods {
 
     /** @return the mistake that made this step of a known method, if it is one of those that have a name */
     static Optional<Finding> mistake(Scheme found) {
-        return CHANGED.lines().map(KnownMethods::rungeKutta).filter(changed -> isStages(changed, found)
-                && changed.ends().get(0).is(found.ends().get(0))).findFirst().map(changed -> Phrase.CHANGED.of(
-                changed.name()));
+        return CHANGED.lines().map(KnownMethods::rungeKutta).filter(changed -> isSame(changed, found, 1)).findFirst()
+                .map(changed -> Phrase.CHANGED.of(changed.name()));
     }
 
-    private static boolean isStages(Scheme method, Scheme found) {
-        return method.size() == found.size() && IntStream.range(0, method.size()).allMatch(i -> Combination.same(
+    /** Whether all rows of the stages are the same, and so many of the new state. */
+    private static boolean isSame(Scheme method, Scheme found, int ends) {
+        return method.size() == found.size() && IntStream.range(0, method.size() + ends).allMatch(i -> Combination.same(
                 method.rows().get(i), found.rows().get(i)));
     }
 
@@ -154,6 +173,6 @@ final class KnownMethods {
 
     /** @return whether a known method evaluates the derivative at these states, whatever its weights */
     static boolean isStagesOfAny(Scheme found) {
-        return found.size() > 1 && like(found).stream().anyMatch(method -> isStages(method, found));
+        return found.size() > 1 && like(found).stream().anyMatch(method -> isSame(method, found, 0));
     }
 }

@@ -13,13 +13,14 @@ import particles.teaching.Finding;
 /**
  * The method that the name of a solver's class promises.
  *
- * @param says    the meaning of the name
+ * @param says    the meaning of the name; empty if it promises nothing
  * @param order   the lowest order of all methods that it can stand for
  * @param methods the methods that it can stand for; empty for all of that order
+ * @param kind    "implicit", or "earlier" if it uses derivatives or states of earlier steps; empty for others
  * @param strength how much else the name contains
  * @param adapts  whether the name promises step-size control
  */
-record NamePromise(String says, int order, List<String> methods, Strength strength, boolean adapts) {
+record NamePromise(String says, int order, List<String> methods, String kind, Strength strength, boolean adapts) {
     /** How much a name contains beside the method. */
     private enum Strength {
         /** Nothing: HeunSolver is Heun's method. */
@@ -38,71 +39,71 @@ record NamePromise(String says, int order, List<String> methods, Strength streng
     private static final Pattern CHANGES = Pattern.compile("romberg|adapt|embedded|pair|doubling"
             + "|sub|small|tiny|twice|half|halves|multi|rosenbrock|exponential|linear|ensemble|corrected|compos|blend"
             + "|filter|lowstorage|stabili[sz]ed|chebyshev|predict");
-    private static final Pattern IMPLICIT_FAMILIES = Pattern.compile("Gauss|Lobatto|Radau|implicit");
     private static final int SHORT = 4;
     private static final Pattern EXTRAPOLATES = Pattern.compile("richardson|extrapol");
     private static final Pattern ADAPTS = Pattern.compile("adapt|stepdoubling|stepsizecontrol|variablestep");
 
-    /** Meaning, order, words in names, names of methods; the longest word in a name wins. */
+    /** Meaning, order, words in names, names of methods, kind; the longest word in a name wins. */
     private static final String TABLE = """
-            the Euler method | 1 | euler | the Euler method
+            the Euler method | 1 | euler | the Euler method |
             symplectic Euler | 1 | symplectic-euler semi-implicit semi-implicit-euler cromer euler-cromer symplectic \
             kickdrift driftkick simplealgorithm simpleparticle \
             | symplectic Euler, the slides' simple particle system algorithm; \
-            symplectic Euler with the position first
+            symplectic Euler with the position first |
             backward Euler | 1 | backward-euler implicit-euler newton-euler \
-            stiff-euler fixedpoint-euler iterat-euler | backward Euler
-            the midpoint method | 2 | midpoint | the midpoint method; the implicit midpoint method
-            the midpoint method | 2 | explicit-midpoint | the midpoint method
-            the implicit midpoint method | 2 | implicit-midpoint newton-midpoint | the implicit midpoint method
-            a Runge-Kutta method of order 2 | 2 | rk2 rungekutta2 second-rungekutta 2nd-rungekutta two-rungekutta |
-            Heun's method | 2 | heun | Heun's method; Ralston's method; Heun's method of order 3
+            stiff-euler fixedpoint-euler iterat-euler | backward Euler | implicit
+            the midpoint method | 2 | midpoint | the midpoint method; the implicit midpoint method |
+            the midpoint method | 2 | explicit-midpoint | the midpoint method |
+            the implicit midpoint method | 2 | implicit-midpoint newton-midpoint \
+            | the implicit midpoint method | implicit
+            a Runge-Kutta method of order 2 | 2 | rk2 rungekutta2 second-rungekutta 2nd-rungekutta two-rungekutta | |
+            Heun's method | 2 | heun | Heun's method; Ralston's method; Heun's method of order 3 |
             Heun's method or the midpoint method | 2 | modified-euler improved-euler | Heun's method; \
-            the midpoint method; Ralston's method
-            the trapezoidal rule | 2 | trapez trapezoid trapezoidal | Heun's method; the implicit trapezoidal rule
+            the midpoint method; Ralston's method |
+            the trapezoidal rule | 2 | trapez trapezoid trapezoidal | Heun's method; the implicit trapezoidal rule |
             the implicit trapezoidal rule | 2 | crank-nicolson implicit-trapez implicit-trapezoid \
-            implicit-trapezoidal newton-trapezoidal | the implicit trapezoidal rule
+            implicit-trapezoidal newton-trapezoidal | the implicit trapezoidal rule | implicit
             Ralston's method | 2 | ralston | Ralston's method; Ralston's method of order 3; \
-            Ralston's method of order 4 (its eight printed digits)
+            Ralston's method of order 4 (its eight printed digits) |
             a Runge-Kutta method of order 3 | 3 | rk3 rungekutta3 third-rungekutta 3rd-rungekutta kutta3 heun3 \
-            ralston3 bogackishampine ssprk3 ssp3 |
-            a strong-stability-preserving method | 2 | ssp ssprk shuosher |
-            a Runge-Kutta method of order 4 | 4 | rk4 rungekutta4 rungekutta classicalrk gill ralston4 ralstonrk4 |
-            Kutta's 3/8 rule | 4 | rk38 rungekutta38 kutta38 threeeighth | Kutta's 3/8 rule
-            a method of order 4 or 5 | 4 | rkf45 rk45 ode45 fehlberg rungekuttafehlberg cashkarp dormandprince dopri |
-            a Runge-Kutta method of order 5 | 5 | rk5 rungekutta5 fifth-rungekutta dopri5 rkf5 |
+            ralston3 bogackishampine ssprk3 ssp3 | |
+            a strong-stability-preserving method | 2 | ssp ssprk shuosher | |
+            a Runge-Kutta method of order 4 | 4 | rk4 rungekutta4 rungekutta classicalrk gill ralston4 ralstonrk4 | |
+            Kutta's 3/8 rule | 4 | rk38 rungekutta38 kutta38 threeeighth | Kutta's 3/8 rule |
+            a method of order 4 or 5 | 4 | rkf45 rk45 ode45 fehlberg rungekuttafehlberg cashkarp dormandprince dopri | |
+            a Runge-Kutta method of order 5 | 5 | rk5 rungekutta5 fifth-rungekutta dopri5 rkf5 | |
             velocity or position Verlet | 2 | verlet velocity-verlet position-verlet stormer-verlet stoermer-verlet \
             leapfrog kickdriftkick driftkickdrift stormer stoermer | velocity Verlet (leapfrog: kick, drift, kick); \
-            position Verlet (drift, kick, drift)
-            velocity Verlet | 2 | leapfrogkdk | velocity Verlet (leapfrog: kick, drift, kick)
-            position Verlet | 2 | leapfrogdkd | position Verlet (drift, kick, drift)
-            Ruth's method of order 3 | 3 | ruth ruth3 |
-            a symplectic method of order 4 | 4 | yoshida forestruth ruth4 candyrozmus pefrl |
-            an Adams method of order 2 | 2 | ab2 adamsbashforth2 adams2 |
-            an Adams method of order 3 | 3 | ab3 adamsbashforth3 adams3 abm3 |
-            an Adams method of order 4 | 4 | ab4 adamsbashforth4 adams4 abm4 |
-            an Adams method | 2 | adams adamsbashforth adamsmoulton adamsbashforthmoulton |
-            a BDF method of order 2 | 2 | bdf2 |
-            a BDF method of order 3 | 3 | bdf3 |
-            Beeman's method | 2 | beeman |
-            a predictor-corrector method | 2 | pec pece predictor-corrector |
-            a Gauss method | 2 | gauss gausslegendre |
-            a Gauss method of order 4 | 4 | gauss4 gausslegendre4 |
-            a Lobatto method | 2 | lobatto |
-            a Radau method | 2 | radau |
-            a Radau method of order 3 | 3 | radau3 radauiia3 |
-            Radau IIA of order 5 | 5 | radau5 radauiia5 |
-            a diagonally implicit method of order 2 | 2 | sdirk2 dirk2 |
-            a diagonally implicit method of order 3 | 3 | sdirk3 dirk3 |
+            position Verlet (drift, kick, drift) |
+            velocity Verlet | 2 | leapfrogkdk | velocity Verlet (leapfrog: kick, drift, kick) |
+            position Verlet | 2 | leapfrogdkd | position Verlet (drift, kick, drift) |
+            Ruth's method of order 3 | 3 | ruth ruth3 | |
+            a symplectic method of order 4 | 4 | yoshida forestruth ruth4 candyrozmus pefrl | |
+            an Adams method of order 2 | 2 | ab2 adamsbashforth2 adams2 | | earlier
+            an Adams method of order 3 | 3 | ab3 adamsbashforth3 adams3 abm3 | | earlier
+            an Adams method of order 4 | 4 | ab4 adamsbashforth4 adams4 abm4 | | earlier
+            an Adams method | 2 | adams adamsbashforth adamsmoulton adamsbashforthmoulton | |
+            a BDF method of order 2 | 2 | bdf2 | | earlier
+            a BDF method of order 3 | 3 | bdf3 | | earlier
+            Beeman's method | 2 | beeman | |
+            a predictor-corrector method | 2 | pec pece predictor-corrector | |
+            a Gauss method | 2 | gauss gausslegendre | | implicit
+            a Gauss method of order 4 | 4 | gauss4 gausslegendre4 | | implicit
+            a Lobatto method | 2 | lobatto | | implicit
+            a Radau method | 2 | radau | | implicit
+            a Radau method of order 3 | 3 | radau3 radauiia3 | | implicit
+            Radau IIA of order 5 | 5 | radau5 radauiia5 | | implicit
+            a diagonally implicit method of order 2 | 2 | sdirk2 dirk2 | | implicit
+            a diagonally implicit method of order 3 | 3 | sdirk3 dirk3 | | implicit
             """;
 
     /** The parts of a word stand in a name in any order. */
-    private record Row(List<String> parts, String says, int order, List<String> methods) {
+    private record Row(List<String> parts, String says, int order, List<String> methods, String kind) {
         static Stream<Row> of(String line) {
             String[] parts = line.split(" *[|] *", -1);
             List<String> methods = Stream.of(parts[3].split("; ")).filter(name -> !name.isEmpty()).toList();
             return Stream.of(parts[2].split(" ")).map(word -> new Row(List.of(word.split("-")), parts[0],
-                    Integer.parseInt(parts[1]), methods));
+                    Integer.parseInt(parts[1]), methods, parts[4]));
         }
 
         /** A short part begins a word: there is no rk5 in Homework5. */
@@ -120,24 +121,26 @@ record NamePromise(String says, int order, List<String> methods, Strength streng
 
     /**
      * @param className a simple class name, such as {@code MyHeunSolver}
-     * @return the promised method, if the name contains one
+     * @return the promise
      */
-    static Optional<NamePromise> of(String className) {
+    static NamePromise of(String className) {
         String bare = className.replaceAll("[^A-Za-z0-9]", "");
         String lower = bare.toLowerCase(Locale.ROOT);
-        Optional<Row> longest = ROWS.stream().filter(row -> row.isIn(bare)).max(Comparator.comparingInt(Row::length));
         boolean adapts = ADAPTS.matcher(lower).find();
-        if (longest.isEmpty()) {
-            return adapts ? Optional.of(new NamePromise("a method with step-size control", 1, List.of(),
-                    Strength.CHANGED, true)) : Optional.empty();
-        }
-        Row best = longest.get();
-        String rest = lower.replaceAll("(" + String.join("|", best.parts) + ")(s(?=method|rule|solver|$))?", " ");
-        boolean more = EXTRAPOLATES.matcher(rest).find();
-        return Optional.of(new NamePromise((more ? "the extrapolation of " : "") + best.says, best.order + (more ? 1
-                : 0), best.methods, rest.replaceAll(NOISE, "").isBlank() ? Strength.WHOLE
-                : more || ROWS.stream().anyMatch(row -> row.parts.stream().allMatch(rest::contains))     // HeunEuler
-                || CHANGES.matcher(rest).find() ? Strength.CHANGED : Strength.UNKNOWN, adapts));
+        return ROWS.stream().filter(row -> row.isIn(bare)).max(Comparator.comparingInt(Row::length)).map(best -> {
+            String rest = lower.replaceAll("(" + String.join("|", best.parts) + ")(s(?=method|rule|solver|$))?", " ");
+            boolean more = EXTRAPOLATES.matcher(rest).find();
+            return new NamePromise((more ? "the extrapolation of " : "") + best.says, best.order + (more ? 1 : 0),
+                    best.methods, best.kind, rest.replaceAll(NOISE, "").isBlank() ? Strength.WHOLE : more
+                    || ROWS.stream().anyMatch(row -> row.parts.stream().allMatch(rest::contains))       // HeunEuler
+                    || CHANGES.matcher(rest).find() ? Strength.CHANGED : Strength.UNKNOWN, adapts);
+        }).orElseGet(() -> new NamePromise(adapts ? "a method with step-size control" : "", adapts ? 1 : 0, List.of(),
+                "", Strength.CHANGED, adapts));
+    }
+
+    /** @return whether the name promises something */
+    boolean isGiven() {
+        return order > 0;
     }
 
     /** @return whether the name contains nothing but the method */
@@ -152,29 +155,20 @@ record NamePromise(String says, int order, List<String> methods, Strength streng
 
     /** @return the meaning of the name, with the order */
     String saysWithOrder() {
-        return says + (says.contains("order") ? "" : ", of order " + order);
-    }
-
-    /** @return whether the name stands for a method that uses derivatives or states of earlier steps */
-    boolean remembers() {
-        return says.startsWith("an Adams method of") || says.startsWith("a BDF method");
+        return "the name promises " + says + (says.contains("order") ? "" : ", of order " + order);
     }
 
     /** @return whether the name stands for implicit methods only */
     boolean isImplicit() {
-        return (methods.isEmpty() ? IMPLICIT_FAMILIES.matcher(says).find() : IMPLICIT.containsAll(methods))
-                && strength != Strength.CHANGED;
+        return kind.equals("implicit") && strength != Strength.CHANGED;
     }
 
-    /** @return the finding for a known method that the name does not stand for */
+    /** @return the finding for a known method that the name does not stand for; none for no method */
     Optional<Finding> contradicted(String method, int itsOrder) {
-        if (allows(method, itsOrder)) {
-            return Optional.empty();
-        }
-        boolean euler = method.equals(KnownMethods.EULER);
-        return Optional.of(euler && methods.contains(KnownMethods.SYMPLECTIC) ? Phrase.OLD_VELOCITY.of()
-                : method.startsWith("symplectic Euler") && methods.contains(KnownMethods.EULER)
-                ? Phrase.NEW_VELOCITY.of() : (isImplicit() && !IMPLICIT.contains(method) ? Phrase.EXPLICIT
-                : Phrase.CONTRADICTS).of(method, says));
+        return method.isEmpty() || allows(method, itsOrder) ? Optional.empty()
+                : Optional.of(method.equals(KnownMethods.EULER) && methods.contains(KnownMethods.SYMPLECTIC)
+                ? Phrase.OLD_VELOCITY.of() : method.startsWith("symplectic Euler") && methods.contains(
+                KnownMethods.EULER) ? Phrase.NEW_VELOCITY.of() : (isImplicit() && !IMPLICIT.contains(method)
+                ? Phrase.EXPLICIT : Phrase.CONTRADICTS).of(method, says));
     }
 }

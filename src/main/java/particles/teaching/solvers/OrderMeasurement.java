@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import particles.teaching.StudentFailure;
@@ -30,8 +31,6 @@ public record OrderMeasurement(double order, List<double[]> points) {
     /** An adaptive method of low order divides steps of 2/256 s still, and shows its order only below. */
     private static final int MOST = 4096;
     private static final int SLOPES = 3;
-    private static final double LARGE = 1e-3;
-    private static final double JUMP = 1e3;
 
     /** @return the measurement, on {@link WindyOscillators} */
     public static OrderMeasurement of(Supplier<DESolver> maker) {
@@ -75,9 +74,7 @@ public record OrderMeasurement(double order, List<double[]> points) {
     private static double error(DESolver solver, StudentSource source, int steps) {
         double start = source.getTime();
         try {
-            for (int i = 0; i < steps; i++) {
-                solver.stepState(source, TIME / steps);
-            }
+            StudentSource.after(source, solver, steps, TIME / steps);
         } catch (RuntimeException e) {
             if (StudentFailure.isRefusal(e)) {
                 return Double.POSITIVE_INFINITY;        // these steps are too long for it
@@ -91,12 +88,9 @@ public record OrderMeasurement(double order, List<double[]> points) {
                 : error;
     }
 
-    /** @return whether half the time step makes a large error a thousand times smaller, as rejected sub-steps may */
-    boolean jumps() {
-        return IntStream.range(1, points.size()).anyMatch(i -> {
-            double error = points.get(i - 1)[1];
-            return error > LARGE && Double.isFinite(error) && error > JUMP * points.get(i)[1];
-        });
+    /** @return the order with two digits */
+    String digits() {
+        return String.format(Locale.ROOT, "%.2f", order);
     }
 
     /** @return the point with the smallest error */

@@ -16,8 +16,8 @@ enum Phrase {
     ARRAY_LENGTH, ODD_SIZE, NEVER_SET, LEFT_AT_TRIAL, SET_TOO_EARLY, OLD_STATE,
     LEFT_OUT, DIGITS, CUT_OFF, ENTRY_BY_ENTRY, DELTA_T, MISSING, TOO_MANY,
     DIFFERS, CHANGED, PARTS, WEIGHTS_SUM, LOW_ORDER, OTHER_STEPS, CONTRADICTS, EXPLICIT, ROUNDS, OLD_VELOCITY,
-    NEW_VELOCITY, NOTHING_EARLIER, NO_CONTROL, NAME_ORDER, EQUATION, UNSOLVED, EQUATION_TIME, LOOSE, STALE,
-    ADAMS_WEIGHTS, ADAMS_OLD, ADAMS_START, UNSTABLE, UNCONTROLLED, LARGEST_ERROR, ABSOLUTE_ERROR, ELSEWHERE,
+    NEW_VELOCITY, NOTHING_EARLIER, NO_CONTROL, NAME_ORDER, EQUATION, EQUATION_TIME, LOOSE, STALE,
+    TOO_OLD, ADAMS_START, UNSTABLE, UNCONTROLLED, LARGEST_ERROR, ABSOLUTE_ERROR, ELSEWHERE,
     LAYOUT, NO_CONVERGENCE, UNUSED;
 
     private static final String BOOK = """
@@ -103,20 +103,14 @@ enum Phrase {
                 the book, and the times of the stages
             # equations and earlier steps
             method EQUATION: the new state solves new = %s; %s is new = %s%s
-            method UNSOLVED: the equation of %s is not solved: the step is new = %s, in which the new state's \
-                derivative does not enter. Iterate until nothing changes, by Newton's method with all of the matrix \
-                I - deltaT J
             time EQUATION_TIME: the derivative at %s is taken at the clock %s; the clock has to \
                 stand at %s then
             method LOOSE: the iteration ends too early: with a nonlinear law and deltaT = %s s the equation of the \
                 step is off by %s; iterate until the change is below about 1e-10
             state STALE: the derivative is stale: getStateDerivative is called in the first step only, and each step \
                 needs the derivative at its own start
-            method ADAMS_WEIGHTS: the weights of a step are %s for the derivatives at %s%s; the Adams method with \
-                these has %s
-            method ADAMS_OLD: the weights are those of an Adams method, %s, and its derivatives are those at %s \
-                instead of %s: an old one is kept too long, or twice. In each step the oldest is dropped, then the \
-                others move by one place, the oldest of them first
+            method TOO_OLD: the new state is %s; %s says %s: a derivative is kept too long, or twice. In each step \
+                the oldest is dropped, then the others move by one place, the oldest of them first
             method ADAMS_START: the formula has order %s, and the measured order is %s: the first steps, before \
                 there are enough earlier derivatives, are not accurate enough. Begin with a method of order %s or \
                 more, such as RK4

@@ -3,6 +3,7 @@ package particles.teaching.solvers;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import particles.teaching.Formula;
 
@@ -50,7 +51,7 @@ record Scheme(String name, int order, List<double[]> rows, double[] times, boole
             names.add("v" + i + " deltaT");
             lengths[i + 1] = rows.get(i)[1] - (i == 0 ? 0 : rows.get(i - 1)[1]);
         }
-        return new Combination("the new position is", names, lengths);
+        return new Combination("the new position is", names, 0, 1, lengths);
     }
 
     /**
@@ -65,26 +66,24 @@ record Scheme(String name, int order, List<double[]> rows, double[] times, boole
             Arrays.setAll(row, c -> c == 0 ? 1 : c == 1 ? place : kicks[c - 2] * (place - reached[c - 2]));
             rows.add(row);
         }
-        double[] velocity = new double[1 + kicks.length];
-        Arrays.setAll(velocity, c -> c == 0 ? 1 : kicks[c - 1]);
-        rows.add(velocity);
+        rows.add(DoubleStream.concat(DoubleStream.of(0, 1), Arrays.stream(kicks)).toArray());
         return rows;
     }
 
     /** @return whether it is such a method */
     boolean isInTurn() {
         return isOfParticles && IntStream.range(0, rows.size()).allMatch(r -> Combination.same(rows.get(r), inTurn(
-                rows.stream().limit(size() + 1).mapToDouble(row -> row[1]).toArray(), row(size() + 1, "").from(1,
+                rows.stream().limit(size() + 1).mapToDouble(row -> row[1]).toArray(), row(size() + 1, "").slopes(
                 size())).get(r)));
     }
 
     private Combination row(int r, String what) {
         boolean velocity = r > size();
-        List<String> names = new ArrayList<>(!isOfParticles ? List.of("s") : velocity ? List.of("v") : List.of("x",
-                "v deltaT"));
+        List<String> names = new ArrayList<>(!isOfParticles ? List.of("s") : List.of("x", velocity ? "v"
+                : "v deltaT"));
         IntStream.range(0, size()).forEach(j -> names.add(slope(j) + (!isOfParticles ? "" : velocity ? " deltaT"
                 : " deltaT^2")));
-        return new Combination(what, names, rows.get(r));
+        return new Combination(what, names, velocity && isOfParticles ? 1 : 0, first(), rows.get(r));
     }
 
     /** @return the source of the formula: the slide, or the method itself */
@@ -102,24 +101,23 @@ record Scheme(String name, int order, List<double[]> rows, double[] times, boole
         };
     }
 
-    /** The column of the first derivative in a row. */
-    private int first(int r) {
-        return isOfParticles && r <= size() ? 2 : 1;
+    /** @return the column of the first derivative */
+    int first() {
+        return isOfParticles ? 2 : 1;
     }
 
     /** Whether an evaluation enters another one or the new state, or is at a place of its own. */
     private boolean isUsed(int j) {
-        return IntStream.range(0, rows.size()).anyMatch(r -> row(r, "").weight(first(r) + j) != 0) || !isOfParticles
-                && j < size() - 1 && !(Combination.same(rows.get(j), rows.get(j + 1)) && Formula.sameTime(times[j],
-                times[j + 1]));
+        return rows.stream().anyMatch(row -> row[first() + j] != 0) || !isOfParticles && j < size() - 1
+                && !(Combination.same(rows.get(j), rows.get(j + 1)) && Formula.sameTime(times[j], times[j + 1]));
     }
 
     /** @return the same without evaluations at the end, or at the next one's place, that enter nothing */
     Scheme withoutUnused() {
         int[] kept = IntStream.range(0, size()).filter(this::isUsed).toArray();
         List<double[]> left = IntStream.concat(Arrays.stream(kept), IntStream.range(size(), rows.size())).mapToObj(r ->
-                IntStream.range(0, first(r) + kept.length).mapToDouble(c -> row(r, "").weight(c < first(r) ? c
-                : first(r) + kept[c - first(r)])).toArray()).toList();
+                DoubleStream.concat(Arrays.stream(rows.get(r)).limit(first()), Arrays.stream(kept).mapToDouble(j ->
+                rows.get(r)[first() + j])).toArray()).toList();
         return new Scheme(name, order, left, Arrays.stream(kept).mapToDouble(i -> times[i]).toArray(), isOfParticles);
     }
 }

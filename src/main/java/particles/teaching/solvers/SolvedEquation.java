@@ -6,143 +6,122 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Predicate;
+import java.util.TreeMap;
 import java.util.function.Supplier;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
 import particles.teaching.contract.SolverContract;
 import particles.teaching.sources.NonlinearOscillators;
 
 /**
- * The equation that the steps of an implicit solver solve: new = a1 s + a2 s(one step before) + ... + deltaT (b1 f(one
- * place and time) + ...), whose weights are found by least squares on a law that is neither linear nor the same at all
- * times.
+ * The equation that a step solves: new = a1 s + a2 s(1 step before) + ... + deltaT (b1 f(one place and time) + ...). It
+ * is the one of a table, of known methods and of their known changes, that the steps on a law fulfil which is neither
+ * linear nor the same at all times. The weights of a multistep method are read by probes.
  *
- * @param method  the nearest method
- * @param times   the clocks of its derivatives since the start of the step, in units of deltaT
+ * @param name    the name of the method
+ * @param mistake its change; empty for the method itself
+ * @param places  where the derivatives are: 0 is the old state, 1 the new one, -1 the one before
+ * @param times   their clocks since the start of the step, in units of deltaT
  * @param weights the weights of the old states and of the derivatives
  */
-record SolvedEquation(Known method, double[] times, double[] weights) {
+record SolvedEquation(String name, String mistake, double[] places, double[] times, double[] weights) {
     /** A step this close to an equation is meant to solve it; the iteration leaves about 1e-10. */
     private static final double FITS = 1e-7;
     /** Newton iterations to 1e-10 leave 5e-14, simple ones to 1e-6 leave 1e-6; a tolerance of 1e-2 leaves 3e-5. */
     private static final double SOLVED = 1e-5;
-    private static final double SAME = 1e-4;
-    private static final double MUCH = 10;
     private static final double START = 0.5;
     private static final double[] STEPS = {1.0 / 8, 1.0 / 4, 3.0 / 16, 3.0 / 32, 1.0 / 16, 3.0 / 64, 1.0 / 32, 1.0 / 64,
         1.0 / 128};
+    private static final List<SolvedEquation> ALL = KnownMethods.EQUATIONS.lines().map(line -> line.split(" *[|] *",
+            -1)).map(parts -> new SolvedEquation(parts[0], parts[3], KnownMethods.numbers(parts[1]),
+            KnownMethods.numbers(parts[1]), KnownMethods.numbers(parts[2]))).toList();
 
-    /**
-     * A method's equation.
-     *
-     * @param old    the number of old states
-     * @param places where its derivatives are, from the old state, 0, to the new one, 1; their clocks are to be there
-     */
-    record Known(String name, int old, double[] places, double[] weights) {
-        static Known of(String line) {
-            String[] parts = line.split(" \\| ");
-            return new Known(parts[0], Integer.parseInt(parts[1]), KnownMethods.numbers(parts[2]),
-                    KnownMethods.numbers(parts[3]));
-        }
-
-        /** @return the right clocks, and those of which one is wrong */
-        List<double[]> clocks() {
-            List<double[]> all = new ArrayList<>(List.of(places));
-            for (int j = 0; j < places.length; j++) {
-                for (double time : new double[] {0, 0.5, 1}) {
-                    double[] changed = places.clone();
-                    changed[j] = time;
-                    all.add(changed);
-                }
-            }
-            return all;
-        }
-
-        double residual(Supplier<DESolver> maker, double h, double amplitude) {
-            Made made = Made.by(maker, h, 1, amplitude);
-            return LeastSquares.misfit(made.columns(this, places), weights, made.states.get(0));
-        }
-
-        double derivatives(double[] of) {
-            return Arrays.stream(of, old, of.length).sum();
-        }
+    private int old() {
+        return weights.length - places.length;
     }
 
-    private static final List<Known> METHODS = KnownMethods.EQUATIONS.lines().map(Known::of).toList();
+    private boolean isAdams() {
+        return Arrays.stream(places).anyMatch(place -> place < 0);
+    }
+
+    private boolean isOneStep() {
+        return old() == 1 && !isAdams() && mistake.isEmpty();
+    }
+
+    /** The same with the clock of one derivative at the beginning, in the middle or at the end. */
+    private Stream<SolvedEquation> clocks() {
+        return Stream.concat(Stream.of(this), IntStream.range(0, mistake.isEmpty() ? times.length : 0).boxed().flatMap(
+                j -> Stream.of(0.0, 0.5, 1.0).map(time -> {
+                    double[] changed = times.clone();
+                    changed[j] = time;
+                    return new SolvedEquation(name, mistake, places, changed, weights);
+                })));
+    }
 
     /**
      * @param earlier whether its steps use results of earlier ones
-     * @param named   whether a method is one that the class's name stands for
-     * @return the equation; empty if its steps solve none that is known here
+     * @return the equation; empty if its steps solve none that is known
      */
-    static Optional<SolvedEquation> of(Supplier<DESolver> maker, boolean earlier, Predicate<String> named) {
-        SolvedEquation best = null;
-        double least = FITS;
-        for (double h : earlier ? new double[] {STEPS[0]} : STEPS) {
+    static Optional<SolvedEquation> of(Supplier<DESolver> maker, boolean earlier) {
+        return Arrays.stream(STEPS).limit(earlier ? 1 : STEPS.length).boxed().flatMap(h -> {
             Made made = Made.by(maker, h, earlier ? 6 : 1, 1);
-            for (Known known : made.isStill() ? List.<Known>of() : METHODS) {
-                for (double[] times : known.old > 1 == earlier ? known.clocks() : List.<double[]>of()) {
-                    double[][] columns = made.columns(known, times);
-                    double[] weights = LeastSquares.weights(columns, made.states.get(0))[0];
-                    double misfit = LeastSquares.misfit(columns, weights, made.states.get(0)) / h;
-                    if (misfit < (best == null ? FITS : least / MUCH)) {    // an equation with more terms fits as well
-                        least = misfit;
-                        best = new SolvedEquation(known, times, weights);
-                    }
-                }
-            }
-        }
-        return Optional.ofNullable(best).map(found -> new SolvedEquation(METHODS.stream().filter(known -> known.old
-                == found.method.old && Arrays.equals(known.places, found.method.places)).min(Comparator.comparingDouble(
-                known -> distance(known, found.weights) + (named.test(known.name) ? 0 : SAME))).orElseThrow(),
-                found.times, found.weights));
+            return ALL.stream().filter(known -> known.old() > 1 == earlier && !known.isAdams())
+                    .flatMap(SolvedEquation::clocks).filter(known -> made.misfit(known) < FITS * h).limit(1);
+        }).findFirst();
     }
 
-    private static double distance(Known known, double[] weights) {
-        return SolverContract.distance(known.weights, weights);
+    /** @return the weights of the seventh step of a multistep method; empty if they are not fixed */
+    static Optional<SolvedEquation> ofEarlierSteps(Supplier<DESolver> maker) {
+        return StepReading.of(maker, 1.0 / 16, 1, 7).filter(reading -> !reading.scheme().isOfParticles()).map(step -> {
+            int n = step.evaluations();
+            TreeMap<Double, Double> found = new TreeMap<>(Comparator.reverseOrder());
+            IntStream.range(0, n).forEach(j -> found.merge(Math.rint(step.scheme().times()[j] * 1e9) / 1e9,
+                    step.scheme().rows().get(n)[1 + j] - step.before()[1 + j], Double::sum));
+            found.values().removeIf(weight -> Formula.same(weight, 0));     // evaluated twice at a time: with a
+            double[] times = found.keySet().stream().mapToDouble(t -> t).toArray();         // better state
+            return new SolvedEquation("", "", times, times, DoubleStream.concat(DoubleStream.of(1), found.values()
+                    .stream().mapToDouble(weight -> weight)).toArray());
+        });
     }
 
-    /** @return the mistake in the equation; empty if it is a known one */
-    Optional<Finding> mistake() {
-        if (isKnown()) {
-            return IntStream.range(0, times.length).filter(j -> times[j] != method.places[j]
-                    && Math.abs(weights[method.old + j]) > SAME).mapToObj(j -> Phrase.EQUATION_TIME.of(place(j),
-                    Formula.time(times[j]), Formula.time(method.places[j]))).findFirst();
-        }
-        if (Math.abs(weights[weights.length - 1]) < SAME) {
-            return Optional.of(Phrase.UNSOLVED.of(method.name, text(weights)));
-        }
-        double sum = method.derivatives(weights);
-        double right = method.derivatives(method.weights);
-        boolean same = Math.abs(sum - right) < SAME;
-        return same && times.length > 1 ? Optional.empty()      // a theta method
-                : Optional.of(Phrase.EQUATION.of(text(weights), method.name, text(method.weights), same ? "" : ": the"
-                + " weights of the derivatives add up to " + Formula.number(rational(sum)) + " and have to make "
-                + Formula.number(right) + "; does deltaT stand where deltaT/2 is meant?"));
+    /** @return the mistake in the weights of a multistep method */
+    Optional<Finding> wrongWeights() {
+        List<SolvedEquation> adams = ALL.stream().filter(known -> known.isAdams() && known.times.length
+                == times.length).toList();
+        return adams.stream().filter(known -> Combination.same(weights, known.weights)).findFirst().map(known ->
+                Phrase.TOO_OLD.when(!Arrays.equals(times, known.times), row().formula(), known.name, known.row()
+                .formula())).orElseGet(() -> adams.stream().filter(known -> Arrays.equals(times, known.times)).findFirst()
+                .map(known -> Comparison.differs(row(), known.row(), known.name)));
     }
 
-    /** @return whether the weights are those of the method, whatever the clocks */
-    boolean isKnown() {
-        return distance(method, weights) < SAME;
+    /** @return the mistake in the equation; empty if it is the method's */
+    Optional<Finding> wrong() {
+        SolvedEquation known = ALL.stream().filter(one -> one.name.equals(name)).findFirst().orElseThrow();
+        return Phrase.EQUATION.when(!mistake.isEmpty(), row().formula(), name, known.row().formula(), mistake).or(() ->
+                IntStream.range(0, times.length).filter(j -> times[j] != places[j]).mapToObj(j -> Phrase.EQUATION_TIME.of(
+                place(j), Formula.time(times[j]), Formula.time(places[j]))).findFirst());
+    }
+
+    /** @return the finding for first steps that are less accurate than the formula; empty if they are not */
+    Optional<Finding> poorBeginning(OrderMeasurement measured) {
+        int order = times.length;
+        return Phrase.ADAMS_START.when(measured.order() < order - 0.5 && ALL.stream().anyMatch(known -> known.isAdams()
+                && Combination.same(times, known.times) && Combination.same(weights, known.weights)), order,
+                measured.digits(), order - 1);
     }
 
     private String place(int j) {
-        return method.places[j] == 0 ? "s" : method.places[j] == 1 ? "new" : "(s + new)/2";
+        return places[j] == 0 ? "s" : places[j] == 1 ? "new" : "(s + new)/2";
     }
 
-    private String text(double[] c) {
-        List<String> names = new ArrayList<>(List.of("s", "s(one step before)", "s(two steps before)").subList(0,
-                method.old));
-        IntStream.range(0, times.length).forEach(j -> names.add("deltaT f(" + place(j) + ", "
+    private Combination row() {
+        List<String> names = new ArrayList<>(List.of("s", "s(1 step before)", "s(2 steps before)").subList(0, old()));
+        IntStream.range(0, times.length).forEach(j -> names.add("deltaT f(" + (isAdams() ? "" : place(j) + ", ")
                 + Formula.time(times[j]) + ")"));
-        return Formula.sum(Arrays.stream(c).map(SolvedEquation::rational).toArray(), names);
-    }
-
-    /** The least squares leave about 1e-7. */
-    private static double rational(double x) {
-        return Math.rint(x * 66) / 66;
+        return new Combination("the new state is", names, 0, old(), weights);
     }
 
     /**
@@ -150,9 +129,9 @@ record SolvedEquation(Known method, double[] times, double[] weights) {
      * @return the mistake of an iteration that ends too early, as the residual on a strongly nonlinear law shows
      */
     static Optional<Finding> loose(Supplier<DESolver> maker, String name, double longest) {
-        Known known = METHODS.stream().filter(method -> method.name.equals(name)).findFirst().orElseThrow();
+        SolvedEquation known = ALL.stream().filter(method -> method.name.equals(name)).findFirst().orElseThrow();
         return IntStream.rangeClosed(1, 24).mapToDouble(part -> part * longest / 24).mapToObj(h -> new double[] {h,
-            known.residual(maker, h, 3)}).filter(worst -> worst[1] > SOLVED && Double.isFinite(worst[1])).max(
+            Made.by(maker, h, 1, 3).misfit(known)}).filter(worst -> worst[1] > SOLVED && Double.isFinite(worst[1])).max(
                 Comparator.comparingDouble(worst -> worst[1])).map(worst -> Phrase.LOOSE.of(worst[0], worst[1]));
     }
 
@@ -162,23 +141,22 @@ record SolvedEquation(Known method, double[] times, double[] weights) {
      *
      * @return the mistake of a step that is the first rounds of such an iteration
      */
-    static Optional<Finding> rounds(Supplier<DESolver> maker, Scheme scheme, Optional<NamePromise> promise) {
+    static Optional<Finding> rounds(Supplier<DESolver> maker, Scheme scheme, NamePromise promise) {
         int rounds = scheme.size() - 1;
-        return METHODS.stream().filter(known -> known.old == 1 && !scheme.isOfParticles() && rounds > 0
-                && promise.map(name -> name.methods().contains(known.name)).orElse(rounds > 1 || known
-                == METHODS.get(0))
-                && known.residual(maker, 1.0 / 8, 1) > StrictMath.pow(2, rounds + 1.6) * known.residual(maker, 1.0 / 16,
-                1)).findFirst().map(known -> Phrase.ROUNDS.of(rounds == 1 ? "one round" : rounds + " rounds",
-                known.name));
+        return ALL.stream().filter(known -> known.isOneStep() && !scheme.isOfParticles() && rounds > 0
+                && (promise.isGiven() ? promise.methods().contains(known.name) : rounds > 1 || known == ALL.get(0))
+                && Made.by(maker, 1.0 / 8, 1, 1).misfit(known) > StrictMath.pow(2, rounds + 1.6) * Made.by(maker, 1.0
+                / 16, 1, 1).misfit(known)).findFirst().map(known -> Phrase.ROUNDS.of(rounds == 1 ? "one round"
+                : rounds + " rounds", known.name));
     }
 
     /**
      * What a solver made of a source.
      *
+     * @param steps  the number of steps
      * @param states the latest first; NaN if the solver gave up
-     * @param start  the time before the last step (s)
      */
-    private record Made(NonlinearOscillators source, double h, List<double[]> states, double start) {
+    private record Made(NonlinearOscillators source, double h, int steps, List<double[]> states) {
         static Made by(Supplier<DESolver> maker, double h, int steps, double amplitude) {
             NonlinearOscillators source = new NonlinearOscillators(2);
             source.startAt(START);
@@ -187,33 +165,34 @@ record SolvedEquation(Known method, double[] times, double[] weights) {
             source.setState(s);
             DESolver solver = maker.get();
             List<double[]> states = new ArrayList<>(List.of(s, s, s, s));
-            double start = START;
             try {
                 for (int step = 0; step < steps; step++) {
-                    start = source.getTime();
                     solver.stepState(source, h);
                     states.add(0, source.getState());
                 }
             } catch (RuntimeException e) {              // too long a step for it
                 states.forEach(state -> Arrays.fill(state, Double.NaN));
             }
-            return new Made(source, h, states, start);
+            return new Made(source, h, steps, states);
         }
 
-        boolean isStill() {
-            return Arrays.equals(states.get(0), states.get(1));
-        }
-
-        double[][] columns(Known known, double[] times) {
-            return IntStream.range(0, known.old + times.length).mapToObj(j -> j < known.old ? states.get(1 + j)
-                    : rate(known.places[j - known.old], times[j - known.old])).toArray(double[][]::new);
-        }
-
-        private double[] rate(double place, double time) {
+        /** @return how far the step is off an equation; NaN without a step */
+        double misfit(SolvedEquation known) {
             double[] s = states.get(1);
-            source.setState(Combination.plus(s, place, Combination.plus(states.get(0), -1, s)));
-            source.incTime(start + time * h - source.getTime());
-            double[] dSdt = new double[s.length];
+            double[] said = {};
+            for (int j = 0; j < known.weights.length; j++) {
+                int derivative = j - known.old();
+                said = Combination.plus(said, known.weights[j], derivative < 0 ? states.get(1 + j) : rate(
+                        Combination.plus(s, known.places[derivative], Combination.plus(states.get(0), -1, s)),
+                        known.times[derivative]));
+            }
+            return Arrays.equals(s, states.get(0)) ? Double.NaN : SolverContract.distance(said, states.get(0));
+        }
+
+        private double[] rate(double[] at, double time) {
+            source.setState(at);
+            source.incTime(START + (steps - 1 + time) * h - source.getTime());
+            double[] dSdt = new double[at.length];
             source.getStateDerivative(dSdt);
             return Combination.plus(new double[0], h, dSdt);
         }

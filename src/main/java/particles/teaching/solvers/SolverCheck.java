@@ -12,6 +12,7 @@ import particles.teaching.Finding;
 import particles.teaching.StudentFailure;
 import particles.teaching.contract.SolverContract;
 import particles.teaching.sources.Springs;
+import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 
 /**
@@ -32,7 +33,7 @@ public final class SolverCheck {
     private static final String UNREAD = "This is a method without fixed coefficients, adaptive or implicit";
 
     private final Supplier<DESolver> maker;
-    private final Optional<NamePromise> promise;
+    private final NamePromise promise;
     private final ExplicitMethod explicit;
     private final UnreadMethod unread;
     private final List<Finding> findings = new ArrayList<>();
@@ -42,7 +43,7 @@ public final class SolverCheck {
     private SolverCheck(Supplier<DESolver> maker, String className) {
         this.maker = maker;
         promise = NamePromise.of(className);
-        explicit = new ExplicitMethod(maker, promise, () -> measurement().order());
+        explicit = new ExplicitMethod(maker, promise, this::measurement);
         unread = new UnreadMethod(maker);
     }
 
@@ -59,14 +60,14 @@ public final class SolverCheck {
 
     /** @return the method that a class's name promises, such as velocity Verlet; empty if it promises none */
     public static String promise(String className) {
-        return NamePromise.of(className).map(NamePromise::says).orElse("");
+        return NamePromise.of(className).says();
     }
 
     private SolverVerdict verdict() {
         String identity = "Its step cannot be judged yet.";
         boolean multistep = false;
         try {
-            first().ifPresent(findings::add);
+            start().ifPresent(findings::add);
             if (findings.isEmpty()) {
                 boolean remembers = remembers();
                 multistep = remembers && unread.evaluations(1, SHORT) == unread.evaluations(1, LONG);
@@ -80,21 +81,19 @@ public final class SolverCheck {
     }
 
     /** Whether it makes a step at all, and the same one each time. */
-    private Optional<Finding> first() {
+    private Optional<Finding> start() {
         WindyOscillators source = new WindyOscillators(2);
         WindyOscillators again = source.copy();
         double[] before = source.getState();
         DESolver solver = maker.get();
         solver.stepState(source, SHORT);
-        Optional<Finding> none = Phrase.NOTHING_YET.when(Arrays.equals(before, source.getState()) && (solver
-                instanceof FixedStepSolver || !source.isSet() && source.timeMoves() == 0)).or(() ->
-                Phrase.NOT_FINITE.when(!Double.isFinite(Arrays.stream(source.getState()).sum())));
-        if (none.isPresent()) {
-            return none;
-        }
-        maker.get().stepState(again, SHORT);
-        return Phrase.NOT_REPEATABLE.when(!Arrays.equals(again.getState(), source.getState()) || again.getTime()
-                != source.getTime()).or(unread::mixed);
+        return Phrase.NOTHING_YET.when(Arrays.equals(before, source.getState()) && (solver instanceof FixedStepSolver
+                || !source.isSet() && source.timeMoves() == 0)).or(() -> Phrase.NOT_FINITE.when(!Double.isFinite(
+                Arrays.stream(source.getState()).sum()))).or(() -> {
+                    maker.get().stepState(again, SHORT);
+                    return Phrase.NOT_REPEATABLE.when(!Arrays.equals(again.getState(), source.getState())
+                            || again.getTime() != source.getTime());
+                }).or(() -> Search.first(unread::mixed));
     }
 
     /** Finds mistakes, and the method. */
@@ -115,21 +114,16 @@ public final class SolverCheck {
     }
 
     private OrderMeasurement measurement() {
-        if (measured.isEmpty()) {
-            measured = Optional.of(OrderMeasurement.lowest(maker));
-        }
+        measured = measured.or(() -> Optional.of(OrderMeasurement.lowest(maker)));
         return measured.get();
     }
 
     /** Whether it is a method of the kind that its name says. */
     private Optional<Finding> promised(Diagnosis diagnosis, boolean remembers) {
-        if (promise.isEmpty() && diagnosis.method().equals(KnownMethods.EULER)) {
-            return Phrase.OLD_VELOCITY.when(SolverContract.isForParticles(maker));
-        }
-        return promise.flatMap(name -> name.remembers() && !remembers ? Optional.of(Phrase.NOTHING_EARLIER.of(
-                name.says())) : name.adapts() && diagnosis.order() > 0 ? Optional.of(Phrase.NO_CONTROL.of())
-                : diagnosis.method().isEmpty() ? Optional.empty() : name.contradicted(diagnosis.method(),
-                diagnosis.order()));
+        return !promise.isGiven() ? Phrase.OLD_VELOCITY.when(diagnosis.method().equals(KnownMethods.EULER)
+                && SolverContract.isForParticles(maker)) : Phrase.NOTHING_EARLIER.when(promise.kind().equals("earlier")
+                && !remembers, promise.says()).or(() -> Phrase.NO_CONTROL.when(promise.adapts() && diagnosis.order()
+                > 0)).or(() -> promise.contradicted(diagnosis.method(), diagnosis.order()));
     }
 
     private boolean isWrong() {
@@ -159,17 +153,13 @@ public final class SolverCheck {
 
     /** The diagnosis of a method whose steps use results of earlier ones. */
     private Diagnosis remembering(boolean multistep) {
-        WindyOscillators source = new WindyOscillators(1);
-        DESolver solver = maker.get();
-        solver.stepState(source, SHORT);
-        long once = source.getEvaluations();
-        solver.stepState(source, SHORT);
-        boolean equation = SolvedEquation.of(maker, true, name -> true).filter(found -> found.mistake().isEmpty())
-                .isPresent();
-        return new Diagnosis(multistep || equation ? MULTISTEP : UNREAD, source.getEvaluations() == once ? Optional.of(
-                Phrase.STALE.of()) : clock.isPresent() || !multistep ? clock : SolverContract.memory(maker, true,
-                true).or(() -> measurement().order() > wanted(true) - 0.5 ? Optional.empty() : EarlierSteps.of(maker)
-                .flatMap(EarlierSteps::wrongWeights)));
+        long once = StudentSource.after(new WindyOscillators(1), maker.get(), 1, SHORT).getEvaluations();
+        long twice = StudentSource.after(new WindyOscillators(1), maker.get(), 2, SHORT).getEvaluations();
+        boolean equation = SolvedEquation.of(maker, true).filter(found -> found.wrong().isEmpty()).isPresent();
+        return new Diagnosis(multistep || equation ? MULTISTEP : UNREAD, twice == once ? Optional.of(Phrase.STALE.of())
+                : clock.isPresent() || !multistep ? clock : SolverContract.memory(maker, true, true).or(() ->
+                measurement().order() > wanted(true) - 0.5 ? Optional.empty() : SolvedEquation.ofEarlierSteps(maker)
+                .flatMap(SolvedEquation::wrongWeights)));
     }
 
     /**
@@ -177,33 +167,26 @@ public final class SolverCheck {
      * reset in time.
      */
     private Optional<Finding> afterContract(boolean multistep) {
-        Optional<Finding> begins = multistep ? EarlierSteps.of(maker).flatMap(reading -> reading.poorBeginning(
-                measurement().order())) : Optional.empty();
-        return begins.or(() -> poorOrder(multistep, () -> (multistep ? Optional.<Finding>empty() : firstSubStep(
-                finding -> true)).or(() -> SolvedEquation.of(maker, true, name -> true).flatMap(
-                SolvedEquation::mistake))));
+        return poorOrder(multistep, () -> multistep ? Optional.empty() : firstSubStep(finding -> true), () ->
+                SolvedEquation.of(maker, true).flatMap(SolvedEquation::wrong));
     }
 
     /** The diagnosis of an implicit method whose equation is known. */
     private Optional<Diagnosis> equation() {
-        Optional<SolvedEquation> found = SolvedEquation.of(maker, false, name -> promise.filter(words ->
-                words.methods().contains(name)).isPresent()).filter(equation -> equation.isKnown() || equation.mistake()
-                .isPresent());
-        return found.map(equation -> equation.method().name()).or(() -> promise.filter(NamePromise::isImplicit)
-                .flatMap(name -> name.methods().stream().findFirst())).map(name -> new Diagnosis("This is " + name,
-                found.flatMap(SolvedEquation::mistake).or(unread::unstable).or(() -> SolvedEquation.loose(maker, name,
-                unread.solvesWithMatrix() ? 0.5 : 3.0 / 32)).stream().toList(), 0, found.map(known -> name).orElse(
-                "")));
+        Optional<SolvedEquation> found = SolvedEquation.of(maker, false);
+        return found.map(SolvedEquation::name).or(() -> promise.methods().stream().filter(name ->
+                promise.isImplicit()).findFirst()).map(name -> new Diagnosis("This is " + name, Search.first(
+                () -> found.flatMap(SolvedEquation::wrong), unread::unstable, () -> SolvedEquation.loose(maker, name,
+                unread.solvesWithMatrix() ? 0.5 : 3.0 / 32)).stream().toList(), 0, found.isPresent() ? name : ""));
     }
 
     /** The diagnosis of a method whose coefficients cannot be read. */
     private Diagnosis measured() {
-        return new Diagnosis(UNREAD, clock.or(unread::entryByEntry)
-                .or(() -> vanishes(measurement()) ? Optional.empty() : unread.rejectedClock())
-                .or(() -> firstSubStep(finding -> finding.kind() != Finding.Kind.METHOD))
-                .or(unread::uncut)
-                .or(() -> poorOrder(false, () -> firstSubStep(finding -> true).or(unread::unstable)))
-                .or(this::stageClocks).or(unread::uncontrolled).or(unread::asymmetric).or(unread::unstable));
+        boolean far = !vanishes();
+        return new Diagnosis(UNREAD, clock.or(() -> Search.first(unread::entryByEntry, () -> far
+                ? unread.rejectedClock() : Optional.empty(), () -> firstSubStep(finding -> finding.kind()
+                != Finding.Kind.METHOD), unread::uncut, () -> poorOrder(false, () -> firstSubStep(finding -> true),
+                unread::unstable), this::stageClocks, unread::uncontrolled, unread::asymmetric, unread::unstable)));
     }
 
     /** A mistake in the first sub-step of an adaptive method, which it accepts where derivatives are tiny. */
@@ -212,42 +195,38 @@ public final class SolverCheck {
                 which.and(Finding::isWrong)).findFirst();
     }
 
-    private static boolean vanishes(OrderMeasurement measurement) {
-        return measurement.order() >= LOWEST_ORDER || measurement.smallest()[1] < SMALL_ERROR;
+    private boolean vanishes() {
+        return measurement().order() >= LOWEST_ORDER || measurement().smallest()[1] < SMALL_ERROR;
     }
 
     /** Whether the measured order is that of the coefficients. */
     private Optional<Finding> heldBy(Diagnosis diagnosis) {
-        int order = diagnosis.order();
-        return order == 0 ? Optional.empty() : Phrase.OTHER_STEPS.when(measurement().order() < order - 0.5,
-                ExplicitMethod.twoDigits(measurement().order()), order);
+        return diagnosis.order() == 0 ? Optional.empty() : Phrase.OTHER_STEPS.when(measurement().order()
+                < diagnosis.order() - 0.5, measurement().digits(), diagnosis.order());
     }
 
     /** Whether the order falls where forces change with time. */
     private Optional<Finding> stageClocks() {
-        double constant = OrderMeasurement.of(maker, Springs::new).order();
-        double changing = OrderMeasurement.of(maker).order();
-        return Phrase.STAGE_CLOCKS.when(constant > changing + 0.7, ExplicitMethod.twoDigits(changing),
-                ExplicitMethod.twoDigits(constant));
+        OrderMeasurement constant = OrderMeasurement.of(maker, Springs::new);
+        OrderMeasurement changing = OrderMeasurement.of(maker);
+        return Phrase.STAGE_CLOCKS.when(constant.order() > changing.order() + 0.7, changing.digits(),
+                constant.digits());
     }
 
     /** The lowest order that the name allows; to use earlier steps without gaining order does not pay. */
     private int wanted(boolean multistep) {
-        return Math.max(multistep ? 2 : 0, promise.map(NamePromise::order).orElse(0));
+        return Math.max(multistep ? 2 : 0, promise.order());
     }
 
     /** Whether the error goes to 0, and as fast as the class's name promises. */
-    private Optional<Finding> poorOrder(boolean multistep, Supplier<Optional<Finding>> causes) {
-        OrderMeasurement measurement = measurement();
-        boolean vanishes = vanishes(measurement);
-        double order = measurement.order();
-        if (vanishes && (Double.isNaN(order) || order > wanted(multistep) - 0.5)) {
-            return Optional.empty();
-        }
-        Optional<Finding> far = vanishes ? Optional.empty() : unread.elsewhere();
-        return far.or(causes).or(() -> Optional.of(vanishes ? Phrase.NAME_ORDER.of(ExplicitMethod.twoDigits(order),
-                promise.map(name -> "the name promises " + name.saysWithOrder()).orElse("a method that uses derivatives"
-                + " of earlier steps has at least order 2")) : Phrase.NO_CONVERGENCE.of(measurement.smallest()[1],
-                measurement.smallest()[0])));
+    private Optional<Finding> poorOrder(boolean multistep, Search cause, Search other) {
+        OrderMeasurement order = measurement();
+        boolean far = !vanishes();
+        return Search.first(() -> multistep ? SolvedEquation.ofEarlierSteps(maker).flatMap(reading ->
+                reading.poorBeginning(order)) : Optional.empty()).or(() -> !far && !(order.order() <= wanted(multistep)
+                - 0.5) ? Optional.empty() : Search.first(() -> far ? unread.elsewhere() : Optional.empty(), cause,
+                other, () -> Phrase.NO_CONVERGENCE.when(far, order.smallest()[1], order.smallest()[0]), () ->
+                Optional.of(Phrase.NAME_ORDER.of(order.digits(), promise.isGiven() ? promise.saysWithOrder()
+                : "a method that uses derivatives of earlier steps has at least order 2"))));
     }
 }

@@ -2,7 +2,7 @@ package particles.teaching.solvers;
 
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.function.ToDoubleFunction;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.Finding;
@@ -31,8 +31,8 @@ record StepRules(StepReading step, StepReading twice, Optional<StepReading> back
             return false;
         }
         Stream.concat(scheme.isOfParticles() ? Stream.empty() : scheme.stages().stream(), scheme.ends().stream())
-                .filter(row -> !Formula.same(row.weight(0), 1)).forEach(row -> wrong.accept(Phrase.OLD_STATE.of(
-                row.what(), row.formula(), row.weight(0), row.names().get(0), row.weight(0) == 0
+                .filter(row -> !Formula.same(row.ofOwn(), 1)).forEach(row -> wrong.accept(Phrase.OLD_STATE.of(
+                row.what(), row.formula(), row.ofOwn(), row.state(), row.ofOwn() == 0
                 ? "the old state is lost; add to it with += (and 1/3 of whole numbers is 0 in Java)"
                 : scheme.isOfParticles() ? "a factor is damping, which the equation does not have"
                 : "the weights of the states in a mean have to add up to 1 (and 1/3 of whole numbers is 0 in Java)")));
@@ -42,30 +42,28 @@ record StepRules(StepReading step, StepReading twice, Optional<StepReading> back
     /** A step may end with the derivative at its new state, kept for the next one (FSAL), or for nothing. */
     private boolean evaluatesTheNewState(Scheme scheme) {
         int last = step.evaluations() - 1;
-        return last > 0 && !KnownMethods.isStagesOfAny(scheme) && Formula.same(step.clock(last), 1)
-                && Formula.same(step.increment(), 1);
+        return last > 0 && !KnownMethods.isStagesOfAny(scheme) && Formula.same(scheme.times()[last], 1)
+                && Formula.same(scheme.ends().get(0).increment(), 1);
     }
 
     /** @return whether the step is made with deltaT, so that its weights can be compared */
-    boolean checkDeltaT(Scheme scheme) {
-        Combination end = scheme.ends().get(0);
-        IntStream.range(1, scheme.isOfParticles() ? 1 : step.evaluations()).forEach(i -> checkDeltaT(scheme.stages()
-                .get(i), reading -> reading.increment(i)));
-        return checkDeltaT(end, StepReading::increment) && (!scheme.isOfParticles()
-                || checkDeltaT(scheme.ends().get(1), StepReading::moved));
+    boolean checkDeltaT() {
+        Scheme scheme = step.scheme();
+        IntStream.range(1, scheme.isOfParticles() ? 1 : scheme.size()).forEach(i -> checkDeltaT(one -> one.stages()
+                .get(i)));
+        return IntStream.range(0, scheme.ends().size()).allMatch(i -> checkDeltaT(one -> one.ends().get(i)));
     }
 
-    private boolean checkDeltaT(Combination row, ToDoubleFunction<StepReading> weight) {
-        Optional<String> fault = fault(weight);
+    private boolean checkDeltaT(Function<Scheme, Combination> which) {
+        Combination row = which.apply(step.scheme());
+        Optional<String> fault = fault(row.moves(), which.apply(twice.scheme()).moves(), back.map(reading ->
+                which.apply(reading.scheme()).moves()).orElse(Double.NaN));
         fault.ifPresent(text -> wrong.accept(Phrase.DELTA_T.of(row.what(), row.formula(), text)));
         return fault.isEmpty();
     }
 
     /** The mistake behind the change of a weight, in units of deltaT, when deltaT is doubled and its sign changes. */
-    private Optional<String> fault(ToDoubleFunction<StepReading> weight) {
-        double once = weight.applyAsDouble(step);
-        double doubled = weight.applyAsDouble(twice);
-        double negative = back.map(weight::applyAsDouble).orElse(Double.NaN);
+    private Optional<String> fault(double once, double doubled, double negative) {
         double ratio = doubled / once;
         double seconds = once * step.h();
         if (Formula.same(once, 0) || Formula.same(ratio, 1)) {

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
 import particles.teaching.contract.SolverContract;
@@ -15,10 +16,11 @@ import particles.teaching.sources.NonlinearOscillators;
 import particles.teaching.sources.Probe;
 import particles.teaching.sources.Springs;
 import particles.teaching.sources.StiffDecay;
+import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 
 /** Looks for mistakes of methods without fixed coefficients, in their evaluations and in the time that they reach. */
-final class UnreadMethod {
+record UnreadMethod(Supplier<DESolver> maker) {
     private static final double H = 1.0 / 16;
     /** Where nothing is symmetric in time (s). */
     private static final double START = 0.5;
@@ -40,58 +42,46 @@ final class UnreadMethod {
     private static final int PARTS = 240;
     private static final double MUCH_BETTER = 0.05;
 
-    private final Supplier<DESolver> maker;
-
-    UnreadMethod(Supplier<DESolver> maker) {
-        this.maker = maker;
+    /** @return the source after a step of a new solver */
+    private <S extends StudentSource> S after(S source, double deltaT) {
+        return StudentSource.after(source, maker.get(), 1, deltaT);
     }
 
-    /** A search that finds nothing where the solver refuses such steps. */
-    private static Optional<Finding> unlessRefused(Supplier<Optional<Finding>> search) {
-        try {
-            return search.get();
-        } catch (RuntimeException e) {
-            return Optional.empty();                    // it wants another source, or shorter steps
-        }
+    private static WindyOscillators windy(int particles, double start) {
+        WindyOscillators source = new WindyOscillators(particles);
+        source.startAt(start);
+        return source;
     }
 
     /** @return the mistake if an entry of the new state changes with another one's state or derivative */
     Optional<Finding> mixed() {
-        return unlessRefused(() -> {
-            double[] usual = stepWith(-1);
-            for (int j = 0; j < SIZE; j++) {
-                double[] other = stepWith(j);
-                for (int k = 0; k < SIZE; k++) {
-                    boolean own = k == j || k == j - 3 && k % 6 < 3;    // a velocity moves the position, too
-                    if (!own && Math.abs(other[k] - usual[k]) > ALIKE * StepReading.TINY) {
-                        return Optional.of(Phrase.LAYOUT.of(k, j));
-                    }
+        double[] usual = stepWith(-1);
+        for (int j = 0; j < SIZE; j++) {
+            double[] other = stepWith(j);
+            for (int k = 0; k < SIZE; k++) {
+                boolean own = k == j || k == j - 3 && k % 6 < 3;    // a velocity moves the position, too
+                if (!own && Math.abs(other[k] - usual[k]) > ALIKE * StepReading.TINY) {
+                    return Optional.of(Phrase.LAYOUT.of(k, j));
                 }
             }
-            return Optional.empty();
-        });
+        }
+        return Optional.empty();
     }
 
     /** The state after a step with derivatives that never change, where one entry has another state and derivative. */
     private double[] stepWith(int changed) {
         double[] numbers = new Random(9).doubles(SIZE, StepReading.TINY, 2 * StepReading.TINY).toArray();
         Arrays.setAll(numbers, k -> k == changed ? -2 * numbers[k] : numbers[k]);
-        Probe probe = new Probe.OfParticles(numbers, START, (evaluation, dSdt) -> System.arraycopy(numbers, 0, dSdt, 0,
-                SIZE), MOST, false);
-        maker.get().stepState(probe, H);
-        return probe.getState();
+        return after(new Probe.OfParticles(numbers, START, (evaluation, dSdt) -> System.arraycopy(numbers, 0, dSdt, 0,
+                SIZE), MOST, false), H).getState();
     }
 
     /** @return the mistake if the derivative is evaluated for each entry, between two that are written */
     Optional<Finding> entryByEntry() {
-        return unlessRefused(() -> {
-            WindyOscillators source = new WindyOscillators(2);
-            source.startAt(START);
-            maker.get().stepState(source, H);
-            List<double[]> at = source.evaluatedAt();
-            return Phrase.ENTRY_BY_ENTRY.when(source.getEvaluations() == SIZE && evaluations(1, H) == SIZE / 2
-                    && !Arrays.equals(at.get(0), at.get(1)), SIZE);
-        });
+        WindyOscillators source = after(windy(2, START), H);
+        List<double[]> at = source.evaluatedAt();
+        return Phrase.ENTRY_BY_ENTRY.when(source.getEvaluations() == SIZE && evaluations(1, H) == SIZE / 2
+                && !Arrays.equals(at.get(0), at.get(1)), SIZE);
     }
 
     /** @return the mistake if the derivative is evaluated at the old state and another clock, after a longer trial */
@@ -100,8 +90,8 @@ final class UnreadMethod {
         double[] start = random.doubles(SIZE).toArray();
         Probe probe = new Probe(start, START, (evaluation, dSdt) -> Arrays.setAll(dSdt, k -> SIZE
                 * random.nextDouble()), SIZE);
-        unlessRefused(() -> {
-            maker.get().stepState(probe, LONG);
+        Search.first(() -> {
+            after(probe, LONG);
             return Optional.empty();
         });
         return Phrase.REJECTED_CLOCK.when(probe.recorded().stream().anyMatch(made -> made.time() != START
@@ -110,31 +100,15 @@ final class UnreadMethod {
 
     /** @return the mistake of a method that solves with a matrix and is not stable; empty if it is stable */
     Optional<Finding> unstable() {
-        return unlessRefused(() -> {
-            if (!solvesWithMatrix()) {
-                return Optional.empty();
-            }
-            for (double deltaT : new double[] {0.5 / StiffDecay.RATE, 1}) {
-                double size = decay(deltaT * StiffDecay.RATE);
-                if (!(size <= GROWS)) {
-                    return Optional.of(Phrase.UNSTABLE.of(deltaT, "y in y' = -1000 y", size));
-                }
-            }
-            Springs springs = new Springs();
-            DESolver solver = maker.get();
-            for (int step = 0; step < 8; step++) {
-                solver.stepState(springs, 4);
-            }
-            double growth = 2 * springs.energy();       // from 1
-            return Phrase.UNSTABLE.when(!(growth <= 20), 4.0, "the amplitude of the spring x'' = -x", StrictMath.pow(
-                    growth, 1.0 / 16));
-        });
-    }
-
-    private double decay(double z) {
-        StiffDecay decay = new StiffDecay();
-        maker.get().stepState(decay, z / StiffDecay.RATE);
-        return decay.size();
+        if (!solvesWithMatrix()) {
+            return Optional.empty();
+        }
+        double growth = 2 * StudentSource.after(new Springs(), maker.get(), 8, 4).energy();      // from 1
+        return Stream.of(0.5 / StiffDecay.RATE, 1.0).map(deltaT -> {
+            double size = after(new StiffDecay(), deltaT).size();
+            return Phrase.UNSTABLE.when(!(size <= GROWS), deltaT, "y in y' = -1000 y", size);
+        }).flatMap(Optional::stream).findFirst().or(() -> Phrase.UNSTABLE.when(!(growth <= 20), 4.0, "the amplitude of"
+                + " the spring x'' = -x", StrictMath.pow(growth, 1.0 / 16)));
     }
 
     /**
@@ -142,22 +116,13 @@ final class UnreadMethod {
      *         one long step than in several short ones
      */
     Optional<Finding> uncontrolled() {
-        return unlessRefused(() -> {
-            WindyOscillators once = new WindyOscillators(1);
-            WindyOscillators often = new WindyOscillators(1);
-            once.startAt(START);
-            often.startAt(START);
-            maker.get().stepState(once, LONG);
-            int moves = once.timeMoves();
-            DESolver solver = maker.get();
-            for (int step = 0; step < SHORT_STEPS; step++) {
-                solver.stepState(often, LONG / SHORT_STEPS);
-            }
-            double error = once.error();
-            boolean far = error < DIVERGED && (error > FAR || error > LITTLE && error > MUCH * often.error());
-            return moves <= often.timeMoves() / 2 || !far ? Optional.empty() : rejectedClock().or(() -> uncut(
-                    LONG)).or(() -> Optional.of(Phrase.UNCONTROLLED.of(error, LONG, often.error(), SHORT_STEPS)));
-        });
+        WindyOscillators once = after(windy(1, START), LONG);
+        int moves = once.timeMoves();
+        WindyOscillators often = StudentSource.after(windy(1, START), maker.get(), SHORT_STEPS, LONG / SHORT_STEPS);
+        double error = once.error();
+        boolean far = error < DIVERGED && (error > FAR || error > LITTLE && error > MUCH * often.error());
+        return moves <= often.timeMoves() / 2 || !far ? Optional.empty() : rejectedClock().or(() -> uncut(LONG)).or(
+                () -> Optional.of(Phrase.UNCONTROLLED.of(error, LONG, often.error(), SHORT_STEPS)));
     }
 
     /** @return the mistake of a method whose last sub-step leads beyond t + deltaT; the clock may be set back */
@@ -166,14 +131,31 @@ final class UnreadMethod {
     }
 
     private Optional<Finding> uncut(double deltaT) {
-        return unlessRefused(() -> {
-            WindyOscillators source = new WindyOscillators(1);
-            maker.get().stepState(source, deltaT);
-            double error = source.error();
-            double place = best(source, deltaT, best(source, deltaT, 1, 1), 1.0 / PARTS);
-            return Phrase.PARTS.when(error > LITTLE && error(source, deltaT, place) < LITTLE * error, Formula.time(
-                    Math.rint(1000 * place) / 1000));
-        });
+        return otherTime(deltaT, LITTLE).map(place -> Phrase.PARTS.of(Formula.time(place)));
+    }
+
+    /** @return the mistake if the state after a step is that of another time than t + deltaT */
+    Optional<Finding> elsewhere() {
+        return otherTime(H, MUCH_BETTER).map(place -> Phrase.ELSEWHERE.of(H, Formula.time(place), place));
+    }
+
+    /** The time, in units of deltaT, that suits the state after a step far better than the step's end. */
+    private Optional<Double> otherTime(double deltaT, double better) {
+        WindyOscillators source = after(new WindyOscillators(1), deltaT);
+        double error = source.error();
+        double place = best(source, deltaT, best(source, deltaT, 1, 1), 1.0 / PARTS);
+        return Optional.of(Math.rint(PARTS * place) / PARTS).filter(time -> error > LITTLE && error(source, deltaT,
+                place) < better * error);
+    }
+
+    private static double best(WindyOscillators source, double deltaT, double centre, double width) {
+        return IntStream.rangeClosed(-PARTS, PARTS).mapToObj(part -> centre + width * part / PARTS).min(
+                Comparator.comparingDouble(place -> error(source, deltaT, place))).orElseThrow();
+    }
+
+    private static double error(WindyOscillators source, double deltaT, double place) {
+        source.incTime(deltaT * place - source.getTime());
+        return source.error();
     }
 
     /**
@@ -181,13 +163,11 @@ final class UnreadMethod {
      *         other side
      */
     Optional<Finding> asymmetric() {
-        return unlessRefused(() -> {
-            double[] first = swing(0, 1);
-            double other = SolverContract.distance(first, swing(2, 1));
-            double mirrored = SolverContract.distance(first, swing(0, -1));
-            return Phrase.LARGEST_ERROR.when(other > ALIKE, SWING, other).or(() -> Phrase.ABSOLUTE_ERROR.when(mirrored
-                    > ALIKE, SWING, mirrored));
-        });
+        double[] first = swing(0, 1);
+        double other = SolverContract.distance(first, swing(2, 1));
+        double mirrored = SolverContract.distance(first, swing(0, -1));
+        return Phrase.LARGEST_ERROR.when(other > ALIKE, SWING, other).or(() -> Phrase.ABSOLUTE_ERROR.when(mirrored
+                > ALIKE, SWING, mirrored));
     }
 
     /** @return position and velocity of a spring after a step, times the sign of its start */
@@ -196,46 +176,21 @@ final class UnreadMethod {
         double[] state = new double[springs.getStateSize()];
         state[coordinate] = start;
         springs.setState(state);
-        maker.get().stepState(springs, SWING);
-        double[] after = springs.getState();
-        return new double[] {start * after[coordinate], start * after[coordinate + 3]};
+        double[] end = after(springs, SWING).getState();
+        return new double[] {start * end[coordinate], start * end[coordinate + 3]};
     }
 
     /** @return the number of evaluations in a step; -1 if it is too long for the solver */
     long evaluations(int particles, double deltaT) {
-        NonlinearOscillators source = new NonlinearOscillators(particles);
         try {
-            maker.get().stepState(source, deltaT);
+            return after(new NonlinearOscillators(particles), deltaT).getEvaluations();
         } catch (RuntimeException e) {
             return -1;
         }
-        return source.getEvaluations();
-    }
-
-    /** @return the mistake if the state after a step is that of another time than t + deltaT */
-    Optional<Finding> elsewhere() {
-        return unlessRefused(() -> {
-            WindyOscillators source = new WindyOscillators(1);
-            maker.get().stepState(source, H);
-            double here = error(source, H, 1);
-            double place = best(source, H, 1, 1);
-            return Phrase.ELSEWHERE.when(error(source, H, place) <= MUCH_BETTER * here, H, Formula.time(place), place);
-        });
-    }
-
-    /** The place around another one, in units of deltaT, whose time suits the state best. */
-    private static double best(WindyOscillators source, double deltaT, double centre, double width) {
-        return IntStream.rangeClosed(-PARTS, PARTS).mapToObj(part -> centre + width * part / PARTS).min(
-                Comparator.comparingDouble(place -> error(source, deltaT, place))).orElseThrow();
     }
 
     /** Whether the derivative is evaluated once more for each entry, as for a matrix of differences. */
     boolean solvesWithMatrix() {
         return evaluations(2, H) >= evaluations(1, H) + SIZE / 2;
-    }
-
-    private static double error(WindyOscillators source, double deltaT, double place) {
-        source.incTime(deltaT * place - source.getTime());
-        return source.error();
     }
 }

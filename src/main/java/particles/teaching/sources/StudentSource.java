@@ -1,5 +1,6 @@
 package particles.teaching.sources;
 
+import deSolvers.DESolver;
 import deSolvers.problems.ReferenceProblem;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -29,6 +30,19 @@ public abstract class StudentSource extends ReferenceProblem {
      */
     public StudentSource(double time, double[] start) {
         super(time, start);
+    }
+
+    /**
+     * Lets a solver make steps.
+     *
+     * @param deltaT the length of each step (s)
+     * @return the source
+     */
+    public static <S extends StudentSource> S after(S source, DESolver solver, int steps, double deltaT) {
+        for (int step = 0; step < steps; step++) {
+            solver.stepState(source, deltaT);
+        }
+        return source;
     }
 
     /** @return the lengths of arrays that were not as long as the state */

@@ -161,7 +161,6 @@ final class HandwrittenSolvers {
                         "^state: the state was set from outside, as a collision does, and the"
                         + " step afterwards still uses the steps before it",
                         PlantedSolvers.AdamsBashforth2::new),
-                wrong("AdamsBashforth2", "the old derivative is static", "static", Shared::new),
                 wrong("BogackiShampine", "derivative of the step before", "derivative|kept", () -> new Fsal("always")),
                 wrong("VerletSolver", "acceleration kept without a test", "kept|derivative", KeptAcceleration::new),
                 wrong("Mine", "deltaT of the first call", KEPT, () -> new OtherDeltaT(true)),
@@ -510,38 +509,6 @@ final class HandwrittenSolvers {
                 s[i] += h / 2 * a[i];
             }
             source.setState(s);
-        }
-
-        @Override
-        public void reset() {
-            last = null;
-        }
-    }
-
-    /** Adams-Bashforth 2 that begins by Heun; one field is static. */
-    private static final class Shared extends DESolver {
-        private static double[] previous = {};
-        private DEStateSource last;
-        private double time;
-        private double length;
-        private double[] left = {};
-
-        @Override
-        public void stepState(DEStateSource source, double h) {
-            double[] s = state(source);
-            double[] f = slope(source);
-            if (source == last && source.getTime() == time && h == length && Arrays.equals(s, left)) {
-                left = plus(plus(s, 1.5 * h, f), -0.5 * h, previous);
-                source.incTime(h);
-            } else {
-                source.incTime(h);
-                left = plus(plus(s, h / 2, f), h / 2, slopeAt(source, plus(s, h, f)));
-            }
-            source.setState(left);
-            previous = f;
-            last = source;
-            time = source.getTime();
-            length = h;
         }
 
         @Override

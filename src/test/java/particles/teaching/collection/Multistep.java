@@ -20,6 +20,7 @@ final class Multistep extends DESolver {
             new double[] {23.0 / 12, -16.0 / 12, 5.0 / 12}, 4,
             new double[] {55.0 / 24, -59.0 / 24, 37.0 / 24, -9.0 / 24});
     private static final double[] MOULTON = {9.0 / 24, 19.0 / 24, -5.0 / 24, 1.0 / 24};
+    private static final double[][] SHARED = new double[1][];
     private static final double[][] RK4 = {{}, {0.5}, {0, 0.5}, {0, 0, 1}};
 
     private final int steps;
@@ -46,7 +47,7 @@ final class Multistep extends DESolver {
         int own = slips.indexOf("weights");
         weights = own < 0 ? WEIGHTS.get(steps) : slips.stream().skip(own + 1).mapToDouble(Double::parseDouble)
                 .toArray();
-        before = new double[steps - 1][];
+        before = slips.contains("static") ? SHARED : new double[steps - 1][];
         beginning = begins == 1 ? Methods.rungeKutta(new double[1][0], new double[] {1}, new double[0],
                 (stage, old, next) -> next) : Methods.rungeKutta(RK4, new double[] {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6},
                 slips.contains("start-clock") ? new double[] {0, 0, 0, 1} : new double[0], (stage, old, next) -> next);

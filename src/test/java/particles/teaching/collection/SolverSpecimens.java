@@ -357,10 +357,13 @@ final class SolverSpecimens {
                 AdamsBashforth2 | sum of the weights is 2 | weight | adams 2 4 : weights 1.5 0.5
                 AdamsBashforth3 | a wrong weight | weight \
                 | adams 3 4 : weights 1.9166666666666667 -1.3333333333333333 0.3333
-                W84AdamsBashforth3 | newest dropped | t - 5 deltaT, t - 6 deltaT instead of | adams 3 4 : newest-dropped
-                W85AdamsBashforth4 | old ones all the same | derivatives at t, t - deltaT; the Adams \
+                W84AdamsBashforth3 | newest dropped | f.t - 5 deltaT. .* f.t - 6 deltaT.; the Adams.*kept too long \
+                | adams 3 4 : newest-dropped
+                W85AdamsBashforth4 | old ones all the same | f.t - deltaT.; the Adams method of order 2 \
                 | adams 4 4 : all-the-same
-                W91AdamsBashforth2 | old one never replaced | t - 6 deltaT instead of | adams 2 4 : newest-dropped
+                W91AdamsBashforth2 | old one never replaced | f.t - 6 deltaT./2; the Adams.*kept too long \
+                | adams 2 4 : newest-dropped
+                AdamsBashforth2 | the old derivative is static | static | adams 2 4 : static
                 W88AdamsBashforth2 | no reset | reset\\(\\) was called | adams 2 4 : no-reset
                 W56AdamsBashforth2 | deltaT not compared | deltaT changes | adams 2 4 : any-deltaT
                 W25AdamsBashforth2 | state not compared | as a collision does | adams 2 4 : any-state
