@@ -1,7 +1,6 @@
 package particles.teaching.solvers;
 
 import deSolvers.DESolver;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -29,10 +28,6 @@ final class ExplicitMethod {
     private final Supplier<DESolver> maker;
     private final NamePromise promise;
     private final Supplier<OrderMeasurement> measured;
-    private final List<Finding> findings = new ArrayList<>();
-    private StepReading step;
-    private int order;
-    private String method = "";
 
     ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<OrderMeasurement> measured) {
         this.maker = maker;
@@ -46,7 +41,6 @@ final class ExplicitMethod {
      * @return the diagnosis; empty if its steps have no fixed coefficients
      */
     Optional<Diagnosis> diagnosis(double size) {
-        findings.clear();
         Optional<StepReading> once = StepReading.of(maker, H, size, 1);
         Optional<StepReading> twice = StepReading.of(maker, 2 * H, size, 1);
         Optional<StepReading> back = StepReading.of(maker, -H, size, 1).filter(reading -> reading.evaluations() > 0);
@@ -54,24 +48,42 @@ final class ExplicitMethod {
                 other.evaluations() != once.get().evaluations())) {
             return Optional.empty();
         }
-        step = once.get();
-        if (size == 1 && step.isStill() && StepReading.of(maker, H, StepReading.TINY, 1).stream()
-                .noneMatch(StepReading::isStill)) {
-            return Optional.of(new Diagnosis("This is a method with step-size control", Optional.of(
-                    Phrase.REJECTED_CLOCK.of())));
+        boolean rejects = size == 1 && once.get().isStill() && StepReading.of(maker, H, StepReading.TINY, 1).stream()
+                .noneMatch(StepReading::isStill);
+        return Optional.of(rejects ? new Diagnosis("This is a method with step-size control", Optional.of(
+                Phrase.REJECTED_CLOCK.of())) : diagnosis(once.get(), new StepRules(once.get(), twice.get(), back)));
+    }
+
+    private Diagnosis diagnosis(StepReading step, StepRules rules) {
+        Scheme read = step.scheme();
+        boolean still = step.evaluations() == 0;
+        Optional<Finding> rule = Search.first(() -> step.calls().wrongLengths().stream().findFirst().map(
+                Phrase.ARRAY_LENGTH::of), () -> step.findings().stream().findFirst(), () -> Phrase.NO_DERIVATIVE.when(
+                still), () -> oddSize().filter(finding -> !read.isOfParticles()), rules::notSet, rules::oldState,
+                rules::deltaT);
+        if (still) {
+            return new Diagnosis("It makes no step.", rule);
         }
-        StepRules rules = new StepRules(step, twice.get(), back, findings::add);
-        step.calls().wrongLengths().stream().limit(1).forEach(length -> findings.add(Phrase.ARRAY_LENGTH.of(length)));
-        findings.addAll(step.findings());
-        if (step.evaluations() == 0) {
-            return Optional.of(new Diagnosis("It makes no step.", Stream.concat(findings.stream(), Stream.of(
-                    Phrase.NO_DERIVATIVE.of())).findFirst()));
+        Scheme scheme = read.isOfParticles() || rule.isEmpty() && read.ends().get(0).increment() != 0
+                && !KnownMethods.isStagesOfAny(read) ? read.withoutUnused() : read;
+        List<Scheme> like = KnownMethods.like(scheme);
+        List<Scheme> meant = like.stream().filter(known -> promise.isGiven() && promise.allows(known.name(),
+                known.order())).toList();
+        Comparison any = Comparison.nearest(like, scheme, step);
+        Comparison nearest = any.first().isEmpty() || meant.isEmpty() ? any : Comparison.nearest(meant, scheme, step);
+        String name = nearest.known().name();
+        boolean same = nearest.first().isEmpty();
+        if (rule.isPresent() || !step.isOnTime()) {     // the clock may follow the drifts
+            return new Diagnosis("This is " + (same ? "" : "nearest to ") + name, rule.or(() -> nearest.first().filter(
+                    finding -> scheme.isInTurn() && nearest.isNear())));
         }
-        oddSize().filter(finding -> !step.scheme().isOfParticles()).ifPresent(findings::add);
-        Scheme scheme = step.scheme().isOfParticles() ? step.scheme().withoutUnused() : step.scheme();
-        boolean end = rules.checkState(scheme) && rules.checkDeltaT();
-        String identity = identity(scheme, end);
-        return Optional.of(new Diagnosis(identity, List.copyOf(findings), order, method));
+        Optional<Finding> unused = Phrase.UNUSED.when(!read.isOfParticles() && scheme.size() < read.size());
+        Optional<Finding> unsolved = same ? unused : SolvedEquation.rounds(maker, scheme, promise).or(() ->
+                KnownMethods.mistake(scheme)).or(() -> Phrase.EXPLICIT.when(promise.isImplicit(), "an explicit method"
+                + " with " + count(scheme), promise.says()));
+        return same ? new Diagnosis("This is " + name, unused.stream().toList(), nearest.known().order(), name)
+                : unsolved.isPresent() ? new Diagnosis("This is an explicit method", unsolved)
+                : unknown(scheme, nearest, unused);
     }
 
     /** A method with one formula for all entries can step a state of any size. */
@@ -85,73 +97,36 @@ final class ExplicitMethod {
         }
     }
 
-    private boolean isWrong() {
-        return findings.stream().anyMatch(Finding::isWrong);
-    }
-
-    /** The method in a sentence; adds what differs from it. */
-    private String identity(Scheme read, boolean end) {
-        boolean clock = step.isOnTime();
-        boolean waste = end && !read.isOfParticles() && read.ends().get(0).increment() != 0
-                && !KnownMethods.isStagesOfAny(read);
-        Scheme scheme = waste ? read.withoutUnused() : read;
-        if (scheme.size() < read.size()) {
-            findings.add(Phrase.UNUSED.of());
-        }
-        List<Scheme> like = KnownMethods.like(scheme);
-        Comparison nearest = Comparison.nearest(like, scheme, step);
-        if (nearest.first().isEmpty()) {
-            order = nearest.known().order();
-            method = end && clock ? nearest.known().name() : "";
-            return "This is " + nearest.known().name();
-        }
-        List<Scheme> meant = like.stream().filter(known -> promise.isGiven() && promise.allows(known.name(),
-                known.order())).toList();
-        Comparison named = meant.isEmpty() ? nearest : Comparison.nearest(meant, scheme, step);
-        if (!end || !clock) {
-            named.first().filter(finding -> end && scheme.isInTurn() && named.isNear()).ifPresent(findings::add);
-            return "This is nearest to " + named.known().name();
-        }
-        Optional<Finding> unsolved = SolvedEquation.rounds(maker, scheme, promise).or(() -> KnownMethods.mistake(
-                scheme)).or(() -> Phrase.EXPLICIT.when(promise.isImplicit(), "an explicit method with "
-                + count(scheme), promise.says()));
-        if (unsolved.isPresent()) {
-            findings.add(0, unsolved.get());
-            return "This is an explicit method";
-        }
-        return unknown(scheme, named);
-    }
-
     private static String count(Scheme scheme) {
         return scheme.size() + (scheme.isOfParticles() ? " acceleration" : " evaluation") + (scheme.size() == 1 ? ""
                 : "s") + " per step";
     }
 
     /** Judges coefficients that are those of no known method by their measured order, and by the nearest one. */
-    private String unknown(Scheme scheme, Comparison nearest) {
+    private Diagnosis unknown(Scheme scheme, Comparison nearest, Optional<Finding> unused) {
         boolean particles = scheme.isOfParticles();
         OrderMeasurement full = measured.get();
         int wanted = promise.isGiven() ? promise.order() : nearest.isNear() ? nearest.known().order() : 1;
-        order = (int) Math.max(0, Math.round(full.order()));     // 0 for NaN
+        int order = (int) Math.max(0, Math.round(full.order()));     // 0 for NaN
         boolean keepsArea = particles && Math.abs(StudentSource.after(new Springs(), maker.get(), 1, 1).steps()
                 .determinant() - 1) < 1e-10;
         boolean pays = full.order() > 1.7 || full.order() > 1 - ALMOST && (particles ? keepsArea : isStableBeyondEuler(
                 scheme));
-        if (!nearest.isRounded() && (!particles || !isWrong()) && full.order() >= wanted - ALMOST && pays) {
-            return "This is a " + (particles ? "method of order " + order + " that moves positions and velocities in"
-                    + " turn," + (keepsArea ? " symplectic," : "") : "Runge-Kutta method of order " + order) + " with "
-                    + count(scheme) + "; its coefficients match no named method";
+        if (!nearest.isRounded() && full.order() >= wanted - ALMOST && pays) {
+            return new Diagnosis("This is a " + (particles ? "method of order " + order + " that moves positions and"
+                    + " velocities in turn," + (keepsArea ? " symplectic," : "") : "Runge-Kutta method of order "
+                    + order) + " with " + count(scheme) + "; its coefficients match no named method",
+                    unused.stream().toList(), order, "");
         }
         boolean near = nearest.isNear() || promise.isWhole() && nearest.known().size() == scheme.size() && (particles
                 || scheme.size() <= MANY);
         Combination row = scheme.ends().get(0);
-        Search.first(() -> nearest.first().filter(finding -> near), () -> IntStream.range(0, particles ? 0
+        return new Diagnosis(near ? "This is nearest to " + nearest.known().name() : "This is a method of your own",
+                Search.first(() -> nearest.first().filter(finding -> near), () -> IntStream.range(0, particles ? 0
                 : scheme.size()).mapToObj(i -> offTime(scheme.stages().get(i), scheme.times()[i])).flatMap(
                 Optional::stream).findFirst(), () -> Phrase.WEIGHTS_SUM.when(!particles && !Formula.same(
                 row.increment(), 1), row.increment()), () -> Optional.of(Phrase.LOW_ORDER.of(full.digits(), count(
-                scheme), promise.isGiven() ? "; " + promise.saysWithOrder() : "", row.what(), row.formula())))
-                .ifPresent(findings::add);
-        return near ? "This is nearest to " + nearest.known().name() : "This is a method of your own";
+                scheme), promise.isGiven() ? "; " + promise.saysWithOrder() : "", row.what(), row.formula()))));
     }
 
     private static Optional<Finding> offTime(Combination stage, double time) {

@@ -93,16 +93,16 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
                 == times.length).toList();
         return adams.stream().filter(known -> Combination.same(weights, known.weights)).findFirst().map(known ->
                 Phrase.TOO_OLD.when(!Arrays.equals(times, known.times), row().formula(), known.name, known.row()
-                .formula())).orElseGet(() -> adams.stream().filter(known -> Arrays.equals(times, known.times)).findFirst()
-                .map(known -> Comparison.differs(row(), known.row(), known.name)));
+                .formula())).orElseGet(() -> adams.stream().filter(known -> Arrays.equals(times, known.times))
+                .findFirst().map(known -> Comparison.differs(row(), known.row(), known.name)));
     }
 
     /** @return the mistake in the equation; empty if it is the method's */
     Optional<Finding> wrong() {
         SolvedEquation known = ALL.stream().filter(one -> one.name.equals(name)).findFirst().orElseThrow();
         return Phrase.EQUATION.when(!mistake.isEmpty(), row().formula(), name, known.row().formula(), mistake).or(() ->
-                IntStream.range(0, times.length).filter(j -> times[j] != places[j]).mapToObj(j -> Phrase.EQUATION_TIME.of(
-                place(j), Formula.time(times[j]), Formula.time(places[j]))).findFirst());
+                IntStream.range(0, times.length).filter(j -> times[j] != places[j]).mapToObj(j ->
+                Phrase.EQUATION_TIME.of(place(j), Formula.time(times[j]), Formula.time(places[j]))).findFirst());
     }
 
     /** @return the finding for first steps that are less accurate than the formula; empty if they are not */
@@ -124,6 +124,10 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
         return new Combination("the new state is", names, 0, old(), weights);
     }
 
+    private double residual(Supplier<DESolver> maker, double h, double amplitude) {
+        return Made.by(maker, h, 1, amplitude).misfit(this);
+    }
+
     /**
      * @param longest the longest deltaT that the iteration for such a law is made for (s)
      * @return the mistake of an iteration that ends too early, as the residual on a strongly nonlinear law shows
@@ -131,7 +135,7 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
     static Optional<Finding> loose(Supplier<DESolver> maker, String name, double longest) {
         SolvedEquation known = ALL.stream().filter(method -> method.name.equals(name)).findFirst().orElseThrow();
         return IntStream.rangeClosed(1, 24).mapToDouble(part -> part * longest / 24).mapToObj(h -> new double[] {h,
-            Made.by(maker, h, 1, 3).misfit(known)}).filter(worst -> worst[1] > SOLVED && Double.isFinite(worst[1])).max(
+            known.residual(maker, h, 3)}).filter(worst -> worst[1] > SOLVED && Double.isFinite(worst[1])).max(
                 Comparator.comparingDouble(worst -> worst[1])).map(worst -> Phrase.LOOSE.of(worst[0], worst[1]));
     }
 
@@ -145,8 +149,8 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
         int rounds = scheme.size() - 1;
         return ALL.stream().filter(known -> known.isOneStep() && !scheme.isOfParticles() && rounds > 0
                 && (promise.isGiven() ? promise.methods().contains(known.name) : rounds > 1 || known == ALL.get(0))
-                && Made.by(maker, 1.0 / 8, 1, 1).misfit(known) > StrictMath.pow(2, rounds + 1.6) * Made.by(maker, 1.0
-                / 16, 1, 1).misfit(known)).findFirst().map(known -> Phrase.ROUNDS.of(rounds == 1 ? "one round"
+                && known.residual(maker, 1.0 / 8, 1) > StrictMath.pow(2, rounds + 1.6) * known.residual(maker, 1.0 / 16,
+                1)).findFirst().map(known -> Phrase.ROUNDS.of(rounds == 1 ? "one round"
                 : rounds + " rounds", known.name));
     }
 

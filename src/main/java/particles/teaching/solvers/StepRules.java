@@ -1,7 +1,6 @@
 package particles.teaching.solvers;
 
 import java.util.Optional;
-import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -15,28 +14,26 @@ import particles.teaching.Formula;
  * @param step  a step of deltaT
  * @param twice a step of 2 deltaT
  * @param back  a step of -deltaT, unless the solver refuses it
- * @param wrong receives the mistakes
  */
-record StepRules(StepReading step, StepReading twice, Optional<StepReading> back, Consumer<Finding> wrong) {
+record StepRules(StepReading step, StepReading twice, Optional<StepReading> back) {
 
-    /** @return whether the new state can be compared further */
-    boolean checkState(Scheme scheme) {
-        if (!step.calls().everSet()) {
-            wrong.accept(Phrase.NEVER_SET.of());
-            return false;
-        }
-        if (!step.calls().setAfterLast() && !evaluatesTheNewState(scheme)) {
-            wrong.accept(scheme.size() > 1 ? Phrase.LEFT_AT_TRIAL.of(
-                    scheme.ends().get(scheme.ends().size() - 1).formula()) : Phrase.SET_TOO_EARLY.of());
-            return false;
-        }
-        Stream.concat(scheme.isOfParticles() ? Stream.empty() : scheme.stages().stream(), scheme.ends().stream())
-                .filter(row -> !Formula.same(row.ofOwn(), 1)).forEach(row -> wrong.accept(Phrase.OLD_STATE.of(
-                row.what(), row.formula(), row.ofOwn(), row.state(), row.ofOwn() == 0
+    /** @return the mistake of a new state that is not set */
+    Optional<Finding> notSet() {
+        Scheme scheme = step.scheme();
+        return Phrase.NEVER_SET.when(!step.calls().everSet()).or(() -> (scheme.size() > 1 ? Phrase.LEFT_AT_TRIAL
+                : Phrase.SET_TOO_EARLY).when(!step.calls().setAfterLast() && !evaluatesTheNewState(scheme),
+                scheme.ends().get(scheme.ends().size() - 1).formula()));
+    }
+
+    /** @return the mistake of a state without the old one, or with a part of it */
+    Optional<Finding> oldState() {
+        Scheme scheme = step.scheme();
+        return Stream.concat(scheme.isOfParticles() ? Stream.empty() : scheme.stages().stream(), scheme.ends().stream())
+                .filter(row -> !Formula.same(row.ofOwn(), 1)).findFirst().map(row -> Phrase.OLD_STATE.of(row.what(),
+                row.formula(), row.ofOwn(), row.state(), row.ofOwn() == 0
                 ? "the old state is lost; add to it with += (and 1/3 of whole numbers is 0 in Java)"
                 : scheme.isOfParticles() ? "a factor is damping, which the equation does not have"
-                : "the weights of the states in a mean have to add up to 1 (and 1/3 of whole numbers is 0 in Java)")));
-        return true;
+                : "the weights of the states in a mean have to add up to 1 (and 1/3 of whole numbers is 0 in Java)"));
     }
 
     /** A step may end with the derivative at its new state, kept for the next one (FSAL), or for nothing. */
@@ -46,20 +43,18 @@ record StepRules(StepReading step, StepReading twice, Optional<StepReading> back
                 && Formula.same(scheme.ends().get(0).increment(), 1);
     }
 
-    /** @return whether the step is made with deltaT, so that its weights can be compared */
-    boolean checkDeltaT() {
+    /** @return the mistake of a step that is not made with deltaT */
+    Optional<Finding> deltaT() {
         Scheme scheme = step.scheme();
-        IntStream.range(1, scheme.isOfParticles() ? 1 : scheme.size()).forEach(i -> checkDeltaT(one -> one.stages()
-                .get(i)));
-        return IntStream.range(0, scheme.ends().size()).allMatch(i -> checkDeltaT(one -> one.ends().get(i)));
+        return Stream.concat(IntStream.range(1, scheme.isOfParticles() ? 1 : scheme.size()).mapToObj(i -> deltaT(one ->
+                one.stages().get(i))), IntStream.range(0, scheme.ends().size()).mapToObj(i -> deltaT(one -> one.ends()
+                .get(i)))).flatMap(Optional::stream).findFirst();
     }
 
-    private boolean checkDeltaT(Function<Scheme, Combination> which) {
+    private Optional<Finding> deltaT(Function<Scheme, Combination> which) {
         Combination row = which.apply(step.scheme());
-        Optional<String> fault = fault(row.moves(), which.apply(twice.scheme()).moves(), back.map(reading ->
-                which.apply(reading.scheme()).moves()).orElse(Double.NaN));
-        fault.ifPresent(text -> wrong.accept(Phrase.DELTA_T.of(row.what(), row.formula(), text)));
-        return fault.isEmpty();
+        return fault(row.moves(), which.apply(twice.scheme()).moves(), back.map(reading -> which.apply(reading.scheme())
+                .moves()).orElse(Double.NaN)).map(text -> Phrase.DELTA_T.of(row.what(), row.formula(), text));
     }
 
     /** The mistake behind the change of a weight, in units of deltaT, when deltaT is doubled and its sign changes. */

@@ -56,16 +56,11 @@ record UnreadMethod(Supplier<DESolver> maker) {
     /** @return the mistake if an entry of the new state changes with another one's state or derivative */
     Optional<Finding> mixed() {
         double[] usual = stepWith(-1);
-        for (int j = 0; j < SIZE; j++) {
-            double[] other = stepWith(j);
-            for (int k = 0; k < SIZE; k++) {
-                boolean own = k == j || k == j - 3 && k % 6 < 3;    // a velocity moves the position, too
-                if (!own && Math.abs(other[k] - usual[k]) > ALIKE * StepReading.TINY) {
-                    return Optional.of(Phrase.LAYOUT.of(k, j));
-                }
-            }
-        }
-        return Optional.empty();
+        return IntStream.range(0, SIZE).boxed().flatMap(j -> {
+            double[] other = stepWith(j);               // a velocity moves its position, too
+            return IntStream.range(0, SIZE).filter(k -> k != j && (k != j - 3 || k % 6 > 2) && Math.abs(other[k]
+                    - usual[k]) > ALIKE * StepReading.TINY).mapToObj(k -> Phrase.LAYOUT.of(k, j));
+        }).findFirst();
     }
 
     /** The state after a step with derivatives that never change, where one entry has another state and derivative. */
