@@ -316,6 +316,23 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     }
 
     /**
+     * Computes the energy of motion and of the forces between particles.
+     *
+     * @param state a state of this system
+     * @param time  t (s)
+     * @return kinetic energy plus the potential energy of all internal forces (J)
+     */
+    public double getInternalEnergy(double[] state, double time) {
+        double energy = getKineticEnergy(state);
+        for (Effect effect : effects) {
+            if (effect.getTraits().contains(Effect.Trait.INTERNAL)) {
+                energy += effect.getPotentialEnergy(state, time);
+            }
+        }
+        return energy;
+    }
+
+    /**
      * Computes the total energy.
      *
      * @param state a state of this system

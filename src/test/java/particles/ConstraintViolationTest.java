@@ -141,7 +141,7 @@ class ConstraintViolationTest {
         for (String solver : SolverCatalog.names()) {
             Scene scene = SceneBuilder.build(SceneReader.read(Path.of("scenes", name + ".yaml")).withSolver(solver));
             EnergyRecorder energy = new EnergyRecorder(scene.simulation(), scene.energyEstimate(), 1);
-            scene.simulation().addObserver(energy);
+            energy.observers().forEach(scene.simulation()::addObserver);
             try {
                 scene.simulation().run();
             } catch (SimulationException e) {

@@ -3,11 +3,7 @@ package particles.energy;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Set;
-import particles.Motion;
-import particles.Observer;
 import particles.ParticleSystem;
-import particles.Rule;
 import particles.law.Effect;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
@@ -18,7 +14,7 @@ import particles.view.ChartData.Series;
  * records after each step and again after a rule changed something, so that the loss in a bounce is a vertical line.
  * Curves are thinned to some thousand points, with every extreme kept.
  */
-public final class EnergyHistory implements Observer {
+public final class EnergyHistory extends StridedRecorder {
     private static final int BUCKETS = 1024;
     /** Energies below this part of weight times height are the rounding of a scene at rest. */
     private static final double AT_REST = 1e-12;
@@ -28,14 +24,12 @@ public final class EnergyHistory implements Observer {
     /** Of the largest energy. */
     private static final double ROUND_OFF = 1e-16;
 
-    private final long stride;
     private final MinMaxThinning kinetic = new MinMaxThinning(BUCKETS);
     private final MinMaxThinning total = new MinMaxThinning(BUCKETS);
     private final MinMaxThinning potential = new MinMaxThinning(BUCKETS);
     private final List<Effect> effects = new ArrayList<>();
     private final List<MinMaxThinning> stored = new ArrayList<>();
     private double[] values = {};
-    private long step;
     private double internal;                            // kinetic plus stored energy, latest
     private double largestInternal = Double.NEGATIVE_INFINITY;
     private double[] lowest = {};                       // the lowest energy of each effect's bonds, 0 or less
@@ -52,10 +46,7 @@ public final class EnergyHistory implements Observer {
      *               evaluation
      */
     public EnergyHistory(long stride) {
-        if (stride < 1) {
-            throw new IllegalArgumentException("the stride has to be 1 or more, not " + stride);
-        }
-        this.stride = stride;
+        super(stride);
     }
 
     @Override
@@ -65,33 +56,12 @@ public final class EnergyHistory implements Observer {
         values = new double[effects.size()];
         lowest = new double[effects.size()];
         restScale = RestScale.of(system);
-        record(system, system.getOwnState(), system.getTime());
+        super.started(system);
         restScale -= lowestInternal;
     }
 
     @Override
-    public void moved(Motion motion) {
-        step++;
-        if (step % stride == 0) {
-            record(motion.getSystem(), motion.getEndState(), motion.getEndTime());
-        }
-    }
-
-    @Override
-    public void changed(ParticleSystem system, Rule rule) {
-        if (step % stride == 0) {
-            record(system, system.getOwnState(), system.getTime());
-        }
-    }
-
-    @Override
-    public void finished(ParticleSystem system) {
-        if (step % stride != 0) {
-            record(system, system.getOwnState(), system.getTime());
-        }
-    }
-
-    private void record(ParticleSystem system, double[] state, double time) {
+    void record(ParticleSystem system, double[] state, double time) {
         double motion = system.getKineticEnergy(state);
         double sum = 0;
         internal = motion;
@@ -136,9 +106,7 @@ public final class EnergyHistory implements Observer {
      * does not matter. An attraction has its own zero, far away: an orbit that cannot escape has a negative energy.
      */
     private double lowest(int effect) {
-        Set<Effect.Trait> traits = effects.get(effect).getTraits();
-        return traits.contains(Effect.Trait.TRANSLATION_INVARIANT) && !traits.contains(Effect.Trait.INTERNAL)
-                ? stored.get(effect).smallest() : 0;
+        return Effect.Trait.isUniform(effects.get(effect)) ? stored.get(effect).smallest() : 0;
     }
 
     /** @return the largest |E(t) - E(0)| of the run (J) */

@@ -132,7 +132,8 @@ public final class EnergyLedger implements Observer {
             double work = (trapezoid + 2 * (t1 - t0) * account.power.at(system, middle, half)) / 3;     // Simpson's
             double difference = Math.abs(work - trapezoid);
             if (difference > RESOLVED * Math.max(Math.abs(work), Math.abs(trapezoid))
-                    && difference > LITTLE * Math.max(largestKinetic, internalEnergy(motion))) {
+                    && difference > LITTLE * Math.max(largestKinetic,
+                            system.getInternalEnergy(motion.getStartState(), t0))) {
                 if (!meanKnown) {
                     findMeanVelocities(motion);
                     meanKnown = true;
@@ -159,17 +160,6 @@ public final class EnergyLedger implements Observer {
         }
         energy = after;
         powersKnown = false;
-    }
-
-    /** The energy of motion and of the forces between particles at the start of a motion (J). */
-    private static double internalEnergy(Motion motion) {
-        double energy = motion.getSystem().getKineticEnergy(motion.getStartState());
-        for (Effect effect : motion.getSystem().getEffects()) {
-            if (effect.getTraits().contains(Trait.INTERNAL)) {
-                energy += effect.getPotentialEnergy(motion.getStartState(), motion.getStartTime());
-            }
-        }
-        return energy;
     }
 
     /** Finds the positions in the middle, with the mean velocities of the motion: displacement divided by time. */

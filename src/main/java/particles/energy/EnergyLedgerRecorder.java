@@ -5,7 +5,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import particles.Motion;
-import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.view.ChartData;
@@ -16,54 +15,38 @@ import particles.view.ChartData.Series;
  * Records a run's energy ledger over time: the energy that each kind of work put in or took out, and the rest, which is
  * numerical error. Every step is recorded; curves are thinned to some thousand points, with every extreme kept.
  */
-public final class EnergyLedgerRecorder implements Observer {
+public final class EnergyLedgerRecorder extends StridedRecorder {
     private static final int BUCKETS = 1024;
 
     private final EnergyLedger ledger = new EnergyLedger();
-    private final long stride;
     private final MinMaxThinning error = new MinMaxThinning(BUCKETS);
     private final Map<String, MinMaxThinning> work = new LinkedHashMap<>();
-    private long step;
 
     /** @param stride the number of steps from one point of a curve to the next, 1 or more */
     public EnergyLedgerRecorder(long stride) {
-        if (stride < 1) {
-            throw new IllegalArgumentException("the stride has to be 1 or more, not " + stride);
-        }
-        this.stride = stride;
+        super(stride);
     }
 
     @Override
     public void started(ParticleSystem system) {
         ledger.started(system);
-        record(system.getTime());
+        super.started(system);
     }
 
     @Override
     public void moved(Motion motion) {
         ledger.moved(motion);
-        step++;
-        if (step % stride == 0) {
-            record(motion.getEndTime());
-        }
+        super.moved(motion);
     }
 
     @Override
     public void changed(ParticleSystem system, Rule rule) {
         ledger.changed(system, rule);
-        if (step % stride == 0) {
-            record(system.getTime());
-        }
+        super.changed(system, rule);
     }
 
     @Override
-    public void finished(ParticleSystem system) {
-        if (step % stride != 0) {
-            record(system.getTime());
-        }
-    }
-
-    private void record(double time) {
+    void record(ParticleSystem system, double[] state, double time) {
         error.add(time, ledger.getNumericalError());
         ledger.getWork().forEach((name, joules) -> work.computeIfAbsent(name, unknown -> began()).add(time, joules));
     }

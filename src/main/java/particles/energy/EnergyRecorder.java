@@ -1,13 +1,11 @@
 package particles.energy;
 
-import particles.Motion;
+import java.util.List;
 import particles.Observer;
-import particles.ParticleSystem;
-import particles.Rule;
 import particles.Simulation;
 
 /** Records all that a run's energy says: its history, its ledger, and whether the steps resolve what vibrates. */
-public final class EnergyRecorder implements Observer {
+public final class EnergyRecorder {
     private final EnergyHistory history;
     private final EnergyLedgerRecorder ledger;
     private final Resolution resolution;
@@ -32,34 +30,14 @@ public final class EnergyRecorder implements Observer {
      * @param others     observers that see each step after it was recorded, also the one that ends the run
      */
     public void attachTo(Simulation simulation, Iterable<? extends Observer> others) {
-        simulation.addObserver(this);
+        observers().forEach(simulation::addObserver);
         others.forEach(simulation::addObserver);
         simulation.addObserver(limit);
     }
 
-    @Override
-    public void started(ParticleSystem system) {
-        history.started(system);
-        ledger.started(system);
-    }
-
-    @Override
-    public void moved(Motion motion) {
-        history.moved(motion);
-        ledger.moved(motion);
-        resolution.moved(motion);
-    }
-
-    @Override
-    public void changed(ParticleSystem system, Rule rule) {
-        history.changed(system, rule);
-        ledger.changed(system, rule);
-    }
-
-    @Override
-    public void finished(ParticleSystem system) {
-        history.finished(system);
-        ledger.finished(system);
+    /** @return the observers that record */
+    public List<Observer> observers() {
+        return List.of(history, ledger, resolution);
     }
 
     /** @return the energies over time, and the energy scale */

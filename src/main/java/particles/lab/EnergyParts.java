@@ -2,7 +2,6 @@ package particles.lab;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.energy.EnergyLedgerRecorder;
@@ -42,10 +41,8 @@ final class EnergyParts {
      * that the choice of the origin does not matter.
      */
     List<Integer> uniform() {
-        return IntStream.range(0, effects.size()).filter(e -> {
-            Set<Effect.Trait> traits = effects.get(e).getTraits();
-            return traits.contains(Effect.Trait.TRANSLATION_INVARIANT) && !traits.contains(Effect.Trait.INTERNAL);
-        }).mapToObj(e -> e + 2).toList();
+        return IntStream.range(0, effects.size()).filter(e -> Effect.Trait.isUniform(effects.get(e)))
+                .mapToObj(e -> e + 2).toList();
     }
 
     /** The energies of a state (J); the numerical error is that of the ledger so far. */

@@ -37,6 +37,11 @@ public interface Effect {
          * as one curve with the law's name.
          */
         public static final Set<Trait> OF_ENERGY = Set.of(CONSERVATIVE, DISSIPATIVE, DRIVING);
+
+        /** @return whether it is a uniform force like gravity, whose energy has no natural zero */
+        public static boolean isUniform(Effect effect) {
+            return effect.getTraits().contains(TRANSLATION_INVARIANT) && !effect.getTraits().contains(INTERNAL);
+        }
     }
 
     /**

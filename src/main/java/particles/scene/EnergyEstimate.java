@@ -44,7 +44,7 @@ final class EnergyEstimate {
         }
         double atStart = system.getKineticEnergy(state) + springs.getPotentialEnergy(state, system.getTime());
         for (Effect effect : system.getEffects()) {
-            if (effect != springs && !isUniform(effect)) {
+            if (effect != springs && !Trait.isUniform(effect)) {
                 atStart += Math.abs(effect.getPotentialEnergy(state, system.getTime()));
             }
         }
@@ -69,11 +69,6 @@ final class EnergyEstimate {
             energy += square * duration * duration / 2 * system.getParticles().getInverseMasses()[i];
         }
         return energy;
-    }
-
-    /** Whether an effect is a uniform force like gravity, whose energy has no natural zero. */
-    private static boolean isUniform(Effect effect) {
-        return effect.getTraits().contains(Trait.TRANSLATION_INVARIANT) && !effect.getTraits().contains(Trait.INTERNAL);
     }
 
     private static double crossing(ParticleSystem system, double mass, double duration) {

@@ -3,11 +3,9 @@ package particles.app.run;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Rule;
 import particles.SimulationException;
 import particles.energy.EnergyLedger;
 import particles.experiments.runs.Extent;
-import particles.law.Effect;
 import particles.law.Vector3;
 import particles.output.raster.CameraFraming;
 import particles.scene.Scene;
@@ -91,41 +89,29 @@ public final class CameraFinder {
         /** @param extent an observer that is called before this one */
         Limits(Scene scene, Extent extent) {
             this.extent = extent;
+            scene.simulation().addObserver(ledger);
             mostEnergy = MOST_ENERGY * scene.energyEstimate();
             mostEvaluations = MOST_PARTICLE_EVALUATIONS / scene.system().getParticles().count();
         }
 
         @Override
         public void started(ParticleSystem system) {
-            ledger.started(system);
             beforeBlowUp = Box.of(extent).grown(GROWTH);
         }
 
         @Override
         public void moved(Motion motion) {
-            ledger.moved(motion);
             ParticleSystem system = motion.getSystem();
             double[] state = motion.getEndState();
-            double energy = system.getKineticEnergy(state);
-            boolean fast = energy > mostEnergy;
-            for (Effect effect : system.getEffects()) {
-                if (effect.getTraits().contains(Effect.Trait.INTERNAL)) {
-                    energy += effect.getPotentialEnergy(state, motion.getEndTime());
-                }
-            }
+            double energy = system.getInternalEnergy(state, motion.getEndTime());
             boolean right = Math.abs(ledger.getNumericalError()) <= energy / 2;
             if (right) {
                 beforeBlowUp = Box.of(extent).grown(GROWTH);
             }
-            blewUp = fast && !right;
+            blewUp = system.getKineticEnergy(state) > mostEnergy && !right;
             if (blewUp || system.getEvaluations() > mostEvaluations) {
                 throw new StoppedException();
             }
-        }
-
-        @Override
-        public void changed(ParticleSystem system, Rule rule) {
-            ledger.changed(system, rule);
         }
     }
 }

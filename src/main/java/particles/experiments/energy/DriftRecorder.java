@@ -3,7 +3,6 @@ package particles.experiments.energy;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Rule;
 import particles.energy.EnergyRecorder;
 import particles.scene.Scene;
 
@@ -19,27 +18,21 @@ final class DriftRecorder implements Observer {
     /** @param scene the scene that is about to run */
     DriftRecorder(Scene scene) {
         energy = new EnergyRecorder(scene.simulation(), scene.energyEstimate(), 1);
+        energy.observers().forEach(scene.simulation()::addObserver);
     }
 
     @Override
     public void started(ParticleSystem system) {
-        energy.started(system);
         curve.add(system.getTime(), energy.getLedger().getNumericalError());
     }
 
     @Override
     public void moved(Motion motion) {
-        energy.moved(motion);
         curve.add(motion.getEndTime(), energy.getLedger().getNumericalError());
         for (double joules : energy.getLedger().getWork().values()) {
             exchanged = Math.max(exchanged, Math.abs(joules));
         }
         energy.getLimit().moved(motion);
-    }
-
-    @Override
-    public void changed(ParticleSystem system, Rule rule) {
-        energy.changed(system, rule);
     }
 
     ErrorCurve getCurve() {
