@@ -4,10 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
-import java.lang.invoke.MethodHandles;
-import java.lang.invoke.VarHandle;
 import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.zip.CRC32;
@@ -21,8 +18,6 @@ import java.util.zip.Deflater;
  */
 public final class PngEncoder {
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-    private static final VarHandle INTS = MethodHandles.byteArrayViewVarHandle(int[].class, ByteOrder.BIG_ENDIAN);
-    private static final int HIGH = 0x808080;
     private static final byte SUB = 1;
     private static final byte UP = 2;
 
@@ -96,24 +91,9 @@ public final class PngEncoder {
 
     /** Both filters share one short loop: its compilation is a noticeable part of a run that draws two charts. */
     private static void subtract(int[] rgb, int from, int neighbours, int count, byte[] to, int at) {
-        int i = 0;
-        for (int p = at; i + 4 <= count; i += 4, p += 12) {
-            int a = difference(rgb[from + i], rgb[neighbours + i]);
-            int b = difference(rgb[from + i + 1], rgb[neighbours + i + 1]);
-            int c = difference(rgb[from + i + 2], rgb[neighbours + i + 2]);
-            int d = difference(rgb[from + i + 3], rgb[neighbours + i + 3]);
-            INTS.set(to, p, a << 8 | b >>> 16);
-            INTS.set(to, p + 4, b << 16 | c >>> 8);
-            INTS.set(to, p + 8, c << 24 | d);
-        }
-        for (; i < count; i++) {
+        for (int i = 0; i < count; i++) {
             put(rgb[from + i], rgb[neighbours + i], to, at + 3 * i);
         }
-    }
-
-    /** The differences of the three bytes, each modulo 256: the set high bits stop the borrows. */
-    private static int difference(int a, int b) {
-        return ((a | HIGH) - (b & ~HIGH) ^ (a ^ ~b) & HIGH) & 0xffffff;
     }
 
     private static void put(int a, int b, byte[] to, int at) {
