@@ -1,10 +1,11 @@
 package particles.spec;
 
-/** A named kind of list entry with its own keys: an effect, a rule, a shape, a wire. */
-public abstract class Kind {
+import java.util.List;
+import java.util.Optional;
+
+/** A named kind of list entry, a mapping with its own keys: an effect, a rule, a shape, a wire. */
+public abstract class Kind extends MappingType {
     private final String name;
-    private final String sentence;
-    private final MappingType keys;
 
     /**
      * @param name     the name by which scenes choose it
@@ -12,28 +13,17 @@ public abstract class Kind {
      * @param keys     the keys that a scene can set
      */
     protected Kind(String name, String sentence, Key<?>... keys) {
-        this(name, sentence, MappingType.of("'" + name + "'", keys));
+        this(name, sentence, List.of(keys), List.of());
     }
 
-    /** As above, for keys that also have to fit together. */
-    protected Kind(String name, String sentence, MappingType keys) {
+    /** As above, with the condition that exactly one of some keys is given. */
+    protected Kind(String name, String sentence, List<Key<?>> keys, List<Key<?>> exactlyOneOf) {
+        super("'" + name + "'", sentence, keys, exactlyOneOf, Optional.empty());
         this.name = name;
-        this.sentence = sentence;
-        this.keys = keys;
     }
 
     /** @return the name by which scenes choose it */
     public final String getName() {
         return name;
-    }
-
-    /** @return a description in one sentence */
-    public final String getSentence() {
-        return sentence;
-    }
-
-    /** @return the keys that a scene can set */
-    public final MappingType getKeys() {
-        return keys;
     }
 }

@@ -92,12 +92,12 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
         Node valueNode = entries.get(0).getValueNode();
         if (valueNode.getTag().equals(Tag.NULL)) {
             return in.problem(nameNode,
-                    "'" + kind.get().getName() + "' has no value; it has to be " + kind.get().getKeys().describe()
-                    + (kind.get().getKeys().mayBeEmpty() ? "; or write '- " + kind.get().getName()
+                    "'" + kind.get().getName() + "' has no value; it has to be " + kind.get().describe()
+                    + (kind.get().mayBeEmpty() ? "; or write '- " + kind.get().getName()
                     + "', without the colon" : ""));
         }
         Place place = in.place(nameNode);
-        return kind.get().getKeys().read(valueNode, "'" + kind.get().getName() + "'",
+        return kind.get().read(valueNode, "'" + kind.get().getName() + "'",
                 in).map(values -> new Chosen<>(kind.get(),
                 values, place));
     }
@@ -128,9 +128,9 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
     }
 
     private Optional<Chosen<K>> bare(K kind, Node node, Reading in) {
-        if (!kind.getKeys().mayBeEmpty()) {
+        if (!kind.mayBeEmpty()) {
             return in.problem(node, "'" + kind.getName() + "' needs a value for at least one key: write '- "
-                    + kind.getName() + ": " + kind.getKeys().example() + "'");
+                    + kind.getName() + ": " + kind.example() + "'");
         }
         return Optional.of(new Chosen<>(kind, new Values(in.place(node)), in.place(node)));
     }
@@ -147,8 +147,8 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
     }
 
     @Override
-    Stream<MappingType> mappings() {
-        return kinds.stream().flatMap(kind -> kind.getKeys().mappings());
+    public Stream<MappingType> mappings() {
+        return kinds.stream().flatMap(Kind::mappings);
     }
 
     @Override
@@ -156,14 +156,14 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
         Map<String, Object> properties = Ordered.map();
         for (K kind : kinds) {
             Map<String, Object> property = Ordered.map("description", kind.getSentence());
-            property.putAll(kind.getKeys().schema());
+            property.putAll(kind.schema());
             properties.put(kind.getName(), property);
         }
         Map<String, Object> mapping = Ordered.map("type", "object", "properties", properties);
         byClass.ifPresent(other -> mapping.put("patternProperties",
                 Map.of(other.form().getPattern(), Map.of("type", "object"))));
         mapping.putAll(Ordered.map("additionalProperties", false, "minProperties", 1, "maxProperties", 1));
-        List<String> bare = kinds.stream().filter(kind -> kind.getKeys().mayBeEmpty()).map(Kind::getName).toList();
+        List<String> bare = kinds.stream().filter(Kind::mayBeEmpty).map(Kind::getName).toList();
         if (bare.isEmpty()) {
             return mapping;
         }

@@ -62,7 +62,7 @@ public final class ListType<T> extends Type<List<T>> {
     }
 
     @Override
-    Stream<MappingType> mappings() {
+    public Stream<MappingType> mappings() {
         return element.mappings();
     }
 

@@ -18,36 +18,35 @@ import particles.spec.messages.Place;
 import particles.spec.messages.Wording;
 
 /** The type of a mapping with known keys. */
-public final class MappingType extends Type<Values> {
-    private final String name;
+public class MappingType extends Type<Values> {
+    private final String label;
+    private final String sentence;
     private final List<Key<?>> keys;
     private final List<Key<?>> exactlyOneOf;
     private final Optional<Key<?>> shortFor;
 
-    private MappingType(String name, List<Key<?>> keys, List<Key<?>> exactlyOneOf, Optional<Key<?>> shortFor) {
-        this.name = name;
-        this.keys = List.copyOf(keys);
-        this.exactlyOneOf = List.copyOf(exactlyOneOf);
+    /** With a label for messages, a description, its keys, those that exclude each other, and its short form. */
+    MappingType(String label, String sentence, List<Key<?>> keys, List<Key<?>> exactlyOneOf,
+            Optional<Key<?>> shortFor) {
+        this.label = label;
+        this.sentence = sentence;
+        this.keys = keys;
+        this.exactlyOneOf = exactlyOneOf;
         this.shortFor = shortFor;
     }
 
     /**
-     * @param name the name of the mapping in messages
-     * @param keys its keys, in the order in which they are explained
+     * @param label the name of the mapping in messages
+     * @param keys  its keys, in the order in which they are explained
      * @return the type
      */
-    public static MappingType of(String name, Key<?>... keys) {
-        return new MappingType(name, List.of(keys), List.of(), Optional.empty());
-    }
-
-    /** @return this type with the condition that exactly one of these keys is given */
-    public MappingType withExactlyOneOf(Key<?>... alternatives) {
-        return new MappingType(name, keys, List.of(alternatives), shortFor);
+    public static MappingType of(String label, Key<?>... keys) {
+        return new MappingType(label, "", List.of(keys), List.of(), Optional.empty());
     }
 
     /** @return this type with a short form: the value of this key alone, where no other key is needed */
     public MappingType shortFor(Key<?> key) {
-        return new MappingType(name, keys, exactlyOneOf, Optional.of(key));
+        return new MappingType(label, sentence, keys, exactlyOneOf, Optional.of(key));
     }
 
     /**
@@ -60,7 +59,7 @@ public final class MappingType extends Type<Values> {
     public Values readRoot(Node root, Reading in) {
         Reading inFormat = new Reading(in.source(), in.problems(), in.classes(), in.numbers(),
                 Optional.of(this));
-        return read(root, name, inFormat).orElseThrow();
+        return read(root, label, inFormat).orElseThrow();
     }
 
     /** {@inheritDoc} Always returns the values that are right; {@link Values#isSound()} says whether all are. */
@@ -86,11 +85,11 @@ public final class MappingType extends Type<Values> {
         }
         for (Key<?> key : keys) {
             if (key.required() && !values.isGiven(key) && !misspelt.contains(key.name())) {
-                in.problem(node, name + " needs '" + key.name() + "': " + key.type().describe());
+                in.problem(node, label + " needs '" + key.name() + "': " + key.type().describe());
             }
         }
         if (!exactlyOneOf.isEmpty() && exactlyOneOf.stream().filter(values::isGiven).count() != 1) {
-            in.problem(node, name + " needs exactly one of " + names(exactlyOneOf));
+            in.problem(node, label + " needs exactly one of " + names(exactlyOneOf));
         }
         if (in.problems().count() > before) {
             values.markUnsound();
@@ -101,7 +100,7 @@ public final class MappingType extends Type<Values> {
     private void readEntry(Node keyNode, Node valueNode, Set<String> seen, Set<String> misspelt, Values values,
                            Reading in) {
         if (!(keyNode instanceof ScalarNode)) {
-            in.problem(keyNode, "a key of " + name + " is " + Wording.describe(keyNode) + "; it has to be one of "
+            in.problem(keyNode, "a key of " + label + " is " + Wording.describe(keyNode) + "; it has to be one of "
                     + names(keys));
             return;
         }
@@ -111,12 +110,12 @@ public final class MappingType extends Type<Values> {
             List<String> known = keys.stream().map(Key::name).toList();
             DidYouMean.nearest(text, known).ifPresent(misspelt::add);
             in.problem(keyNode, NumberType.parse(keyNode).isPresent() && known.stream().allMatch(MappingType::isWord)
-                    ? "a number where a key of " + name
+                    ? "a number where a key of " + label
                     + " should be; numbers have a decimal point, not a comma, and several of them stand in [ ]"
                     : Wording.unknown("key", text, known, in.owners(text))
-                            .replaceFirst("known:", "known in " + name + ":"));
+                            .replaceFirst("known:", "known in " + label + ":"));
         } else if (!seen.add(text)) {
-            in.problem(keyNode, "'" + text + "' appears twice in " + name);
+            in.problem(keyNode, "'" + text + "' appears twice in " + label);
         } else if (valueNode.getTag().equals(Tag.NULL)) {
             values.put(key.get(), Optional.empty(), in.place(keyNode), false);
             in.problem(keyNode, "'" + text + "' has no value; it has to be " + key.get().type().describe());
@@ -179,7 +178,7 @@ public final class MappingType extends Type<Values> {
     }
 
     @Override
-    Stream<MappingType> mappings() {
+    public Stream<MappingType> mappings() {
         return Stream.concat(Stream.of(this), keys.stream().flatMap(key -> key.type().mappings()));
     }
 
@@ -206,8 +205,13 @@ public final class MappingType extends Type<Values> {
     }
 
     /** @return the name of the mapping in messages */
-    public String getName() {
-        return name;
+    public String getLabel() {
+        return label;
+    }
+
+    /** @return a description in one sentence; empty if the key that has the mapping is enough */
+    public String getSentence() {
+        return sentence;
     }
 
     /** @return the keys, in the order in which they are explained */

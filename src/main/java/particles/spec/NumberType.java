@@ -18,35 +18,36 @@ public final class NumberType extends Type<Double> {
     private static final Pattern OVER_ZERO = Pattern.compile("[+]?[0.]*[1-9].*");
 
     private final double least;
-    private final boolean leastAllowed;
     private final double most;
     private final String unit;
+    private final String range;
 
-    private NumberType(double least, boolean leastAllowed, double most, String unit) {
+    private NumberType(double least, double most, String unit, String range) {
         this.least = least;
-        this.leastAllowed = leastAllowed;
         this.most = most;
         this.unit = unit;
+        this.range = range;
     }
 
     /** @return the type of numbers over 0; the unit is empty for pure numbers */
     public static NumberType positive(String unit) {
-        return new NumberType(0, false, HUGE, unit);
+        return new NumberType(TINY, HUGE, unit, "a number over 0");
     }
 
     /** @return the type of numbers of 0 or more */
     public static NumberType notNegative(String unit) {
-        return new NumberType(0, true, HUGE, unit);
+        return new NumberType(0, HUGE, unit, "a number from 0 up");
     }
 
     /** @return the type of any numbers */
     public static NumberType any(String unit) {
-        return new NumberType(-HUGE, true, HUGE, unit);
+        return new NumberType(-HUGE, HUGE, unit, "a number");
     }
 
     /** @return the type of numbers from least to most, both included */
     public static NumberType between(double least, double most, String unit) {
-        return new NumberType(least, true, most, unit);
+        return new NumberType(least, most, unit,
+                "a number from " + Digits.exact(least) + " to " + Digits.exact(most));
     }
 
     @Override
@@ -60,8 +61,8 @@ public final class NumberType extends Type<Double> {
         if (value >= 0 && value < TINY && OVER_ZERO.matcher(((ScalarNode) node).getValue()).matches()) {
             return wrong(node, what, "positive numbers in a scene are at least " + Digits.exact(TINY), in);
         }
-        if (value <= most && value >= smallest()) {
-            in.numbers().add(new Reading.NumberInText(what, value, in.place(node), smallest(), most, unit));
+        if (value <= most && value >= least) {
+            in.numbers().add(new Reading.NumberInText(what, value, in.place(node), least, most, unit));
             return number;
         }
         if (Double.isNaN(value) && !isNotANumber(node) || Math.abs(value) > HUGE) {
@@ -72,10 +73,6 @@ public final class NumberType extends Type<Double> {
 
     private static boolean isNotANumber(Node node) {
         return ((ScalarNode) node).getValue().equalsIgnoreCase(".nan");
-    }
-
-    private double smallest() {
-        return leastAllowed ? least : Math.max(TINY, Math.nextUp(least));
     }
 
     /** Parses a number by YAML 1.2's core schema: 1e-3, .5, +2, 0x10, but also .inf and .nan. */
@@ -96,25 +93,16 @@ public final class NumberType extends Type<Double> {
 
     @Override
     Optional<Double> sample() {
-        return Optional.of(smallest() <= 2 && 2 <= most ? 2 : (smallest() + most) / 2);
+        return Optional.of(least <= 2 && 2 <= most ? 2 : (least + most) / 2);
     }
 
     @Override
     public String describe() {
-        String range;
-        if (least == -most) {
-            range = "a number";
-        } else if (most == HUGE) {
-            range = leastAllowed ? "a number from " + Digits.exact(least) + " up" : "a number over "
-                    + Digits.exact(least);
-        } else {
-            range = "a number from " + Digits.exact(least) + " to " + Digits.exact(most);
-        }
         return range + (unit.isEmpty() ? "" : " (" + unit + ")");
     }
 
     @Override
     Map<String, Object> schema() {
-        return Ordered.map("type", "number", "minimum", smallest(), "maximum", most);
+        return Ordered.map("type", "number", "minimum", least, "maximum", most);
     }
 }

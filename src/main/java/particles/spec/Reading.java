@@ -50,7 +50,7 @@ public record Reading(String source, Problems problems, ClassNames classes, List
     /** @return the names of all mappings of the format that have this key */
     List<String> owners(String key) {
         return format.stream().flatMap(MappingType::mappings).filter(mapping -> mapping.getKeys().stream()
-                .anyMatch(known -> known.name().equals(key))).map(MappingType::getName).distinct().toList();
+                .anyMatch(known -> known.name().equals(key))).map(MappingType::getLabel).distinct().toList();
     }
 
     /** As {@link Problems#add}, at a node. */

@@ -64,7 +64,7 @@ public abstract class Type<T> {
     }
 
     /** @return all mappings that a value of this type may contain, itself included */
-    Stream<MappingType> mappings() {
+    public Stream<MappingType> mappings() {
         return Stream.empty();
     }
 

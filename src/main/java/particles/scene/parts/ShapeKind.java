@@ -10,7 +10,6 @@ import particles.spec.FlagType;
 import particles.spec.Key;
 import particles.spec.Kind;
 import particles.spec.ListType;
-import particles.spec.MappingType;
 import particles.spec.NameType;
 import particles.spec.NumberType;
 import particles.spec.TextType;
@@ -58,11 +57,11 @@ public abstract class ShapeKind extends Kind {
      * @param own     the keys for the positions of the particles
      */
     ShapeKind(String name, String sentence, Parts parts, List<Sort> springs, boolean hasSurface, Key<?>... own) {
-        super(name, sentence, keys(name, parts, springs, hasSurface, own));
+        super(name, sentence, keys(name, parts, springs, hasSurface, own), List.of(MASS, TOTAL_MASS));
         this.parts = parts;
     }
 
-    private static MappingType keys(String name, Parts parts, List<Sort> springs, boolean hasSurface, Key<?>[] own) {
+    private static List<Key<?>> keys(String name, Parts parts, List<Sort> springs, boolean hasSurface, Key<?>[] own) {
         List<Key<?>> all = new ArrayList<>(List.of(id(name)));
         all.addAll(Arrays.asList(own));
         all.addAll(List.of(MASS, TOTAL_MASS, ParticleDescription.RADIUS, VELOCITY, parts.fixed));
@@ -70,7 +69,7 @@ public abstract class ShapeKind extends Kind {
         if (hasSurface) {
             all.add(SURFACE);
         }
-        return MappingType.of("'" + name + "'", all.toArray(new Key<?>[0])).withExactlyOneOf(MASS, TOTAL_MASS);
+        return all;
     }
 
     private static Key<String> id(String name) {

@@ -33,20 +33,20 @@ public final class Reference {
      */
     public static String of(MappingType root, String heading) {
         Reference reference = new Reference();
-        reference.tell(root, heading, "");
+        root.mappings().forEach(mapping -> reference.tell(mapping, heading));
         return String.join("\n", reference.lines) + "\n";
     }
 
-    private void tell(MappingType mapping, String heading, String sentence) {
-        if (!told.add(mapping.getName() + mapping.getKeys())) {
+    private void tell(MappingType mapping, String heading) {
+        if (!told.add(mapping.getLabel() + mapping.getKeys())) {
             return;                                     // several shapes have springs of the same sort
         }
         if (!lines.isEmpty()) {
             lines.add("");
         }
         lines.add(heading + " " + heading(mapping));
-        if (!sentence.isEmpty()) {
-            lines.add(sentence);
+        if (!mapping.getSentence().isEmpty()) {
+            lines.add(mapping.getSentence());
         }
         lines.add("");
         lines.add("| key | value | default | meaning |");
@@ -55,17 +55,6 @@ public final class Reference {
             String standard = key.required() ? "*required*" : key.defaultJson().map(Reference::written).orElse("");
             String meaning = key.sentence().replace("|", "\\|");
             lines.add("| `" + key.name() + "` | " + values(key.type()) + " | " + standard + " | " + meaning + " |");
-        }
-        mapping.getKeys().forEach(key -> tellWithin(key.type(), heading));
-    }
-
-    private void tellWithin(Type<?> type, String heading) {
-        if (type instanceof MappingType mapping) {
-            tell(mapping, heading, "");
-        } else if (type instanceof ListType<?> list) {
-            tellWithin(list.getElement(), heading);
-        } else if (type instanceof KindType<?> kinds) {
-            kinds.getKinds().forEach(kind -> tell(kind.getKeys(), heading, kind.getSentence()));
         }
     }
 
@@ -86,7 +75,7 @@ public final class Reference {
     }
 
     private static String heading(MappingType mapping) {
-        return capital(mapping.getName().replace('\'', '`'));
+        return capital(mapping.getLabel().replace('\'', '`'));
     }
 
     /** A link to the table of a mapping, as Markdown viewers name the places of headings. */

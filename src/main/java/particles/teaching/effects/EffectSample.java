@@ -72,10 +72,10 @@ public final class EffectSample {
         }
         EffectKind kind = named(name).orElseGet(() -> byClass(name, classes));
         Sample scene = new Sample(particles);
-        kind.build(kind.getKeys().samples(), scene);
+        kind.build(kind.samples(), scene);
         if (scene.effects.isEmpty()) {                  // wind has no force of its own
             checkedThrough(name).flatMap(EffectSample::named).stream()
-                    .forEach(other -> other.build(other.getKeys().samples(), scene));
+                    .forEach(other -> other.build(other.samples(), scene));
         }
         if (scene.effects.isEmpty()) {
             throw new IllegalArgumentException("the Keys of " + name + " add no effect to the scene");
