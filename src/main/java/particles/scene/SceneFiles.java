@@ -55,7 +55,7 @@ public final class SceneFiles {
         }
         List<Path> found = new ArrayList<>();
         for (Path file : list(folder)) {
-            if (namesOf(file).contains(wanted.replaceFirst("\\.yaml$", ""))) {
+            if (SceneName.of(file).isCalled(wanted.replaceFirst("\\.yaml$", ""))) {
                 found.add(file);
             }
         }
@@ -104,34 +104,18 @@ public final class SceneFiles {
         }
     }
 
-    /** All names by which a scene can be called. */
-    private static List<String> namesOf(Path file) {
-        String name = name(file);
-        if (!name.matches("\\d+-.+")) {
-            return List.of(name);
-        }
-        String number = name.substring(0, name.indexOf('-'));
-        return List.of(name, name.substring(number.length() + 1), number, number.replaceFirst("^0+(?=.)", ""));
-    }
-
     private static boolean isScene(Path file) {
         String name = file.getFileName().toString();
         return name.endsWith(ENDING) && !name.startsWith(".");
     }
 
-    private static String name(Path file) {
-        return file.getFileName().toString().replaceFirst("\\.yaml$", "");
-    }
-
     private static String nearest(Path folder, String wanted) {
-        List<Path> scenes = list(folder);
-        List<String> titles = scenes.stream().map(file -> namesOf(file).get(namesOf(file).size() > 1 ? 1 : 0)).toList();
-        String bare = wanted.replace('\\', '/').replaceFirst(".*/", "").replaceFirst("\\.yaml$",
-                "").replaceFirst("^\\d+-", "");
-        String known = " scenes: " + String.join(", ", scenes.stream().map(SceneFiles::name).toList());
+        List<SceneName> scenes = list(folder).stream().map(SceneName::of).toList();
+        String bare = SceneName.of(wanted.replace('\\', '/').replaceFirst(".*/", "")).bare();
+        String known = " scenes: " + String.join(", ", scenes.stream().map(SceneName::whole).toList());
         if (bare.length() < 3 || bare.length() > 60) {
             return ";" + known;
         }
-        return DidYouMean.hint(bare, titles, "'%s'"::formatted) + known;
+        return DidYouMean.hint(bare, scenes.stream().map(SceneName::bare).toList(), "'%s'"::formatted) + known;
     }
 }

@@ -17,9 +17,9 @@ import particles.app.cli.OptionStyle;
 import particles.app.cli.Program;
 import particles.app.cli.ProgramCommand;
 import particles.app.run.RunCommand;
-import particles.app.run.SceneName;
 import particles.app.run.StopRequest;
 import particles.scene.SceneFiles;
+import particles.scene.SceneName;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 

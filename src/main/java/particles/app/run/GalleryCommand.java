@@ -18,6 +18,7 @@ import particles.output.frames.Pipeline;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneFiles;
+import particles.scene.SceneName;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 import particles.view.Camera;

@@ -3,6 +3,7 @@ package particles.app.run;
 import java.nio.file.Path;
 import particles.app.student.StudentClasses;
 import particles.scene.SceneFiles;
+import particles.scene.SceneName;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;

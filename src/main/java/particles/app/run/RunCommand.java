@@ -23,6 +23,7 @@ import particles.scene.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneFiles;
+import particles.scene.SceneName;
 import particles.scene.SceneReader;
 import particles.scene.format.OutputDescription;
 import particles.scene.format.OutputDescription.Video;

@@ -10,6 +10,7 @@ import particles.app.cli.ProgramCommand;
 import particles.app.student.StudentClasses;
 import particles.scene.SceneException;
 import particles.scene.SceneFiles;
+import particles.scene.SceneName;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;

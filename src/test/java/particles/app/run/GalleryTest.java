@@ -22,6 +22,7 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Program;
 import particles.scene.SceneFiles;
+import particles.scene.SceneName;
 
 /** The gallery of scenes: its page matches the scenes, and each scene has its picture. */
 class GalleryTest {

@@ -1,4 +1,4 @@
-package particles.app.run;
+package particles.scene;
 
 import java.nio.file.Path;
 
@@ -13,11 +13,21 @@ public record SceneName(String whole, String number, String bare) {
 
     /** @return the parts of a scene file's name */
     public static SceneName of(Path file) {
-        String whole = file.getFileName().toString().replaceFirst("\\.ya?ml$", "");
+        return of(file.getFileName().toString());
+    }
+
+    static SceneName of(String file) {
+        String whole = file.replaceFirst("\\.ya?ml$", "");
         if (!whole.matches("\\d+-.+")) {
             return new SceneName(whole, "", whole);
         }
         int dash = whole.indexOf('-');
         return new SceneName(whole, whole.substring(0, dash), whole.substring(dash + 1));
+    }
+
+    /** Whether the scene can be called so: by its name, with or without number, or by its number. */
+    boolean isCalled(String name) {
+        return whole.equals(name) || bare.equals(name)
+                || number.length() > 0 && (number.equals(name) || number.replaceFirst("^0+(?=.)", "").equals(name));
     }
 }
