@@ -1,6 +1,7 @@
 package particles;
 
 import deSolvers.text.Digits;
+import particles.SimulationException.End;
 import particles.law.Particles;
 
 /**
@@ -22,7 +23,7 @@ public record EnergyLimit(double joules) implements Rule {
         return "energy limit";
     }
 
-    /** @throws BlowUpException if the kinetic energy is above the limit; names the fastest particle */
+    /** @throws SimulationException if the kinetic energy is above the limit; names the fastest particle */
     @Override
     public boolean afterStep(ParticleSystem system, double deltaT) {
         double[] state = system.getOwnState();
@@ -31,7 +32,7 @@ public record EnergyLimit(double joules) implements Rule {
             return false;
         }
         int fastest = fastest(system.getParticles(), state);
-        throw new BlowUpException(system.getTime(), fastest, "the kinetic energy is " + Digits.few(energy)
+        throw new SimulationException(End.ENERGY_LIMIT, system.getTime(), fastest, "the kinetic energy is " + Digits.few(energy)
                 + " J, above the limit of " + Digits.few(joules) + " J; the fastest particle is '"
                 + system.getParticles().id(fastest) + "'");
     }

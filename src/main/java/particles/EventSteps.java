@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import particles.SimulationException.End;
 
 /**
  * Makes the steps of a run and splits them at events: a motion with an event is moved back to it, the event acts, and
@@ -127,8 +128,8 @@ final class EventSteps {
     }
 
     private static SimulationException noHeadway(double time, String why, double end) {
-        return new SimulationException.NoHeadway(time, why + ", and " + Digits.few(end - time)
-                + " s of the step are left");
+        return new SimulationException(End.NO_HEADWAY, time, -1, "contacts make no headway: " + why + ", and "
+                + Digits.few(end - time) + " s of the step are left");
     }
 
     private boolean mayTurnWithin(double time) {

@@ -7,10 +7,27 @@ package particles;
 public class SimulationException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
+    /** What ends a run. */
+    public enum End {
+        /** A step failed, or rods and wires contradict each other. */
+        FAILURE,
+        /** The kinetic energy exceeded the scene's limit, almost always because deltaT is too long for the solver. */
+        ENERGY_LIMIT,
+        /** The numerical error became far larger than the energy. */
+        NUMERICAL_ERROR,
+        /** Its duration, but the numerical error is larger than the energy: the motion says nothing about physics. */
+        WRONG_MOTION,
+        /** Contacts open and close so often that a step does not end. */
+        NO_HEADWAY,
+    }
+
+    private final End end;
     private final double time;
     private final int particle;
 
     /**
+     * Describes a failure.
+     *
      * @param time     the simulated time (s)
      * @param particle the index of the particle concerned, or -1
      * @param message  the message to the user
@@ -18,8 +35,27 @@ public class SimulationException extends RuntimeException {
      */
     public SimulationException(double time, int particle, String message, Throwable cause) {
         super(message, cause);
+        end = End.FAILURE;
         this.time = time;
         this.particle = particle;
+    }
+
+    /**
+     * @param end      what ended the run
+     * @param time     the simulated time (s); of a wrong motion, that from which on it is wrong
+     * @param particle the index of the particle concerned, such as the fastest one, or -1
+     * @param message  the message to the user
+     */
+    public SimulationException(End end, double time, int particle, String message) {
+        super(message);
+        this.end = end;
+        this.time = time;
+        this.particle = particle;
+    }
+
+    /** @return what ended the run */
+    public End getEnd() {
+        return end;
     }
 
     /** @return the simulated time (s) */
@@ -30,14 +66,5 @@ public class SimulationException extends RuntimeException {
     /** @return the index of the particle concerned, or -1 */
     public int getParticle() {
         return particle;
-    }
-
-    /** Thrown when contacts open and close so often that a step does not end. */
-    public static final class NoHeadway extends SimulationException {
-        private static final long serialVersionUID = 1L;
-
-        NoHeadway(double time, String why) {
-            super(time, -1, "contacts make no headway: " + why, null);
-        }
     }
 }

@@ -2,9 +2,10 @@ package particles.energy;
 
 import deSolvers.text.Digits;
 import particles.Motion;
-import particles.NumericalErrorException;
 import particles.Observer;
 import particles.ParticleSystem;
+import particles.SimulationException;
+import particles.SimulationException.End;
 import particles.law.Particles;
 
 /**
@@ -55,8 +56,9 @@ public final class NumericalErrorLimit implements Observer {
         double expected = Math.max(explained, energy.getRestScale());
         if (error > Math.max(rounding, MOST_GAIN * expected) && error > MOST_GAIN * (expected + putIn())) {
             find(motion);
-            throw new NumericalErrorException(motion.getEndTime(), fastest, "the numerical error is "
-                    + Digits.few(error) + " J, over " + MOST_GAIN + " times the rest of the energy", true);
+            throw new SimulationException(End.NUMERICAL_ERROR, motion.getEndTime(), fastest,
+                    "the numerical error is " + Digits.few(error) + " J, over " + MOST_GAIN
+                    + " times the rest of the energy");
         }
         if (Double.isNaN(passed) && isAboveScale(error)) {
             passed = motion.getEndTime();
@@ -70,15 +72,16 @@ public final class NumericalErrorLimit implements Observer {
             fail(system.getTime(), books.getLatestNumericalError());
         }
         if (isAboveScale(largest)) {
-            throw new NumericalErrorException(passed, fastest, "the numerical error of " + Digits.few(largest)
-                    + " J is larger than the energy scale" + (putIn() > 0 ? " and the work put in" : "") + ", "
-                    + Digits.few(energy.getScale() + putIn()) + " J", false);
+            throw new SimulationException(End.WRONG_MOTION, passed, fastest, "the numerical error of "
+                    + Digits.few(largest) + " J is larger than the energy scale"
+                    + (putIn() > 0 ? " and the work put in" : "") + ", "
+                    + Digits.few(energy.getScale() + putIn()) + " J");
         }
     }
 
     private void fail(double time, double error) {
-        throw new NumericalErrorException(time, fastest, "the numerical error of its energy is "
-                + Digits.few(error) + (Double.isNaN(error) ? "" : " J"), true);
+        throw new SimulationException(End.NUMERICAL_ERROR, time, fastest, "the numerical error of its energy is "
+                + Digits.few(error) + (Double.isNaN(error) ? "" : " J"));
     }
 
     /** After its first Euler step, all energy of a falling body is error; that does not count as above. */

@@ -6,11 +6,11 @@ import deSolvers.catalog.SolverInfo;
 import deSolvers.text.Digits;
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.UnaryOperator;
-import particles.BlowUpException;
-import particles.NumericalErrorException;
 import particles.ParticleSystem;
 import particles.SimulationException;
+import particles.SimulationException.End;
 import particles.law.DifferentiableEffect;
 import particles.law.Effect;
 import particles.reactions.RestingContacts;
@@ -54,7 +54,7 @@ public final class BlowUpMessage {
 
     /** @return whether numbers grew without bounds; false if a solver found no solution */
     public boolean isBlowUp() {
-        return end instanceof BlowUpException || end instanceof NumericalErrorException
+        return Set.of(End.ENERGY_LIMIT, End.NUMERICAL_ERROR, End.WRONG_MOTION).contains(end.getEnd())
                 || failure.isPresent() && failure.get().getEntry() >= 0;
     }
 
@@ -69,7 +69,7 @@ public final class BlowUpMessage {
 
     private String what() {
         String from = "from t = " + Digits.few(end.getTime()) + " s on the motion by " + solver + " is wrong: ";
-        if (end instanceof NumericalErrorException error && !error.isEarly()) {
+        if (end.getEnd() == End.WRONG_MOTION) {
             return from + end.getMessage();
         }
         String particle = end.getParticle() < 0 ? ""
@@ -77,7 +77,7 @@ public final class BlowUpMessage {
         return solver + " stopped at t = " + Digits.few(end.getTime()) + " s" + particle + ": "
                 + singular.map(force -> "the force '" + force.getName() + "' is not finite there")
                         .or(() -> failure.map(DESolverException::getReason))
-                        .orElse(end instanceof BlowUpException ? energy() : end.getMessage());
+                        .orElse(end.getEnd() == End.ENERGY_LIMIT ? energy() : end.getMessage());
     }
 
     /** A force that is not finite at the beginning of the failed step, as at the centre of an attraction. */
@@ -106,7 +106,7 @@ public final class BlowUpMessage {
         Optional<SolverInfo> known = SolverCatalog.find(solver);
         if (singular.isPresent()) {
             found("no solver can go on from there", Advice.byHand("other positions in the scene"));
-        } else if (end instanceof SimulationException.NoHeadway) {
+        } else if (end.getEnd() == End.NO_HEADWAY) {
             findForContacts();
         } else if (failure.isPresent() && !(isBlowUp() && known.filter(SolverInfo::adaptive).isEmpty()) && mayStop()) {
             found("something is about to stop or to begin to slide, and there Coulomb friction changes its direction"

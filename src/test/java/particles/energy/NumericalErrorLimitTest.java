@@ -1,7 +1,6 @@
 package particles.energy;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -13,9 +12,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.NumericalErrorException;
 import particles.ParticleSystem;
 import particles.Simulation;
+import particles.SimulationException;
 import particles.effects.springs.SpringForce;
 import particles.law.ParticleForce;
 import particles.law.Vector3;
@@ -48,8 +47,8 @@ class NumericalErrorLimitTest {
                 """.formatted(drag)).getScene().simulation(), 0.5);
     }
 
-    private static NumericalErrorException failure(String steps, double drag) {
-        return assertThrows(NumericalErrorException.class, () -> swing(steps, drag));
+    private static SimulationException failure(String steps, double drag) {
+        return assertThrows(SimulationException.class, () -> swing(steps, drag));
     }
 
     private static Simulation of(ParticleSystem system, DESolver solver, double deltaT, double duration) {
@@ -63,8 +62,8 @@ class NumericalErrorLimitTest {
     @Test
     void aGainOfAThousandEndsTheRunAtOnce() {
         swing("euler clamp 1 10", 0);                   // 511.5 J
-        NumericalErrorException e = failure("euler clamp 1 100", 0);
-        assertTrue(e.isEarly());
+        SimulationException e = failure("euler clamp 1 100", 0);
+        assertEquals(SimulationException.End.NUMERICAL_ERROR, e.getEnd());
         assertEquals(11, e.getTime());
         assertEquals(1, e.getParticle());
         assertEquals("the numerical error is 1020 J, over 1000 times the rest of the energy",
@@ -77,9 +76,9 @@ class NumericalErrorLimitTest {
      */
     @Test
     void anErrorAboveTheEnergyFailsTheRunAtItsEnd() {
-        NumericalErrorException e = failure("euler clamp 0.1 30", 0.1);
+        SimulationException e = failure("euler clamp 0.1 30", 0.1);
         assertEquals(10, e.getTime(), 1);               // the work swings about its average
-        assertFalse(e.isEarly());
+        assertEquals(SimulationException.End.WRONG_MOTION, e.getEnd());
         assertTrue(e.getMessage().matches(
                 "the numerical error of 1\\.\\d+ J is larger than the energy scale, 0\\.5\\d* J"), e.getMessage());
         swing("euler clamp 0.1 8", 0.1);
@@ -108,7 +107,7 @@ class NumericalErrorLimitTest {
                 return Math.sqrt(1 - position.x());
             }
         });
-        NumericalErrorException e = assertThrows(NumericalErrorException.class,
+        SimulationException e = assertThrows(SimulationException.class,
                 () -> run(of(system, new EulerSolver(), 0.25, 2), 0.5, stride));
         assertEquals(end, e.getTime());
         assertEquals("the numerical error of its energy is not a number", e.getMessage());
@@ -160,7 +159,7 @@ class NumericalErrorLimitTest {
                 return 2;
             }
         };
-        assertEquals(30, assertThrows(NumericalErrorException.class,
+        assertEquals(30, assertThrows(SimulationException.class,
                 () -> run(of(oscillator, wrong, 10, 200), 0.5)).getTime());
     }
 

@@ -15,7 +15,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.NumericalErrorException;
 import particles.SimulationException;
 import particles.energy.EnergyRecorder;
 import particles.law.ParticleForce;
@@ -237,8 +236,8 @@ class BlowUpMessageTest {
     @Test
     void aRunThatWentWrongIsToldFromWhenOn() {
         Scene scene = SceneBuilder.build(chain("euler", 0));
-        String line = new BlowUpMessage(scene, new NumericalErrorException(1.25, 2,
-                "the numerical error of 3 J is larger", false)).lines(name -> "--" + name);
+        String line = new BlowUpMessage(scene, new SimulationException(SimulationException.End.WRONG_MOTION, 1.25, 2,
+                "the numerical error of 3 J is larger")).lines(name -> "--" + name);
         assertTrue(line.startsWith("from t = 1.25 s on the motion by euler is wrong: the numerical error of 3 J is"
                 + " larger\nundamped springs gain energy with euler at any deltaT\ntry "), line);
     }

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.BlowUpException;
+import particles.SimulationException;
 import particles.scene.ShortRun;
 
 /** Roots of polynomials that are known, and polynomials that have none to be found. */
@@ -36,7 +36,8 @@ class FirstCrossingTest {
                 effects: [drag: {coefficient: 1e30}, wind: {mean: [-1e30, 0, 0]}]
                 rules: [sphere: {centre: [0, 0, 0], radius: 1, restitution: 0.5}]
                 """);
-        BlowUpException e = assertThrows(BlowUpException.class, run::run);
+        SimulationException e = assertThrows(SimulationException.class, run::run);
+        assertEquals(SimulationException.End.ENERGY_LIMIT, e.getEnd());
         assertEquals(0.01, e.getTime(), 1e-12);
     }
 }

@@ -8,7 +8,6 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
-import particles.NumericalErrorException;
 import particles.SimulationException;
 import particles.app.cli.ChartOptions;
 import particles.app.cli.ExitCode;
@@ -201,7 +200,7 @@ public final class RunCommand extends ResultsCommand {
             return Optional.empty();
         } catch (SimulationException e) {
             BlowUpMessage message = new BlowUpMessage(scene, e);
-            if (!(e instanceof NumericalErrorException error) || error.isEarly()) {
+            if (e.getEnd() != SimulationException.End.WRONG_MOTION) {
                 observers.showEnd((message.isBlowUp() ? "blew up" : "stopped") + " at t = "
                         + Digits.few(e.getTime()) + " s");
             }
