@@ -11,13 +11,10 @@ import deSolvers.SecondOrderStateSource;
  * ds/dt does.
  */
 abstract class SymplecticSolver extends FixedStepSolver {
-    private static final int STRETCH = 1024;
-
     private final ImplicitKick implicitKick = new ImplicitKick();
     private final LastStep lastStep = new LastStep();
     private double[] remembered = {};                   // the acceleration where it ended
     private int d;
-    private int stretch;                                // entries of some blocks, which stay in the cache
 
     /**
      * Makes the step, as {@link FixedStepSolver#step}.
@@ -35,7 +32,6 @@ abstract class SymplecticSolver extends FixedStepSolver {
             d = dimension;
             remembered = new double[s.length];
             requireBlocks(s.length);
-            stretch = 2 * d * (1 + STRETCH / d);
         }
         kickAndDrift(source, s, deltaT);
     }
@@ -79,24 +75,18 @@ abstract class SymplecticSolver extends FixedStepSolver {
 
     /** v += h a. */
     final void kick(double[] s, double[] a, double h) {
-        for (int from = 0; from < s.length; from += stretch) {
-            int end = Math.min(s.length, from + stretch);
-            for (int first = from + d; first < from + 2 * d; first++) {     // x, then y, then z
-                for (int v = first; v < end; v += 2 * d) {
-                    s[v] += h * a[v];
-                }
+        for (int block = d; block < s.length; block += 2 * d) {
+            for (int v = block; v < block + d; v++) {
+                s[v] += h * a[v];
             }
         }
     }
 
     /** x += h v. */
     final void drift(double[] s, double h) {
-        for (int from = 0; from < s.length; from += stretch) {
-            int end = Math.min(s.length, from + stretch);
-            for (int first = from; first < from + d; first++) {
-                for (int x = first; x < end; x += 2 * d) {
-                    s[x] += h * s[x + d];
-                }
+        for (int block = 0; block < s.length; block += 2 * d) {
+            for (int x = block; x < block + d; x++) {
+                s[x] += h * s[x + d];
             }
         }
     }
