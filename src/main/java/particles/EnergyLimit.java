@@ -32,9 +32,9 @@ public record EnergyLimit(double joules) implements Rule {
             return false;
         }
         int fastest = fastest(system.getParticles(), state);
-        throw new SimulationException(End.ENERGY_LIMIT, system.getTime(), fastest, "the kinetic energy is " + Digits.few(energy)
-                + " J, above the limit of " + Digits.few(joules) + " J; the fastest particle is '"
-                + system.getParticles().id(fastest) + "'");
+        throw new SimulationException(End.ENERGY_LIMIT, system.getTime(), fastest, "the kinetic energy is "
+                + Digits.few(energy) + " J, above the limit of " + Digits.few(joules)
+                + " J; the fastest particle is '" + system.getParticles().id(fastest) + "'");
     }
 
     private static int fastest(Particles particles, double[] state) {
