@@ -12,40 +12,13 @@ import particles.law.Reaction;
 /** Computes the total force of all effects and reactions, and the derivative (v, F/m). */
 public final class ForceSum {
     private static final int STRIDE = Particles.STRIDE;
-    /** Particles are evaluated in groups of this size: their state and force, 48 kB, stay in the cache. */
-    private static final int STRETCH = 512;
-
     private final Particles particles;
     private final List<Effect> effects;
     private final List<Reaction> reactions;
     private Optional<ParallelDerivative> parallel = Optional.empty();
-    /** Setting the derivative to (v, 0) comes before the effects that act on each particle separately. */
-    private final List<PerParticleEffect> passes = new ArrayList<>(List.of(new NoForce()));
     private final List<PerParticleEffect> perParticle = new ArrayList<>();
     private final List<Effect> others = new ArrayList<>();
     private int sorted;                                 // how many effects are in the two lists
-
-    /**
-     * Sets a range of the derivative to (v, 0). As an effect among effects it makes the call in {@link #begin} one of
-     * three or more kinds, so that Java compiles each loop by itself: in one nest they take 1.5 times as long.
-     */
-    private static final class NoForce implements PerParticleEffect {
-        @Override
-        public String getName() {
-            return "no force";
-        }
-
-        @Override
-        public void addForces(double[] state, double time, double[] dSdt, int from, int to) {
-            int first = STRIDE * from;
-            System.arraycopy(state, first + 3, dSdt, first, STRIDE * (to - from) - 3);
-            for (int v = first + 3; v < STRIDE * to; v += STRIDE) {
-                dSdt[v] = 0;
-                dSdt[v + 1] = 0;
-                dSdt[v + 2] = 0;
-            }
-        }
-    }
 
     /** Keeps the lists, which may grow later. */
     public ForceSum(Particles particles, List<Effect> effects, List<Reaction> reactions) {
@@ -90,7 +63,6 @@ public final class ForceSum {
         for (; sorted < effects.size(); sorted++) {
             if (effects.get(sorted) instanceof PerParticleEffect effect) {
                 perParticle.add(effect);
-                passes.add(effect);
             } else {
                 others.add(effects.get(sorted));
             }
@@ -99,11 +71,14 @@ public final class ForceSum {
 
     /** Computes (v, F) of the particles first ... end - 1, with the forces of the per-particle effects. */
     public void begin(double[] state, double time, double[] dSdt, int first, int end) {
-        for (int from = first; from < end; from += STRETCH) {
-            int to = Math.min(end, from + STRETCH);
-            for (int e = 0; e < passes.size(); e++) {
-                passes.get(e).addForces(state, time, dSdt, from, to);
+        for (int x = STRIDE * first; x < STRIDE * end; x += STRIDE) {
+            for (int c = x; c < x + 3; c++) {
+                dSdt[c] = state[c + 3];
+                dSdt[c + 3] = 0;
             }
+        }
+        for (int e = 0; e < perParticle.size(); e++) {
+            perParticle.get(e).addForces(state, time, dSdt, first, end);
         }
     }
 
