@@ -1,23 +1,31 @@
 package particles.spec;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
-import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
 
-/** The type of a name from a list, or optionally a text of another form. */
-public final class NameType extends Type<String> {
+/**
+ * The type of a name from a list, or optionally a text of another form.
+ *
+ * @param <T> what the names stand for: themselves, or the constants of an enum
+ */
+public final class NameType<T> extends Type<T> {
     private final String what;
     private final List<String> names;
+    private final Function<String, T> parse;
     private final Optional<TextType> other;
 
-    private NameType(String what, List<String> names, Optional<TextType> other) {
+    private NameType(String what, List<String> names, Function<String, T> parse, Optional<TextType> other) {
         this.what = what;
         this.names = List.copyOf(names);
+        this.parse = parse;
         this.other = other;
     }
 
@@ -26,8 +34,22 @@ public final class NameType extends Type<String> {
      * @param names the names
      * @return the type of one of these names
      */
-    public static NameType of(String what, List<String> names) {
-        return new NameType(what, names, Optional.empty());
+    public static NameType<String> of(String what, List<String> names) {
+        return new NameType<>(what, names, Function.identity(), Optional.empty());
+    }
+
+    /**
+     * @param what the kind of thing that has these names
+     * @param type an enum
+     * @return the type of its constants, with names such as {@code beside-surfaces}
+     */
+    public static <E extends Enum<E>> NameType<E> of(String what, Class<E> type) {
+        return new NameType<>(what, Arrays.stream(type.getEnumConstants()).map(NameType::nameOf).toList(),
+                name -> Enum.valueOf(type, name.toUpperCase(Locale.ROOT).replace('-', '_')), Optional.empty());
+    }
+
+    private static String nameOf(Enum<?> constant) {
+        return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
     /**
@@ -36,36 +58,27 @@ public final class NameType extends Type<String> {
      * @param other the type of other texts allowed; no name may have their form
      * @return the type of a name, or of a text of the other form
      */
-    public static NameType or(String what, List<String> names, TextType other) {
-        return new NameType(what, names, Optional.of(other));
+    public static NameType<String> or(String what, List<String> names, TextType other) {
+        return new NameType<>(what, names, Function.identity(), Optional.of(other));
     }
 
     @Override
-    Optional<String> read(Node node, String label, Reading in) {
+    Optional<T> read(Node node, String label, Reading in) {
         if (!(node instanceof ScalarNode)) {
             return wrong(node, label, in);
         }
         String text = ((ScalarNode) node).getValue();
-        if (names.contains(text) && isText(node)) {
-            return Optional.of(text);
-        }
-        if (other.isPresent() && isText(node)) {
-            Optional<String> read = other.get().read(node, label, new Reading(in.source(), new Problems()));
-            if (read.isPresent()) {
-                return read;
-            }
+        if (node.getTag().equals(Tag.STR)
+                && (names.contains(text) || other.filter(form -> form.matches(text)).isPresent())) {
+            return Optional.of(parse.apply(text));
         }
         return in.problem(node, Wording.unknown(what, text, names, List.of())
                 + other.map(o -> ", or " + o.describe()).orElse(""));
     }
 
-    private static boolean isText(Node node) {
-        return node.getTag().equals(Tag.STR);
-    }
-
     @Override
-    Optional<String> sample() {
-        return names.stream().findFirst();
+    Optional<T> sample() {
+        return names.stream().findFirst().map(parse);
     }
 
     @Override
@@ -77,5 +90,10 @@ public final class NameType extends Type<String> {
     Map<String, Object> schema() {
         Map<String, Object> choice = Ordered.map("enum", names);
         return other.isEmpty() ? choice : Ordered.map("anyOf", List.of(choice, other.get().schema()));
+    }
+
+    @Override
+    Object toJson(T value) {
+        return value instanceof Enum<?> constant ? nameOf(constant) : value;
     }
 }

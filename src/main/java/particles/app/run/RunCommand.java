@@ -25,7 +25,6 @@ import particles.scene.SceneFiles;
 import particles.scene.SceneName;
 import particles.scene.SceneReader;
 import particles.scene.format.OutputDescription;
-import particles.scene.format.OutputDescription.Video;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
 import particles.threads.ParallelForces;
@@ -64,7 +63,7 @@ public final class RunCommand extends ResultsCommand {
 
     @Option(names = "--video", paramLabel = "none|mp4", converter = VideoOption.class,
             description = "Whether to make film.mp4 from the pictures (default: as the scene says, or none).")
-    private Video video;
+    private String video;
 
     @Option(names = "--size", paramLabel = "WIDTHxHEIGHT",
             description = "The size of frames, animation and film (pixels), such as 1920x1080.")
@@ -116,7 +115,7 @@ public final class RunCommand extends ResultsCommand {
                 SceneReader.read(SceneReader.nameOf(file), bytes, new StudentClasses()));
         OutputDescription output = scene.output();
         description = scene.withOutput(!frames ? output.withoutFrames()
-                : sized(video != null ? output.withVideo(video) : output));
+                : sized(video != null ? output.withFilm(video.equals(OutputDescription.MP4)) : output));
         SceneBuilder.checkPictures(description, getStyle().option("frames"));
     }
 
@@ -144,7 +143,7 @@ public final class RunCommand extends ResultsCommand {
     }
 
     private void checkPictures() {
-        if (!frames && (video == Video.MP4 || size != null)) {
+        if (!frames && (OutputDescription.MP4.equals(video) || size != null)) {
             throw new Failure(ExitCode.BAD_INPUT, getStyle().option(size != null ? "size" : "video")
                     + " needs pictures; remove " + getStyle().option("frames") + "=false");
         }

@@ -24,7 +24,6 @@ import particles.output.frames.PngFrames;
 import particles.scene.Scene;
 import particles.scene.format.OutputDescription;
 import particles.scene.format.OutputDescription.Frames;
-import particles.scene.format.OutputDescription.Video;
 import particles.view.Camera;
 import particles.view.ChartData;
 
@@ -56,7 +55,7 @@ final class RunObservers implements AutoCloseable {
         List<String> names = new ArrayList<>();
         addIf(output.frames().drawn(), OutputFolder.FRAMES, names);
         addIf(output.frames().animation() > 0, GifAnimation.FILE, names);
-        addIf(output.frames().video() == Video.MP4, Film.FILE, names);
+        addIf(output.frames().film(), Film.FILE, names);
         for (String end : charts.svg() ? List.of(ChartWriter.PNG, ChartWriter.SVG) : List.of(ChartWriter.PNG)) {
             addIf(output.energy(), ENERGY.replace(ChartWriter.PNG, end), names);
             addIf(output.phase().isPresent(), PHASE.replace(ChartWriter.PNG, end), names);
@@ -114,7 +113,7 @@ final class RunObservers implements AutoCloseable {
         if (format.animation() > 0) {
             sinks.add(new GifAnimation(folder, renderer, format.animation(), format.playbackRate()));
         }
-        if (format.video() == Video.MP4) {
+        if (format.film()) {
             sinks.add(new Film(folder, format.width(), format.height(), format.playbackRate()));
         }
         FrameObserver observer = new FrameObserver(renderer, format.rate(), sinks);

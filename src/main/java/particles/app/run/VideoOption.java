@@ -1,15 +1,17 @@
 package particles.app.run;
 
-import particles.scene.format.OutputDescription.Video;
+import particles.scene.format.OutputDescription;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
-/** Parses the option for the kind of film, with the same names as in scenes. */
-final class VideoOption implements ITypeConverter<Video> {
+/** Checks the option for the kind of film, with the same names as in scenes. */
+final class VideoOption implements ITypeConverter<String> {
     @Override
-    public Video convert(String value) {
-        return Video.find(value).orElseThrow(() -> new TypeConversionException("'" + value
-                + "' is not a kind of film; allowed: "
-                + String.join(", ", Video.names())));
+    public String convert(String value) {
+        if (!OutputDescription.FILMS.contains(value)) {
+            throw new TypeConversionException("'" + value + "' is not a kind of film; allowed: "
+                    + String.join(", ", OutputDescription.FILMS));
+        }
+        return value;
     }
 }

@@ -1,8 +1,6 @@
 package particles.scene.format;
 
-import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import particles.scene.parts.SpringDescription;
 import particles.spec.FlagType;
@@ -33,37 +31,13 @@ public record OutputDescription(Frames frames, boolean energy, Optional<Phase> p
      * @param width     their width in pixels
      * @param height    their height in pixels
      * @param animation the largest width of an animated GIF of them in pixels; 0 for none
-     * @param video     the film to make of them
+     * @param film      whether a film is made of them, too
      */
-    public record Frames(boolean drawn, double rate, int width, int height, int animation, Video video) {
+    public record Frames(boolean drawn, double rate, int width, int height, int animation, boolean film) {
 
         /** @return frames per second of the animation and the film (1/s) */
         public double playbackRate() {
             return rate >= 1 && rate <= 1000 ? rate : 25;
-        }
-    }
-
-    /** The kind of film. */
-    public enum Video {
-        /** No film. */ NONE,
-        /** H.264 in an MP4 file. */ MP4;
-
-        /** @return the names in scenes and options */
-        public static List<String> names() {
-            return Arrays.stream(values()).map(Video::label).toList();
-        }
-
-        /**
-         * @param name the name in scenes and options
-         * @return the kind of film of that name
-         */
-        public static Optional<Video> find(String name) {
-            return Arrays.stream(values()).filter(video -> video.label().equals(name)).findFirst();
-        }
-
-        /** @return its name in scenes and options */
-        public String label() {
-            return name().toLowerCase(Locale.ROOT);
         }
     }
 
@@ -110,7 +84,11 @@ public record OutputDescription(Frames frames, boolean energy, Optional<Phase> p
     static final Key<Integer> HEIGHT = SIDE.withDefault("height", 540, "The height of a frame (pixels).");
     static final Key<Boolean> ANIMATION = FlagType.FLAG.withDefault("animation", true,
             "Whether to write the frames as animation.gif.");
-    static final Key<String> VIDEO = NameType.of("kind of film", Video.names()).withDefault("video", Video.NONE.label(),
+    /** The name of a film in H.264. */
+    public static final String MP4 = "mp4";
+    /** The kinds of film. */
+    public static final List<String> FILMS = List.of("none", MP4);
+    static final Key<String> VIDEO = NameType.of("kind of film", FILMS).withDefault("video", FILMS.get(0),
             "mp4: write the frames as film.mp4 too; none: no film.");
     static final Key<Boolean> ENERGY = FlagType.FLAG.withDefault("energy", true,
             "Whether to plot the energies in energy.png.");
@@ -125,24 +103,24 @@ public record OutputDescription(Frames frames, boolean energy, Optional<Phase> p
     /** @return the output with these values */
     public static OutputDescription of(Values values) {
         return new OutputDescription(new Frames(true, values.get(FRAME_RATE), values.get(WIDTH), values.get(HEIGHT),
-                values.get(ANIMATION) ? MOST_ANIMATED : 0, Video.find(values.get(VIDEO)).orElseThrow()),
+                values.get(ANIMATION) ? MOST_ANIMATED : 0, values.get(VIDEO).equals(MP4)),
                 values.get(ENERGY), values.find(PHASE).map(Phase::of), values.find(TRAJECTORY_STRIDE));
     }
 
-    /** @return the same files with another film of the pictures */
-    public OutputDescription withVideo(Video video) {
-        return with(new Frames(frames.drawn, frames.rate, frames.width, frames.height, frames.animation, video));
+    /** @return the same files, with a film of the pictures or without one */
+    public OutputDescription withFilm(boolean film) {
+        return with(new Frames(frames.drawn, frames.rate, frames.width, frames.height, frames.animation, film));
     }
 
     /** @return the same files with frames, animation and film of this size (pixels) */
     public OutputDescription sized(int width, int height) {
         return with(new Frames(frames.drawn, frames.rate, width, height, frames.animation > 0 ? width : 0,
-                frames.video));
+                frames.film));
     }
 
     /** @return the same files without pictures */
     public OutputDescription withoutFrames() {
-        return with(new Frames(false, frames.rate, frames.width, frames.height, 0, Video.NONE));
+        return with(new Frames(false, frames.rate, frames.width, frames.height, 0, false));
     }
 
     private OutputDescription with(Frames others) {

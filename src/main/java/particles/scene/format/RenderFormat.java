@@ -1,8 +1,6 @@
 package particles.scene.format;
 
-import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import particles.spec.Key;
 import particles.spec.ListType;
 import particles.spec.MappingType;
@@ -12,26 +10,22 @@ import particles.spec.TextType;
 import particles.spec.Values;
 import particles.spec.messages.Problems;
 import particles.view.ParticleStyle;
+import particles.view.ParticleStyle.Kind;
 import particles.view.RenderOptions;
 import particles.view.RenderOptions.Visibility;
 
 /** The keys of a scene's render options. */
 public final class RenderFormat {
     static final TextType COLOUR = TextType.of("a colour '#rrggbb' in quotes", "^#[0-9a-fA-F]{6}$");
-    private static final List<String> SHOWN = Arrays.stream(Visibility.values()).map(RenderFormat::nameOf)
-            .toList();
-    private static final List<String> KINDS = Arrays.stream(ParticleStyle.Kind.values()).map(RenderFormat::nameOf)
-            .toList();
-    private static final String GLOW = nameOf(ParticleStyle.Kind.GLOW);
     private static final List<String> SKIES = List.of("day", "night");
     private static final int MOST_COLOURS = 16;
     private static final RenderOptions STANDARD = RenderOptions.STANDARD;
 
-    static final Key<String> PARTICLES = NameType.of("choice", SHOWN)
-            .withDefault("particles", nameOf(STANDARD.particles()),
+    static final Key<Visibility> PARTICLES = NameType.of("choice", Visibility.class)
+            .withDefault("particles", STANDARD.particles(),
             "Which particles are drawn. beside-surfaces: all but those of a surface.");
-    static final Key<String> PARTICLES_AS = NameType.of("way of drawing", KINDS).withDefault("particlesAs",
-            nameOf(ParticleStyle.STANDARD.kind()), """
+    static final Key<Kind> PARTICLES_AS = NameType.of("way of drawing", Kind.class).withDefault("particlesAs",
+            ParticleStyle.STANDARD.kind(), """
                     How free particles are drawn. balls: shaded; points: dots of the same size at any distance; \
                     blobs: drops that merge into one smooth surface; glow: spots of light that add up and fade with \
                     age if particles have a lifetime.""");
@@ -43,8 +37,8 @@ public final class RenderFormat {
     static final Key<String> SKY = NameType.of("sky", SKIES)
             .optional("sky",
             "day or night; by default night for a glow, which does not show by day, and day otherwise.");
-    static final Key<String> SPRINGS = NameType.of("choice", SHOWN)
-            .withDefault("springs", nameOf(STANDARD.springs()),
+    static final Key<Visibility> SPRINGS = NameType.of("choice", Visibility.class)
+            .withDefault("springs", STANDARD.springs(),
             "Which springs and rods are drawn. Stretched springs are red, compressed ones blue.");
     static final Key<Double> PARTICLE_RADIUS = NumberType.notNegative("m").withDefault("particleRadius",
             STANDARD.particleRadius(),
@@ -75,17 +69,17 @@ public final class RenderFormat {
 
     /** @return the render options with these values */
     public static RenderOptions of(Values values) {
-        return new RenderOptions(shown(values.get(PARTICLES)), shown(values.get(SPRINGS)), values.get(PARTICLE_RADIUS),
+        return new RenderOptions(values.get(PARTICLES), values.get(SPRINGS), values.get(PARTICLE_RADIUS),
                 values.get(STRAIN_RANGE), new RenderOptions.Colours(rgb(values.get(PARTICLE_COLOUR)),
                 rgb(values.get(FIXED_COLOUR)), rgb(values.get(FRONT_COLOUR)), rgb(values.get(BACK_COLOUR))),
                 style(values));
     }
 
     private static ParticleStyle style(Values values) {
-        ParticleStyle.Kind kind = ParticleStyle.Kind.valueOf(values.get(PARTICLES_AS).toUpperCase(Locale.ROOT));
+        Kind kind = values.get(PARTICLES_AS);
         List<Integer> colours = values.find(AGE_COLOURS).map(all -> all.stream().map(RenderFormat::rgb).toList())
                 .orElse(ParticleStyle.STANDARD.ageColours());
-        boolean night = values.find(SKY).map("night"::equals).orElse(kind == ParticleStyle.Kind.GLOW);
+        boolean night = values.find(SKY).map("night"::equals).orElse(kind == Kind.GLOW);
         return new ParticleStyle(kind, colours, values.get(TRAIL), night, values.get(VELOCITY_ARROWS),
                 values.get(MARKS).stream().map(MarkFormat::of).toList());
     }
@@ -100,7 +94,7 @@ public final class RenderFormat {
             problems.add(values.place(AGE_COLOURS), "'ageColours' has " + count
                     + " colours; allowed are 1 to " + MOST_COLOURS);
         }
-        if (values.find(PARTICLES_AS).filter(as -> !as.equals(GLOW)).isPresent()) {
+        if (values.find(PARTICLES_AS).filter(as -> as != Kind.GLOW).isPresent()) {
             problems.add(values.place(AGE_COLOURS),
                     "'ageColours' only works with a glow; add 'particlesAs: glow' or remove it");
         }
@@ -112,13 +106,5 @@ public final class RenderFormat {
 
     static int rgb(String colour) {
         return Integer.parseInt(colour.substring(1), 16);
-    }
-
-    private static String nameOf(Enum<?> choice) {
-        return choice.name().toLowerCase(Locale.ROOT).replace('_', '-');
-    }
-
-    private static Visibility shown(String name) {
-        return Visibility.valueOf(name.toUpperCase(Locale.ROOT).replace('-', '_'));
     }
 }

@@ -65,7 +65,7 @@ public final class Reference {
                     + link(mapping);
         } else if (type instanceof ListType<?> list && list.getElement() instanceof MappingType mapping) {
             return "a list, see " + link(mapping);
-        } else if (type instanceof ListType<?> list && !(list.getElement() instanceof NameType)) {
+        } else if (type instanceof ListType<?> list && !(list.getElement() instanceof NameType<?>)) {
             return "a list of: " + values(list.getElement());
         } else if (type instanceof KindType<?> kinds) {
             return String.join(", ", kinds.getKinds().stream().map(kind -> "`" + kind.getName() + "`").toList())
