@@ -1,7 +1,6 @@
 package particles.spec;
 
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
@@ -31,10 +30,5 @@ public final class FlagType extends Type<Boolean> {
     @Override
     public String describe() {
         return "true or false";
-    }
-
-    @Override
-    Map<String, Object> schema() {
-        return Map.of("type", "boolean");
     }
 }

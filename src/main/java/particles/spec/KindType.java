@@ -1,8 +1,6 @@
 package particles.spec;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.snakeyaml.engine.v2.nodes.MappingNode;
@@ -22,14 +20,14 @@ import particles.spec.messages.Wording;
 public final class KindType<K extends Kind> extends Type<Chosen<K>> {
     private final String what;
     private final List<K> kinds;
-    private final Optional<ByClass<K>> byClass;
+    final Optional<ByClass<K>> byClass;
     private final Optional<Elsewhere> elsewhere;
 
     /** Kinds of another list, to recognise mistakes such as an effect among the rules. */
     private record Elsewhere(String what, String key, List<? extends Kind> kinds) {
     }
 
-    private record ByClass<K extends Kind>(Class<K> type, TextType form) {
+    record ByClass<K extends Kind>(Class<K> type, TextType form) {
     }
 
     /**
@@ -149,27 +147,6 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
     @Override
     public Stream<MappingType> mappings() {
         return kinds.stream().flatMap(Kind::mappings);
-    }
-
-    @Override
-    Map<String, Object> schema() {
-        Map<String, Object> properties = Ordered.map();
-        for (K kind : kinds) {
-            Map<String, Object> property = Ordered.map("description", kind.getSentence());
-            property.putAll(kind.schema());
-            properties.put(kind.getName(), property);
-        }
-        Map<String, Object> mapping = Ordered.map("type", "object", "properties", properties);
-        byClass.ifPresent(other -> mapping.put("patternProperties",
-                Map.of(other.form().getPattern(), Map.of("type", "object"))));
-        mapping.putAll(Ordered.map("additionalProperties", false, "minProperties", 1, "maxProperties", 1));
-        List<String> bare = kinds.stream().filter(Kind::mayBeEmpty).map(Kind::getName).toList();
-        if (bare.isEmpty()) {
-            return mapping;
-        }
-        List<Object> choices = new ArrayList<>(List.of(Map.of("enum", bare), mapping));
-        byClass.ifPresent(other -> choices.add(other.form().schema()));
-        return Ordered.map("anyOf", choices);
     }
 
     /** @return all kinds */

@@ -2,7 +2,6 @@ package particles.spec;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.snakeyaml.engine.v2.nodes.Node;
@@ -16,7 +15,7 @@ import org.snakeyaml.engine.v2.nodes.SequenceNode;
 public final class ListType<T> extends Type<List<T>> {
     private final String elementName;
     private final Type<T> element;
-    private final boolean bareAllowed;
+    final boolean bareAllowed;
 
     private ListType(String elementName, Type<T> element, boolean bareAllowed) {
         this.elementName = elementName;
@@ -64,12 +63,6 @@ public final class ListType<T> extends Type<List<T>> {
     @Override
     public Stream<MappingType> mappings() {
         return element.mappings();
-    }
-
-    @Override
-    Map<String, Object> schema() {
-        Map<String, Object> list = Ordered.map("type", "array", "items", element.schema());
-        return bareAllowed ? Ordered.map("anyOf", List.of(element.schema(), list)) : list;
     }
 
     /** @return the type of the elements */

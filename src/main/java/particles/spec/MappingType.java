@@ -4,7 +4,6 @@ import deSolvers.text.DidYouMean;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -22,7 +21,7 @@ public class MappingType extends Type<Values> {
     private final String label;
     private final String sentence;
     private final List<Key<?>> keys;
-    private final List<Key<?>> exactlyOneOf;
+    final List<Key<?>> exactlyOneOf;
     private final Optional<Key<?>> shortFor;
 
     /** With a label for messages, a description, its keys, those that exclude each other, and its short form. */
@@ -180,28 +179,6 @@ public class MappingType extends Type<Values> {
     @Override
     public Stream<MappingType> mappings() {
         return Stream.concat(Stream.of(this), keys.stream().flatMap(key -> key.type().mappings()));
-    }
-
-    @Override
-    public Map<String, Object> schema() {
-        Map<String, Object> properties = Ordered.map();
-        for (Key<?> key : keys) {
-            Map<String, Object> property = Ordered.map("description", key.sentence());
-            property.putAll(key.type().schema());
-            key.defaultJson().ifPresent(value -> property.put("default", value));
-            properties.put(key.name(), property);
-        }
-        Map<String, Object> schema = Ordered.map("type", "object", "properties", properties,
-                "additionalProperties", false);
-        List<String> required = keys.stream().filter(Key::required).map(Key::name).toList();
-        if (!required.isEmpty()) {
-            schema.put("required", required);
-        }
-        if (!exactlyOneOf.isEmpty()) {
-            schema.put("oneOf", exactlyOneOf.stream().map(key -> Map.of("required", List.of(key.name()))).toList());
-        }
-        return shortFor.isEmpty() ? schema
-                : Ordered.map("anyOf", List.of(shortFor.get().type().schema(), schema));
     }
 
     /** @return the name of the mapping in messages */

@@ -3,7 +3,6 @@ package particles.spec;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import org.snakeyaml.engine.v2.nodes.Node;
@@ -18,9 +17,9 @@ import particles.spec.messages.Wording;
  */
 public final class NameType<T> extends Type<T> {
     private final String what;
-    private final List<String> names;
+    final List<String> names;
     private final Function<String, T> parse;
-    private final Optional<TextType> other;
+    final Optional<TextType> other;
 
     private NameType(String what, List<String> names, Function<String, T> parse, Optional<TextType> other) {
         this.what = what;
@@ -84,12 +83,6 @@ public final class NameType<T> extends Type<T> {
     @Override
     public String describe() {
         return "one of " + String.join(", ", names) + other.map(o -> ", or " + o.describe()).orElse("");
-    }
-
-    @Override
-    Map<String, Object> schema() {
-        Map<String, Object> choice = Ordered.map("enum", names);
-        return other.isEmpty() ? choice : Ordered.map("anyOf", List.of(choice, other.get().schema()));
     }
 
     @Override

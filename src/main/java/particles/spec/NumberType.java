@@ -1,7 +1,6 @@
 package particles.spec;
 
 import deSolvers.text.Digits;
-import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import org.snakeyaml.engine.v2.nodes.Node;
@@ -17,8 +16,8 @@ public final class NumberType extends Type<Double> {
     /** A number over 0, however small; Java reads 1e-400 as 0. */
     private static final Pattern OVER_ZERO = Pattern.compile("[+]?[0.]*[1-9].*");
 
-    private final double least;
-    private final double most;
+    final double least;
+    final double most;
     private final String unit;
     private final String range;
 
@@ -99,10 +98,5 @@ public final class NumberType extends Type<Double> {
     @Override
     public String describe() {
         return range + (unit.isEmpty() ? "" : " (" + unit + ")");
-    }
-
-    @Override
-    Map<String, Object> schema() {
-        return Ordered.map("type", "number", "minimum", least, "maximum", most);
     }
 }

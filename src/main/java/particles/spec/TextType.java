@@ -1,6 +1,5 @@
 package particles.spec;
 
-import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import org.snakeyaml.engine.v2.nodes.Node;
@@ -9,10 +8,10 @@ import org.snakeyaml.engine.v2.nodes.Tag;
 
 /** The type of a text, optionally of a certain form. */
 public final class TextType extends Type<String> {
-    private static final int LONGEST = 2000;
+    static final int LONGEST = 2000;
 
     private final String description;
-    private final String pattern;
+    final String pattern;
     private final Pattern compiled;
     private final boolean alsoNumbers;
 
@@ -43,10 +42,6 @@ public final class TextType extends Type<String> {
         return new TextType(description, "", true);
     }
 
-    String getPattern() {
-        return pattern;
-    }
-
     boolean matches(String text) {
         return text.codePointCount(0, text.length()) <= LONGEST && compiled.matcher(text).find();
     }
@@ -66,10 +61,5 @@ public final class TextType extends Type<String> {
     @Override
     public String describe() {
         return description;
-    }
-
-    @Override
-    Map<String, Object> schema() {
-        return Ordered.map("type", "string", "pattern", pattern, "maxLength", LONGEST);
     }
 }

@@ -1,6 +1,5 @@
 package particles.spec;
 
-import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.snakeyaml.engine.v2.common.ScalarStyle;
@@ -67,9 +66,6 @@ public abstract class Type<T> {
     public Stream<MappingType> mappings() {
         return Stream.empty();
     }
-
-    /** @return the JSON Schema of this type */
-    abstract Map<String, Object> schema();
 
     /**
      * @param value a value of this type

@@ -1,7 +1,6 @@
 package particles.spec;
 
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
@@ -9,9 +8,9 @@ import particles.law.Vector3;
 
 /** The type of a vector, written [x, y, z]. */
 public final class VectorType extends Type<Vector3> {
-    private final NumberType component;
+    final NumberType component;
     private final String description;
-    private final boolean zeroAllowed;
+    final boolean zeroAllowed;
 
     private VectorType(NumberType component, String description, boolean zeroAllowed) {
         this.component = component;
@@ -70,16 +69,6 @@ public final class VectorType extends Type<Vector3> {
     @Override
     public String describe() {
         return description;
-    }
-
-    @Override
-    Map<String, Object> schema() {
-        Map<String, Object> schema = Ordered.map("type", "array", "items", component.schema(), "minItems", 3,
-                "maxItems", 3);
-        if (!zeroAllowed) {
-            schema.put("contains", Map.of("not", Map.of("const", 0)));
-        }
-        return schema;
     }
 
     @Override

@@ -1,13 +1,12 @@
 package particles.spec;
 
-import java.util.Map;
 import java.util.Optional;
 import org.snakeyaml.engine.v2.nodes.Node;
 
 /** The type of a whole number in a range; 20.0 and 2e1 count as 20. */
 public final class WholeNumberType extends Type<Integer> {
-    private final int least;
-    private final int most;
+    final int least;
+    final int most;
 
     /**
      * @param least the smallest number allowed
@@ -36,10 +35,5 @@ public final class WholeNumberType extends Type<Integer> {
     @Override
     public String describe() {
         return "a whole number from " + least + " to " + most;
-    }
-
-    @Override
-    Map<String, Object> schema() {
-        return Ordered.map("type", "integer", "minimum", least, "maximum", most);
     }
 }

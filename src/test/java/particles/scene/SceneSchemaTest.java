@@ -9,13 +9,14 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import particles.scene.format.SceneFormat;
+import particles.spec.JsonSchema;
 
 class SceneSchemaTest {
 
     /** The schema file is for editors; it must equal the one generated from the scene format. */
     @Test
     void theSchemaFileIsUpToDate() throws IOException {
-        String generated = SceneFormat.jsonSchema();
+        String generated = JsonSchema.ofScenes(SceneFormat.SCENE);
         Path made = Files.createDirectories(Path.of("build")).resolve("scene.schema.json");
         Files.writeString(made, generated);
         assertEquals(Files.readString(Path.of("scenes", "scene.schema.json")), generated,
@@ -35,7 +36,8 @@ class SceneSchemaTest {
             assertEquals(1, lines.stream().filter(("### " + heading)::equals).count(), heading);
         }
         long rows = lines.stream().filter(line -> line.startsWith("| `")).count();
-        long described = SceneFormat.jsonSchema().lines().filter(line -> line.contains("\"description\"")).count();
+        long described = JsonSchema.ofScenes(SceneFormat.SCENE).lines()
+                .filter(line -> line.contains("\"description\"")).count();
         assertTrue(rows > 80 && rows < described, rows + " rows, " + described + " descriptions in the schema");
     }
 }

@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.snakeyaml.engine.v2.api.Dump;
 import org.snakeyaml.engine.v2.api.DumpSettings;
 import particles.scene.format.SceneFormat;
+import particles.spec.JsonSchema;
 import particles.spec.Reading;
 import particles.spec.messages.Problems;
 
@@ -42,7 +43,7 @@ class SchemaAgreesWithReaderTest {
 
     private final Validator validator = new ValidatorFactory().withDefaultDialect(new Dialects.Draft7Dialect())
             .withJsonNodeFactory(new PlainNode.Factory()).createValidator();
-    private final URI schema = validator.registerSchema(SceneFormat.jsonSchema());
+    private final URI schema = validator.registerSchema(JsonSchema.ofScenes(SceneFormat.SCENE));
 
     private static List<Object> scenes() throws IOException {
         List<Object> scenes = new ArrayList<>();

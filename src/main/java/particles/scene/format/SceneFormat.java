@@ -1,7 +1,6 @@
 package particles.scene.format;
 
 import java.util.List;
-import java.util.Map;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
 import particles.scene.parts.ConstraintDescription;
@@ -18,14 +17,13 @@ import particles.spec.ListType;
 import particles.spec.MappingType;
 import particles.spec.NameType;
 import particles.spec.NumberType;
-import particles.spec.Ordered;
 import particles.spec.TextType;
 import particles.spec.Values;
 import particles.spec.WholeNumberType;
-import particles.spec.documents.JsonText;
 import particles.spec.documents.Reference;
 
-/** The format of scene files. The reader, its messages, the JSON Schema and the reference tables all follow from it. */
+/** The format of scene files. The reader, its messages, the JSON Schema for editors
+ * and the reference tables all follow from it. */
 public final class SceneFormat {
     public static final Key<String> TITLE = TextType.prose().required("title", "The scene's title, a few words.");
     public static final Key<String> TEACHES = TextType.prose().required("teaches",
@@ -83,18 +81,6 @@ public final class SceneFormat {
             SPRINGS, RODS, WIRES, CONSTRAINTS, EFFECTS, RULES, IMPACT, CAMERA, LOOK, OUTPUT, BLOW_UP_FACTOR, THREADS);
 
     private SceneFormat() {
-    }
-
-    /**
-     * @return the JSON Schema of scene files, by which editors complete and check them:
-     *         {@code scenes/scene.schema.json}
-     */
-    public static String jsonSchema() {
-        Map<String, Object> schema = Ordered.map("$schema", "http://json-schema.org/draft-07/schema#", "title",
-                "A scene of DESolver", "description",
-                "Generated from particles.scene.format.SceneFormat; a test keeps the two equal.");
-        schema.putAll(SCENE.schema());
-        return JsonText.of(schema);
     }
 
     /**
