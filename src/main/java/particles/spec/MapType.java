@@ -47,9 +47,4 @@ public final class MapType<T> extends Type<Map<String, T>> {
     public String describe() {
         return "keys with values, each key " + key.describe() + ", each value " + value.describe();
     }
-
-    @Override
-    Map<String, Object> schema() {
-        return Ordered.map("type", "object", "propertyNames", key.schema(), "additionalProperties", value.schema());
-    }
 }
