@@ -90,7 +90,7 @@ final class Trial implements Observer {
         } catch (Enough e) {
             cut = true;
         } catch (SimulationException e) {
-            stopped = Optional.of(new BlowUpMessage(scene, e).lines(name -> "--" + name));
+            stopped = Optional.of(new BlowUpMessage(scene, e, name -> "--" + name).lines());
         }
         end = state();
     }

@@ -118,7 +118,7 @@ public final class Session {
         try {
             work.run();
         } catch (SimulationException e) {
-            failure = new BlowUpMessage(run.getScene(), e).lines(UnaryOperator.identity());
+            failure = new BlowUpMessage(run.getScene(), e, UnaryOperator.identity()).lines();
         }
         nanoseconds += System.nanoTime() - start;
         shown = run.getShown();

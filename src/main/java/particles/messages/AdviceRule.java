@@ -6,7 +6,9 @@ import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
+import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import particles.scene.Scene;
 import particles.spec.NumberType;
 
@@ -44,6 +46,7 @@ final class AdviceRule {
     /** A smaller factor of cost is not worth a word. */
     private static final double NOTEWORTHY = 1.5;
 
+    private final UnaryOperator<String> options;
     private final StepLimit limits;
     private final String failed;
     private final double deltaT;
@@ -51,8 +54,12 @@ final class AdviceRule {
     private final double particles;
     private final double made;                          // evaluations per step of the failed run; 0 without a step
 
-    /** @param scene the scene as the failed run left it */
-    AdviceRule(Scene scene, StepLimit limits) {
+    /**
+     * @param scene   the scene as the failed run left it
+     * @param options formats an option of this name as it is typed
+     */
+    AdviceRule(Scene scene, StepLimit limits, UnaryOperator<String> options) {
+        this.options = options;
         this.limits = limits;
         failed = scene.description().solver();
         deltaT = scene.simulation().getDeltaT();
@@ -63,7 +70,7 @@ final class AdviceRule {
     }
 
     /** For springs that are too fast for this solver at this deltaT. */
-    Advice forSprings(SolverInfo solver) {
+    String forSprings(SolverInfo solver) {
         List<SolverInfo> steppers = new ArrayList<>();
         if (!limits.alwaysGrows(solver)) {
             steppers.add(solver);
@@ -74,14 +81,14 @@ final class AdviceRule {
         for (SolverInfo stepper : steppers) {
             double step = Math.min(deltaT, limits.stableStep(stepper));
             if (step < NumberType.TINY) {
-                return Advice.byHand("softer springs or larger masses, as no deltaT may be below "
+                return byHand("softer springs or larger masses, as no deltaT may be below "
                         + Digits.few(NumberType.TINY) + " s");
             }
             double evaluations = steps * deltaT / step * evaluationsPerStep(stepper);
             double cost = evaluations / (steps * (made > 0 ? made : evaluationsPerStep(solver)));
             if (cost <= MOST || evaluations * particles <= LITTLE) {
-                return new Advice(Optional.of(stepper.name()).filter(name -> !name.equals(failed)), shorter(step),
-                        false, cost < NOTEWORTHY ? "" : "which takes about " + Digits.few(Math.ceil(cost))
+                return advice(Optional.of(stepper.name()).filter(name -> !name.equals(failed)), shorter(step),
+                        cost < NOTEWORTHY ? "" : "which takes about " + Digits.few(Math.ceil(cost))
                                 + " times the work");
             }
         }
@@ -95,48 +102,71 @@ final class AdviceRule {
     }
 
     /** For springs that no explicit solver can follow, or that an implicit solver could not solve. */
-    Advice forStiffness() {
+    String forStiffness() {
         boolean small = steps * STIFF_EVALUATIONS * particles <= LITTLE;
         if (failed.equals(STIFF) && !small) {
-            return new Advice(Optional.empty(), shorter(deltaT / SOME), false,
+            return advice(Optional.empty(), shorter(deltaT / SOME),
                     "in which springs turn less, with " + Digits.few(SOME) + " times the work");
         }
         return failed.equals(STIFF_AND_ACCURATE) || !small
-                ? Advice.ofSolver(STIFF, "which solves one linear system per step and damps what is too fast for it")
+                ? ofSolver(STIFF, "which solves one linear system per step and damps what is too fast for it")
                 : ofSubSteps(STIFF_AND_ACCURATE);
     }
 
     /** For what is not the springs' doing. */
-    Advice forOtherForces() {
-        return failed.equals(ADAPTIVE) ? Advice.ofSolver(DAMPED, "") : ofSubSteps(ADAPTIVE);
+    String forOtherForces() {
+        return failed.equals(ADAPTIVE) ? ofSolver(DAMPED, "") : ofSubSteps(ADAPTIVE);
     }
 
     /** For friction whose direction turns within a step. */
-    Advice forFriction() {
+    String forFriction() {
         SolverInfo across = SolverCatalog.info(DAMPED);
-        return new Advice(Optional.of(DAMPED), shorter(Math.min(deltaT, limits.stableStep(across))), false,
+        return advice(Optional.of(DAMPED), shorter(Math.min(deltaT, limits.stableStep(across))),
                 "which steps across the change");
     }
 
     /** For contacts that open and close without end. Between exact impacts, pieces of steps were short enough. */
-    Advice forContacts() {
+    String forContacts() {
         double step = SolverCatalog.find(failed).filter(solver -> !solver.adaptive() && !limits.alwaysGrows(solver))
                 .map(limits::stableStep).orElse(deltaT);
-        return new Advice(Optional.empty(), shorter(Math.min(deltaT, step)), true,
-                "which changes contacts only between steps");
+        return advice(Optional.empty(), Stream.concat(shorter(Math.min(deltaT, step)),
+                Stream.of("impact: clamp in the scene")), "which changes contacts only between steps");
     }
 
     /** For a solver of which nothing is known. */
-    Advice forUnknown() {
-        return new Advice(Optional.empty(), shorter(deltaT / MUCH), false, "");
+    String forUnknown() {
+        return advice(Optional.empty(), shorter(deltaT / MUCH), "");
     }
 
-    private static Advice ofSubSteps(String name) {
-        return Advice.ofSolver(name, "which chooses its own sub-steps");
+    private String ofSubSteps(String name) {
+        return ofSolver(name, "which chooses its own sub-steps");
     }
 
-    /** A step rounded down to a few digits; none if it is deltaT itself. */
-    private OptionalDouble shorter(double step) {
-        return step < deltaT ? OptionalDouble.of(Double.parseDouble(Digits.roundedDown(step))) : OptionalDouble.empty();
+    private String ofSolver(String name, String note) {
+        return advice(Optional.of(name), Stream.empty(), note);
+    }
+
+    /** For what no option changes. */
+    static String byHand(String what) {
+        return "try " + what;
+    }
+
+    /**
+     * The sentence that begins with "try".
+     *
+     * @param solver another solver, if one is needed
+     * @param more   what else to change
+     * @param note   what that costs or does; may be empty
+     */
+    private String advice(Optional<String> solver, Stream<String> more, String note) {
+        String what = Stream.concat(solver.map(name -> options.apply("solver") + "=" + name).stream(), more)
+                .collect(Collectors.joining(" with "));
+        return byHand(what + (what.isEmpty() || note.isEmpty() ? "" : ", ") + note);
+    }
+
+    /** The option for a step, rounded down to a few digits; none if it is deltaT itself. */
+    private Stream<String> shorter(double step) {
+        return step < deltaT ? Stream.of(options.apply("deltaT") + "="
+                + Digits.exact(Double.parseDouble(Digits.roundedDown(step)))) : Stream.empty();
     }
 }

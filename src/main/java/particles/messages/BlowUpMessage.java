@@ -8,6 +8,8 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.SimulationException.End;
@@ -30,26 +32,22 @@ public final class BlowUpMessage {
     private final AdviceRule rule;
     private final Optional<Effect> singular;
     private String cause = "";
-    private Optional<Advice> advice = Optional.empty();
+    private String advice = "";
 
     /**
-     * @param scene the scene that was run, as the exception left it
-     * @param end   the exception that ended the run
+     * @param scene   the scene that was run, as the exception left it
+     * @param end     the exception that ended the run
+     * @param options formats an option of this name as it is typed
      */
-    public BlowUpMessage(Scene scene, SimulationException end) {
+    public BlowUpMessage(Scene scene, SimulationException end, UnaryOperator<String> options) {
         this.scene = scene;
         this.end = end;
         failure = end.getCause() instanceof DESolverException given ? Optional.of(given) : Optional.empty();
         solver = scene.description().solver();
         limits = new StepLimit(scene);
-        rule = new AdviceRule(scene, limits);
+        rule = new AdviceRule(scene, limits, options);
         singular = failure.filter(given -> given.getEntry() >= 0).flatMap(given -> singularForce());
         find();
-    }
-
-    /** @return what to change, if anything is known to help */
-    public Optional<Advice> getAdvice() {
-        return advice;
     }
 
     /** @return whether numbers grew without bounds; false if a solver found no solution */
@@ -58,13 +56,9 @@ public final class BlowUpMessage {
                 || failure.isPresent() && failure.get().getEntry() >= 0;
     }
 
-    /**
-     * @param options formats an option of this name as it is typed
-     * @return the lines, separated by line feeds
-     */
-    public String lines(UnaryOperator<String> options) {
-        return what() + (cause.isEmpty() ? "" : "\n" + cause)
-                + advice.map(given -> "\n" + given.sentence(options)).orElse("");
+    /** @return the lines, separated by line feeds */
+    public String lines() {
+        return Stream.of(what(), cause, advice).filter(line -> !line.isEmpty()).collect(Collectors.joining("\n"));
     }
 
     private String what() {
@@ -96,16 +90,16 @@ public final class BlowUpMessage {
                 + Digits.few(scene.energyLimit()) + " J";
     }
 
-    private void found(String cause, Advice advice) {
+    private void found(String cause, String advice) {
         this.cause = cause;
-        this.advice = Optional.of(advice);
+        this.advice = advice;
     }
 
     /** Finds the cause and the advice. */
     private void find() {
         Optional<SolverInfo> known = SolverCatalog.find(solver);
         if (singular.isPresent()) {
-            found("no solver can go on from there", Advice.byHand("other positions in the scene"));
+            found("no solver can go on from there", AdviceRule.byHand("other positions in the scene"));
         } else if (end.getEnd() == End.NO_HEADWAY) {
             findForContacts();
         } else if (failure.isPresent() && !(isBlowUp() && known.filter(SolverInfo::adaptive).isEmpty()) && mayStop()) {
@@ -126,7 +120,7 @@ public final class BlowUpMessage {
                         .anyMatch(surface -> surface.restSpeed() == 0 && surface.restitution() > 0));
         if (everBouncing) {
             found("with restSpeed 0, bounces become ever smaller and never end",
-                    Advice.byHand("restSpeed: 0.01 in the scene's rule"));
+                    AdviceRule.byHand("restSpeed: 0.01 in the scene's rule"));
         } else {
             found("springs or friction open and close a contact faster than the motion goes on", rule.forContacts());
         }

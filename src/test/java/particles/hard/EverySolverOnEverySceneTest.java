@@ -20,7 +20,7 @@ import particles.Simulation;
 import particles.SimulationException;
 import particles.app.student.StudentClasses;
 import particles.energy.EnergyRecorder;
-import particles.messages.Advice;
+import particles.messages.Advised;
 import particles.messages.BlowUpMessage;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
@@ -113,17 +113,17 @@ class EverySolverOnEverySceneTest {
                 coarse.add(name);
             }
             end.failure().ifPresent(message -> {
-                String lines = message.lines(option -> "--" + option);
+                String lines = message.lines();
                 assertTrue(lines.startsWith(solver + " stopped at t = ") || lines.startsWith("from t = "), lines);
                 assertTrue(lines.lines().count() <= 3 && !lines.contains("NaN") && !lines.contains("Exception"), lines);
-                Advice advice = message.getAdvice().filter(Advice::canBeFollowed).orElseThrow(
+                SceneDescription advised = Advised.by(lines, described.withSolver(solver)).orElseThrow(
                         () -> new AssertionError(name + ": nothing to follow in " + lines));
                 double most = Math.max(MOST_COST * end.estimate(),
                         LITTLE / Math.max(1, end.scene().system().getParticles().count()));
-                End then = run(advice.applyTo(described.withSolver(solver)), Double.POSITIVE_INFINITY);
+                End then = run(advised, Double.POSITIVE_INFINITY);
                 String row = String.join(" | ", name, solver, lines.replaceFirst("(?s).*\ntry ", ""),
                         Long.toString(Math.round(end.estimate())), Long.toString(Math.round(then.evaluations())),
-                        then.failure().map(again -> again.lines(option -> "--" + option)).orElse("works"));
+                        then.failure().map(again -> again.lines()).orElse("works"));
                 stopped.add(row);
                 if (!then.whole() || then.evaluations() > most) {
                     wrong.add(row + "\n" + lines);
@@ -195,7 +195,7 @@ class EverySolverOnEverySceneTest {
             return new End(scene, simulation.isOver(), Optional.empty(), energy.isTooCoarse());
         } catch (SimulationException e) {
             requireFew(scene, before);
-            return new End(scene, false, Optional.of(new BlowUpMessage(scene, e)), energy.isTooCoarse());
+            return new End(scene, false, Optional.of(new BlowUpMessage(scene, e, option -> "--" + option)), energy.isTooCoarse());
         }
     }
 

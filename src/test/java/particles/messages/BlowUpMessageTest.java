@@ -56,11 +56,8 @@ class BlowUpMessageTest {
     }
 
     private static String blowUp(Scene scene) {
-        return message(scene).lines(name -> "--" + name);
-    }
-
-    private static BlowUpMessage message(Scene scene) {
-        return new BlowUpMessage(scene, assertThrows(SimulationException.class, scene.simulation()::run));
+        return new BlowUpMessage(scene, assertThrows(SimulationException.class, scene.simulation()::run),
+                name -> "--" + name).lines();
     }
 
     @Test
@@ -128,9 +125,8 @@ class BlowUpMessageTest {
             """)
     void theAdviceHelps(String solver, double damping) {
         SceneDescription chain = chain(solver, damping);
-        BlowUpMessage message = message(SceneBuilder.build(chain));
-        String line = message.lines(name -> "--" + name);
-        Scene advised = SceneBuilder.build(message.getAdvice().orElseThrow().applyTo(chain));
+        String line = blowUp(SceneBuilder.build(chain));
+        Scene advised = SceneBuilder.build(Advised.by(line, chain).orElseThrow());
         advised.simulation().run();
         assertEquals(60, advised.system().getTime(), 1e-9);
         double energy = advised.system().getKineticEnergy(advised.system().getOwnState());
@@ -142,9 +138,7 @@ class BlowUpMessageTest {
     void noStepIsAdvisedThatTheOptionRefuses() {
         String text = CHAIN.replace("SOLVER", "rk4").replace("DAMPING", ", damping: 1e30")
                 .replaceAll("(\\{id: [abc],)", "$1 mass: 1e-40,");
-        BlowUpMessage message = message(TestScenes.build(text));
-        assertFalse(message.getAdvice().orElseThrow().canBeFollowed());
-        String line = message.lines(name -> "--" + name);
+        String line = blowUp(TestScenes.build(text));
         assertTrue(line.endsWith("\ntry softer springs or larger masses, as no deltaT may be below 1e-40 s"), line);
     }
 
@@ -237,7 +231,7 @@ class BlowUpMessageTest {
     void aRunThatWentWrongIsToldFromWhenOn() {
         Scene scene = SceneBuilder.build(chain("euler", 0));
         String line = new BlowUpMessage(scene, new SimulationException(SimulationException.End.WRONG_MOTION, 1.25, 2,
-                "the numerical error of 3 J is larger")).lines(name -> "--" + name);
+                "the numerical error of 3 J is larger"), name -> "--" + name).lines();
         assertTrue(line.startsWith("from t = 1.25 s on the motion by euler is wrong: the numerical error of 3 J is"
                 + " larger\nundamped springs gain energy with euler at any deltaT\ntry "), line);
     }
@@ -342,13 +336,13 @@ class BlowUpMessageTest {
         sliding.simulation().run();
         BlowUpMessage message = new BlowUpMessage(sliding, new SimulationException(0.4, -1, "a step failed",
                 new DESolverException(BackwardEulerSolver.class, 0.4, 0.005, -1,
-                        "Newton's iteration did not converge: 7 iterations", "")));
-        String line = message.lines(name -> "--" + name);
+                        "Newton's iteration did not converge: 7 iterations", "")), name -> "--" + name);
+        String line = message.lines();
         assertTrue(line.matches("backward-euler stopped at t = 0\\.\\d+ s: Newton's iteration did not converge: .*"
                 + "\nsomething is about to stop or to begin to slide, and there Coulomb friction changes its"
                 + " direction too fast for backward-euler\n"
                 + "try --solver=rk4, which steps across the change"), line);
-        Scene advised = SceneBuilder.build(message.getAdvice().orElseThrow().applyTo(rope));
+        Scene advised = SceneBuilder.build(Advised.by(line, rope).orElseThrow());
         advised.simulation().run();
         assertEquals(0.6, advised.system().getTime(), 1e-12);
     }
@@ -359,7 +353,7 @@ class BlowUpMessageTest {
         Scene scene = TestScenes.build(ROPE);
         scene.simulation().start();
         assertEquals("backward-euler stopped at t = 0 s: the clock does not move", new BlowUpMessage(scene,
-                new SimulationException(0, -1, "the clock does not move", null)).lines(name -> "--" + name));
+                new SimulationException(0, -1, "the clock does not move", null), name -> "--" + name).lines());
     }
 
     /** Both failed here before friction acted as an impulse in the step in which it stops a particle. */

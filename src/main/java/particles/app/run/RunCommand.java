@@ -198,12 +198,12 @@ public final class RunCommand extends ResultsCommand {
             scene.simulation().run();
             return Optional.empty();
         } catch (SimulationException e) {
-            BlowUpMessage message = new BlowUpMessage(scene, e);
+            BlowUpMessage message = new BlowUpMessage(scene, e, getStyle()::option);
             if (e.getEnd() != SimulationException.End.WRONG_MOTION) {
                 observers.showEnd((message.isBlowUp() ? "blew up" : "stopped") + " at t = "
                         + Digits.few(e.getTime()) + " s");
             }
-            return Optional.of(message.lines(getStyle()::option));
+            return Optional.of(message.lines());
         } catch (StoppedException e) {
             return Optional.of(e.getMessage() + " at t = " + Digits.few(scene.system().getTime()) + " s of "
                     + Digits.few(description.duration()) + " s");

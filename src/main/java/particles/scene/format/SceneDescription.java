@@ -105,11 +105,6 @@ public record SceneDescription(Values values, SolverDescription solving, Content
         return with(SceneFormat.DURATION, other);
     }
 
-    /** @return the same scene with contacts that change only between steps */
-    public SceneDescription withClampedImpacts() {
-        return with(SceneFormat.IMPACT, "clamp");
-    }
-
     /** @return the same scene with other files to write */
     public SceneDescription withOutput(OutputDescription other) {
         return new SceneDescription(values, solving, contents, drawing, other);

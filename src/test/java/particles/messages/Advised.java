@@ -1,0 +1,35 @@
+package particles.messages;
+
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import particles.scene.Overrides;
+import particles.scene.format.SceneDescription;
+import particles.scene.format.SceneFormat;
+
+/** Follows the advice of a message, as somebody would who reads it. */
+public final class Advised {
+    private static final Pattern OPTION = Pattern.compile("--(solver|deltaT)=([^\\s,]+)");
+
+    private Advised() {
+    }
+
+    /**
+     * @param lines the message, with options such as --solver
+     * @param scene the scene that could not be run
+     * @return the same scene as advised; empty if the message names no option and no value of the scene
+     */
+    public static Optional<SceneDescription> by(String lines, SceneDescription scene) {
+        Overrides options = new Overrides(UnaryOperator.identity());
+        Matcher found = OPTION.matcher(lines);
+        boolean clamp = lines.contains("impact: clamp in the scene");
+        boolean any = clamp;
+        while (found.find()) {
+            options.with(found.group(1), found.group(2));
+            any = true;
+        }
+        SceneDescription changed = options.applyTo(scene);
+        return any ? Optional.of(clamp ? changed.with(SceneFormat.IMPACT, "clamp") : changed) : Optional.empty();
+    }
+}
