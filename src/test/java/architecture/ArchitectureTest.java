@@ -113,7 +113,7 @@ class ArchitectureTest {
             particles.law:                 deSolvers
             particles.messages:            deSolvers deSolvers.catalog deSolvers.text particles particles.effects
                                            particles.effects.springs particles.law particles.reactions
-                                           particles.scene particles.scene.format particles.spec
+                                           particles.scene particles.spec
             particles.output.animation:    particles.output.files particles.output.frames java.awt javax.imageio
                                            org.jcodec
             particles.output.charts:       deSolvers.text particles.output.files particles.output.text particles.view
