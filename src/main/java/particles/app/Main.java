@@ -9,8 +9,10 @@ import particles.app.cli.OptionStyle;
 import particles.app.cli.Program;
 import particles.app.cli.ProgramCommand;
 import particles.app.cli.StandardOutput;
+import particles.app.course.AutogradingCommand;
 import particles.app.course.GradeClassCommand;
 import particles.app.course.GradeCommand;
+import particles.app.course.SheetsCommand;
 import particles.app.experiments.EffectCostCommand;
 import particles.app.experiments.EnergyDriftCommand;
 import particles.app.experiments.ExperimentCommand;
@@ -88,7 +90,7 @@ public final class Main {
                 new CheckSolverCommand(), new NewClassCommand.NewSolver(exercises()),
                 new NewClassCommand.NewEffect(exercises()), new CheckEffectCommand(),
                 new ExercisesCommand(), new ExerciseCommand(), new GradeCommand(exercises()),
-                new GradeClassCommand()));
+                new GradeClassCommand(), new SheetsCommand(), new AutogradingCommand()));
         return commands;
     }
 }

@@ -9,6 +9,7 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
+import particles.teaching.exercises.Exercises;
 
 /** A CSV file with a header and a line for each student, with commas or semicolons; the id comes first. */
 final class CourseList {
@@ -21,7 +22,7 @@ final class CourseList {
      * @throws Failure if it cannot be read
      */
     static Map<String, List<String>> read(Path file) {
-        Map<String, List<String>> lines = new TreeMap<>();
+        Map<String, List<String>> lines = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
         try {
             for (String line : Files.readString(file).replaceFirst("^\ufeff", "").lines().skip(1).toList()) {
                 List<String> cells = Stream.of(line.split("[,;]", -1)).map(cell -> cell.strip()
@@ -33,5 +34,17 @@ final class CourseList {
         }
         lines.remove("");
         return lines;
+    }
+
+    /** @return of a key file, what {@link #read} says, once each student has a secret for each exercise */
+    static Map<String, List<String>> key(Path file) {
+        Map<String, List<String>> keys = read(file);
+        keys.forEach((student, cells) -> {
+            if (cells.size() != Exercises.all().size() + 1) {
+                throw new Failure(ExitCode.BAD_INPUT, file + ": the line of " + student + " has " + cells.size()
+                        + " cells; a key file has " + (Exercises.all().size() + 1));
+            }
+        });
+        return keys;
     }
 }

@@ -1,8 +1,10 @@
 package particles.app.course;
 
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import particles.teaching.exercises.Exercises;
 import picocli.CommandLine.Option;
 
 /** The options that say what counts, and where the numbers come from. */
@@ -19,16 +21,14 @@ final class CourseOptions {
         return Assignment.read(Optional.ofNullable(assignment));        // null where it was not given
     }
 
-    boolean hasKey() {
-        return key != null;                             // null where it was not given
+    /** @return the key file */
+    Optional<Path> key() {
+        return Optional.ofNullable(key);                // null where it was not given
     }
 
-    /** @return the text from which a student's numbers come, if it is known */
-    Optional<String> numbers(Assignment what, String student) {
-        if (!hasKey()) {
-            return what.sheets() ? Optional.empty() : Optional.of(student);
-        }
-        return Optional.ofNullable(CourseList.read(key).get(student.strip())).filter(cells -> cells.size() > 1)
-                .map(cells -> cells.get(1));            // null where the student is not in it
+    /** @return the text from which a student's numbers in each exercise come, from place 1 on; empty if not known */
+    List<String> numbers(Assignment what, String student) {
+        return key != null ? CourseList.key(key).getOrDefault(student.strip(), List.of()) : what.sheets() ? List.of()
+                : Collections.nCopies(Exercises.all().size() + 1, student);
     }
 }

@@ -67,7 +67,7 @@ public final class GradeClassCommand extends ResultsCommand {
             throw wrong("folder", "give either this option or " + getStyle().option("collect"));
         }
         Assignment assignment = course.assignment();
-        if (assignment.sheets() && !course.hasKey() && collect == null) {
+        if (assignment.sheets() && course.key().isEmpty() && collect == null) {
             throw wrong("key", "is needed: by the assignment, the numbers are those of the handouts");
         }
         List<String> problems = new ArrayList<>();
@@ -83,7 +83,7 @@ public final class GradeClassCommand extends ResultsCommand {
             for (String id : words.keySet()) {
                 if (results.stream().noneMatch(result -> result.student().equalsIgnoreCase(id))) {
                     problems.add("nothing was handed in by " + id);
-                    results.add(HandInMarking.begin(id, Optional.empty(), assignment, Optional.empty(), copies,
+                    results.add(HandInMarking.begin(id, Optional.empty(), assignment, List.of(), copies,
                             copies.resolve("none")).call());
                 }
             }
@@ -140,7 +140,7 @@ public final class GradeClassCommand extends ResultsCommand {
             List<String> problems, PrintWriter out) throws Exception {
         Map<Path, Callable<Result>> begun = new LinkedHashMap<>();
         for (Map.Entry<String, List<Submission>> each : found.entrySet()) {
-            Optional<String> numbers = course.numbers(assignment, each.getKey());
+            List<String> numbers = course.numbers(assignment, each.getKey());
             if (numbers.isEmpty()) {
                 problems.add(each.getKey() + " is not in the key file");
             }

@@ -29,14 +29,14 @@ final class HandInMarking {
      * @param student    the id
      * @param handIn     what was handed in; empty for nothing
      * @param assignment what counts
-     * @param numbers    the text from which the student's numbers come, if it is known
+     * @param numbers    the text from which the numbers of each exercise come; empty if that is not known
      * @param results    the folder of the result
      * @param copy       a new folder, which stays until the classes have run
      * @return what runs the classes and makes the result
      * @throws IOException if a file cannot be written
      */
     static Callable<Result> begin(String student, Optional<Submission> handIn, Assignment assignment,
-            Optional<String> numbers, Path results, Path copy) throws IOException {
+            List<String> numbers, Path results, Path copy) throws IOException {
         Map<String, byte[]> files = new TreeMap<>(handIn.map(Submission::files).orElse(Map.of()));
         StringBuilder all = new StringBuilder(Version.CURRENT + '\0' + assignment.text() + '\0' + numbers);
         files.forEach((name, bytes) -> all.append('\0').append(name).append('\0').append(bytes.length).append('\0')

@@ -39,12 +39,12 @@ import particles.view.DataTable;
  * The marking of one hand-in.
  *
  * @param assignment what counts
- * @param numbers    the text from which the student's numbers come: the id or a random one; empty if it is not known
+ * @param numbers    the text from which the numbers of each exercise come, from place 1 on; empty if that is not known
  * @param answers    the file of answers
  * @param sources    the text of each class that was handed in
  * @param reports    the folder of the reports
  */
-record Marking(Assignment assignment, Optional<String> numbers, Path answers, Map<String, String> sources,
+record Marking(Assignment assignment, List<String> numbers, Path answers, Map<String, String> sources,
         Path reports) {
     static final String PAGE = "grade";
     static final String NO_ANSWER = "There is no answer.";
@@ -82,7 +82,7 @@ record Marking(Assignment assignment, Optional<String> numbers, Path answers, Ma
 
     /** A scene's path is relative to the folder of the answers, which it cannot leave; both are handed in together. */
     private Mark mark(Exercise exercise, int number, String answer) {
-        Draw draw = new Draw(numbers.orElseThrow(), number);
+        Draw draw = new Draw(numbers.get(number), number);
         if (number < Exercises.all().size() || answer.isBlank()) {
             return exercise.mark(draw, answer);
         }

@@ -15,6 +15,12 @@
  * names, comments and layout, and those that use the project's solvers, are listed; nobody loses a mark for it. After a
  * stop, the same command marks only those who have no result yet, or whose hand-in, numbers or assignment changed.
  *
+ * <p>For practice, a student's numbers come from the id, so everybody can know everybody's. For graded work, {@code
+ * gradle sheets -Pstudents=list.csv -Pkey=key.csv} writes a printable sheet for each student and a key file, which
+ * students never get, and {@code -Pkey=key.csv} marks with it; {@code numbers: sheet} in the assignment tells {@code
+ * grade} of it. In a class of a hundred nobody's answer is then right for somebody else; with numbers from the id, six to
+ * nine share one on average. {@code gradle autograding} writes a workflow for GitHub Classroom and a script for VPL.
+ *
  * <p>A large course is spread over processors or machines: one command marks one student, without knowing of others,
  * and the tables are made from the results. After {@code gradle installDist}, with GNU parallel, in a job of a CI
  * matrix, or in a Slurm array:

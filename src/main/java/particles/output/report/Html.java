@@ -5,7 +5,7 @@ import java.util.HashSet;
 import java.util.Set;
 
 /** Escapes text for HTML that is well-formed XML too. */
-final class Html {
+public final class Html {
     /** What XML 1.0 does not allow. */
     private static final String NO_CHARACTER = "[^\\t\\n\\r\\u0020-\\uD7FF\\uE000-\\uFFFD\\x{10000}-\\x{10FFFF}]";
 
@@ -18,7 +18,7 @@ final class Html {
     }
 
     /** @return the template with these texts, escaped, in place of each %s */
-    static String fill(String template, Object... texts) {
+    public static String fill(String template, Object... texts) {
         return template.formatted(Arrays.stream(texts).map(text -> escaped(text.toString())).toArray());
     }
 

@@ -11,7 +11,7 @@ final class AdaptiveStep extends NumericExercise {
     private static final int RICHARDSON = 15;
 
     AdaptiveStep() {
-        super("Adaptive steps: the next deltaT", "s", 0.02, 0.3, """
+        super("Adaptive steps: the next deltaT", "s", 0.01, 0.4, """
                 A particle of m = %s kg on a spring of k = %s N/m is at x = %s m with v = %s m/s. Take two steps of \
                 RK4 with deltaT = %s s, and one of 2 deltaT from the same start; the difference of the two x is the \
                 error.
@@ -35,11 +35,11 @@ final class AdaptiveStep extends NumericExercise {
     @Override
     protected Question ask(Picks picks) {
         double m = Spring.mass(picks);
-        double k = picks.decimal(20, 90, 1);
+        double k = picks.size(1, 30);
         double x = picks.decimal(50, 150, 2);
         double v = picks.decimal(5, 15, 1);
         double h = picks.of(0.1, 0.12, 0.15, 0.2, 0.25);
-        double bound = picks.of(1e-6, 2e-6, 5e-6, 1e-5, 2e-5);
+        double bound = picks.of(1e-7, 3e-7, 1e-6, 3e-6, 1e-5, 3e-5, 1e-4);
         Spring spring = new Spring(m, k, 0, x, v);
         double error = difference("rk4", spring, h);
         double factor = bound / error;

@@ -2,8 +2,6 @@ package particles.teaching.exercises;
 
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.List;
 import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.NumericExercise;
@@ -14,17 +12,15 @@ import particles.teaching.marking.Question;
  * own duration and accuracy.
  */
 final class CostOfRK4 extends NumericExercise {
-    /** The fewest steps are found by trial; the leading terms of the errors alone may be wrong by a percent. */
-    private static final double HALF_A_PERCENT = 0.005;
     private static final int FEWEST_STEPS = 16;
     private static final double HUNDRED = 100;
 
     CostOfRK4() {
-        super("What midpoint costs against RK4", "", 6, 45, """
+        super("What midpoint costs against RK4", "", 6, 150, """
                 x'' = -omega^2 x with omega = %s 1/s begins at x = 1 m, v = 0, and is followed for %s s. The error \
                 at the end, |(x - x exact, (v - v exact)/omega)|, may be %s m.
                 How many times as many evaluations of the derivative does the midpoint method need as RK4, each with \
-                the longest deltaT that is good enough?
+                the fewest steps of equal length that are good enough?
                 ---
                 For each method, write down how the error at the end goes with the number of steps; the frequency \
                 and the duration count too.
@@ -41,40 +37,26 @@ final class CostOfRK4 extends NumericExercise {
     protected Question ask(Picks picks) {
         double duration = picks.whole(30, 60);
         double omega = picks.decimal(100, 150, 2);
-        double error = twoDigits(StrictMath.pow(10, -2 - picks.decimal(0, 300, 2)));
-        double midpoint = steps("midpoint", omega, duration, error);
-        double rk4 = steps("rk4", omega, duration, error);
+        double error = picks.size(3e-7, 0.01);
+        double midpoint = steps("midpoint", 2, omega, duration, error);
+        double rk4 = steps("rk4", 4, omega, duration, error);
         double ratio = 2 * midpoint / (4 * rk4);
         return question(ratio, 0, List.of(omega, duration, error), 2 * ratio, 4 * ratio, 1 / ratio, 0.5,
                 StrictMath.pow(HUNDRED, 0.25) * ratio, StrictMath.pow(error, -0.25));
     }
 
-    @Override
-    protected double tolerance() {
-        return HALF_A_PERCENT;
-    }
-
-    private static double twoDigits(double x) {
-        return new BigDecimal(x).round(new MathContext(2)).doubleValue();
-    }
-
-    /** The fewest steps that are accurate enough. */
-    private static int steps(String solver, double omega, double duration, double error) {
-        int few = FEWEST_STEPS;
-        int enough = 2 * few;
-        while (!(error(solver, omega, duration, enough) <= error)) {
-            few = enough;
-            enough *= 2;
+    /** The fewest steps that are accurate enough; a guess by the order of the method is at most a few steps off. */
+    private static int steps(String solver, int order, double omega, double duration, double error) {
+        int steps = FEWEST_STEPS;
+        double found = error(solver, omega, duration, steps);
+        while (found > error) {
+            steps = (int) Math.ceil(steps * Math.min(8, StrictMath.pow(found / error, 1.0 / order)));
+            found = error(solver, omega, duration, steps);
         }
-        while (enough - few > 1) {
-            int middle = (few + enough) / 2;
-            if (error(solver, omega, duration, middle) <= error) {
-                enough = middle;
-            } else {
-                few = middle;
-            }
+        while (error(solver, omega, duration, steps - 1) <= error) {
+            steps--;
         }
-        return enough;
+        return steps;
     }
 
     private static double error(String name, double omega, double duration, int steps) {

@@ -10,7 +10,7 @@ final class EulerSteps extends NumericExercise {
     private static final int STEPS = 3;
 
     EulerSteps() {
-        super("Three steps of the Euler method", "m", -4, 2, """
+        super("Three steps of the Euler method", "m", -9, 8, """
                 A particle of m = %s kg slides on a spring of k = %s N/m, without gravity or friction: x'' = -(k/m) \
                 x. It is at x = %s m and moves with v = %s m/s.
                 Where is it after three Euler steps of deltaT = %s s?
@@ -33,8 +33,8 @@ final class EulerSteps extends NumericExercise {
     protected Question ask(Picks picks) {
         double m = Spring.mass(picks);
         double k = picks.decimal(20, 90, 1);
-        double x = picks.decimal(50, 150, 2);
-        double v = picks.decimal(5, 15, 1);
+        double x = picks.decimal(50, 300, 2);
+        double v = picks.decimal(5, 60, 1);
         double h = picks.of(0.1, 0.15, 0.2, 0.25);
         Spring spring = new Spring(m, k, 0, x, v);
         Spring right = spring.after("euler", STEPS, h);

@@ -34,8 +34,8 @@ final class MidpointSteps extends NumericExercise {
     protected Question ask(Picks picks) {
         double m = Leaf.mass(picks);
         double c = picks.decimal(4, 20, 1);
-        double b = picks.decimal(10, 40, 1);
-        double v = picks.decimal(20, 90, 1);
+        double b = picks.size(0.5, 10);
+        double v = picks.size(2, 50);
         double h = picks.of(0.2, 0.25, 0.3, 0.4, 0.5);
         double a = c / m;
         Leaf leaf = new Leaf(a, b, v);

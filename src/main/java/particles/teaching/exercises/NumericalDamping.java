@@ -10,7 +10,7 @@ final class NumericalDamping extends NumericExercise {
     private static final int STEPS = 40;
 
     NumericalDamping() {
-        super("Damping that is not physical", "N s/m", 0.1, 3, """
+        super("Damping that is not physical", "N s/m", 0.1, 15, """
                 A particle of m = %s kg swings on a spring of k = %s N/m without any damper. Backward Euler with \
                 deltaT = %s s takes energy from it all the same.
                 Which damping c would take as much in truth? A damper's force -c v lets the energy decay like \
@@ -34,7 +34,7 @@ final class NumericalDamping extends NumericExercise {
     @Override
     protected Question ask(Picks picks) {
         double m = Spring.mass(picks);
-        double k = picks.decimal(20, 90, 1);
+        double k = picks.decimal(20, 400, 1);
         double h = picks.decimal(5, 30, 2);
         Spring spring = new Spring(m, k, 0, 1, 0);
         double left = spring.after("backward-euler", STEPS, h).energy() / spring.energy();

@@ -14,7 +14,7 @@ final class RK4Step extends NumericExercise {
     private static final double[] WEIGHTS = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
 
     RK4Step() {
-        super("One step of RK4", "m/s", 0.5, 30, """
+        super("One step of RK4", "m/s", 0.5, 60, """
                 The leaf again: m = %s kg, drag c = %s N s/m, the air moves with b t, b = %s m/s^2, so that v' = \
                 -(c/m)(v - b t); at t = 0 it has v = %s m/s.
                 What is v after one step of RK4 with deltaT = %s s?
@@ -38,8 +38,8 @@ final class RK4Step extends NumericExercise {
     protected Question ask(Picks picks) {
         double m = Leaf.mass(picks);
         double c = picks.decimal(4, 20, 1);
-        double b = picks.decimal(10, 60, 1);
-        double v = picks.decimal(20, 90, 1);
+        double b = picks.size(0.5, 40);
+        double v = picks.size(2, 80);
         double h = picks.of(0.4, 0.5, 0.6, 0.75, 0.8);
         double a = c / m;
         Leaf leaf = new Leaf(a, b, v);

@@ -9,7 +9,7 @@ import particles.teaching.marking.Question;
 final class StiffSpring extends NumericExercise {
 
     StiffSpring() {
-        super("A stiff spring and backward Euler", "m/s", -30, 6, """
+        super("A stiff spring and backward Euler", "m/s", -30, 12, """
                 A particle of m = %s kg on a stiff spring of k = %s N/m with a damper of c = %s N s/m is at x = %s m \
                 and has v = %s m/s.
                 What is its velocity after one step of backward Euler with deltaT = %s s, where force and velocity \
@@ -35,7 +35,7 @@ final class StiffSpring extends NumericExercise {
         double k = 10 * picks.whole(20, 120);
         double c = picks.decimal(20, 120, 1);
         double x = picks.decimal(50, 150, 2);
-        double v = picks.decimal(20, 90, 1);
+        double v = picks.decimal(20, 200, 1);
         double h = picks.of(0.05, 0.06, 0.08, 0.1, 0.12);
         Spring spring = new Spring(m, k, c, x, v);
         Spring right = spring.after("backward-euler", 1, h);

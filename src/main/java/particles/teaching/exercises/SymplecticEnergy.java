@@ -13,7 +13,7 @@ final class SymplecticEnergy extends NumericExercise {
     private static final double RESONANCE = 0.01;
 
     SymplecticEnergy() {
-        super("Symplectic Euler: how far the energy swings", "", 1.02, 12, """
+        super("Symplectic Euler: how far the energy swings", "", 1.02, 40, """
                 A particle of m = %s kg on an undamped spring of k = %s N/m is pulled aside and released from rest, \
                 and moved by the simple algorithm (symplectic Euler) with deltaT = %s s.
                 What is the largest energy, (m v^2 + k x^2)/2, within %s steps, as a multiple of the energy at the \
@@ -35,10 +35,11 @@ final class SymplecticEnergy extends NumericExercise {
     protected Question ask(Picks picks) {
         double m = Spring.mass(picks);
         double k = picks.decimal(20, 90, 1);
-        double h = picks.decimal(10, 60, 2);
-        double half = h * Math.sqrt(k / m) / 2;
+        double omega = Math.sqrt(k / m);
+        double h = Math.rint(2000 * (1 - 1 / (1.05 * StrictMath.pow(30, picks.decimal(0, 9999, 4)))) / omega) / 1000;
+        double half = h * omega / 2;
         // at deltaT omega = 1 every sixth step is at the same place, and the highest point is never met
-        double smallest = half > 0.9 || Math.abs(4 * half * half - 1) < RESONANCE ? Double.POSITIVE_INFINITY : 0;
+        double smallest = half > 0.97 || Math.abs(4 * half * half - 1) < RESONANCE ? Double.POSITIVE_INFINITY : 0;
         double answer = highest(m, k, h);
         return question(answer, smallest, List.of(m, k, h, STEPS), 1 / (1 + half), Math.sqrt(answer), answer - 1,
                 1 + half, 1, 1 / (1 - 2 * half), 1 / (1 - h * Math.sqrt(k) / 2));

@@ -1,6 +1,7 @@
 package particles.teaching.marking;
 
 import java.math.BigDecimal;
+import java.math.MathContext;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
@@ -47,6 +48,12 @@ public final class Draw {
          */
         public double decimal(int low, int high, int decimals) {
             return new BigDecimal(whole(low, high)).movePointLeft(decimals).doubleValue();
+        }
+
+        /** @return a number of three digits between low and high; one of 1 to 2 is as likely as one of 10 to 20 */
+        public double size(double low, double high) {
+            double drawn = low * StrictMath.pow(high / low, random.nextDouble());
+            return new BigDecimal(drawn).round(new MathContext(3)).doubleValue();
         }
 
         /** @return one of these numbers */

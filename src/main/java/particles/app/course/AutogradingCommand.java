@@ -1,0 +1,68 @@
+package particles.app.course;
+
+import java.io.PrintWriter;
+import particles.app.cli.ResultsCommand;
+import particles.output.files.OutputFolder;
+import picocli.CommandLine.Command;
+
+/** {@code gradle autograding}: a workflow for GitHub Classroom, and a script for Moodle's Virtual Programming Lab. */
+@Command(name = "autograding", description = "Writes a workflow for GitHub Classroom and a script for Moodle VPL.")
+public final class AutogradingCommand extends ResultsCommand {
+    private static final String WORKFLOW = """
+            # Put this into .github/workflows/ of the assignment's template. grade.json is what the reporter reads.
+            name: Autograding Tests
+            on: [push, workflow_dispatch]
+            permissions:
+              checks: write
+              actions: read
+              contents: read
+            jobs:
+              run-autograding-tests:
+                runs-on: ubuntu-latest
+                if: github.actor != 'github-classroom[bot]'
+                steps:
+                  - uses: actions/checkout@v4
+                  - uses: actions/setup-java@v4
+                    with:
+                      distribution: temurin
+                      java-version: '21'
+                  - id: grade
+                    env:
+                      STUDENT: ${{ github.actor }}          # the id from which the numbers come
+                    run: |
+                      gradle grade "-Pstudent=$STUDENT" || true
+                      echo "result=$(base64 -w0 build/out/grade/grade.json)" >> "$GITHUB_OUTPUT"
+                  - uses: classroom-resources/autograding-grading-reporter@v1
+                    env:
+                      GRADE_RESULTS: "${{ steps.grade.outputs.result }}"
+                    with:
+                      runners: grade
+            """;
+    private static final String VPL = """
+            #!/bin/bash
+            # For Moodle's VPL: makes vpl_execution, which marks. On the execution server, what gradle installDist makes
+            # has to be in /opt/desolver; assignment.yaml belongs to the activity's execution files. The numbers come
+            # from the user's id in Moodle.
+            { cat vpl_environment.sh; cat << 'END'; } > vpl_execution
+
+            export JAVA_OPTS=-Ddesolver.exercises=.
+            "${DESOLVER:-/opt/desolver/bin/desolver}" grade "--student=$MOODLE_USER_ID" --out=marks > marks.txt 2>&1
+            echo '<|--'
+            sed 's/^/>/' marks.txt
+            echo '--|>'
+            sed -n 's/^points: \\([0-9.]*\\) of \\([0-9.]*\\)$/\\1 \\2/p' marks.txt | tail -n 1 |
+                awk -v low="${VPL_GRADEMIN:-0}" -v high="${VPL_GRADEMAX:-10}" \\
+                '$2 > 0 { print "Grade :=>> " low + (high - low) * $1 / $2 }'
+            END
+            chmod +x vpl_execution
+            """;
+
+    @Override
+    public void run(PrintWriter out) {
+        try (OutputFolder files = OutputFolder.open(getFolder())) {
+            files.write("classroom.yml", WORKFLOW);
+            files.write("vpl_evaluate.sh", VPL);
+        }
+        out.println("classroom.yml, vpl_evaluate.sh: " + getFolder());
+    }
+}

@@ -1,0 +1,108 @@
+package particles.app.course;
+
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.security.SecureRandom;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import particles.app.cli.ResultsCommand;
+import particles.output.files.OutputFolder;
+import particles.output.report.Html;
+import particles.teaching.exercises.Exercises;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.Exercise;
+import particles.teaching.marking.NumericExercise;
+import particles.teaching.marking.Question;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/**
+ * {@code gradle sheets -Pstudents=list.csv -Pkey=key.csv}: a printable page for each student, with numbers that follow
+ * from the key file and not from the id. Students who are in the key file already keep their numbers.
+ */
+@Command(name = "sheets", description = "Writes a printable sheet of exercises for each student of a class.")
+public final class SheetsCommand extends ResultsCommand {
+    private static final String HEAD = "student,the secret of each exercise (keep this file from students)";
+    private static final int MOST_DRAWS = 100;
+    private static final int BYTES = 8;
+    private static final String PAGE = """
+            <!DOCTYPE html>
+            <html lang="en"><head><meta charset="utf-8"/><title>Exercises for %1$s</title>
+            <style>body { max-width: 45em; margin: 2em auto; font: 12pt serif } p { white-space: pre-wrap }
+            section { break-inside: avoid }</style></head><body><h1>Exercises for %1$s</h1>
+            """;
+    private static final String PART = "<section><h2>%s. %s</h2><p>%s</p></section>\n";
+
+    @Option(names = "--students", paramLabel = "FILE", required = true,
+            description = "A CSV file with a header; the first cell of each line is an id.")
+    private Path students;
+
+    @Mixin
+    private final CourseOptions course = new CourseOptions();
+
+    private final SecureRandom random = new SecureRandom();
+
+    @Override
+    public void run(PrintWriter out) throws Exception {
+        Map<Integer, Double> wanted = course.assignment().exercises();
+        Path key = course.key().orElseThrow(() -> wrong("key", "the file is missing that this makes, or adds to"));
+        Map<String, List<String>> keys = Files.exists(key) ? CourseList.key(key) : new TreeMap<>();
+        Map<Integer, List<Question>> taken = new TreeMap<>();
+        keys.values().forEach(secrets -> wanted.keySet().forEach(number -> taken(taken, number).addAll(question(number,
+                secrets.get(number)).toList())));
+        try (OutputFolder files = OutputFolder.open(getFolder())) {
+            int sheet = 0;
+            for (String student : CourseList.read(students).keySet()) {
+                List<String> secrets = keys.computeIfAbsent(student, id -> Stream.concat(Stream.of(id), IntStream
+                        .rangeClosed(1, Exercises.all().size()).mapToObj(number -> secret(number, taken(taken,
+                        number)))).toList());
+                sheet++;
+                files.write("sheet-" + sheet + "-" + student.replaceAll("[^\\w-]", "_") + ".html",
+                        Html.fill(PAGE, student) + wanted.keySet().stream().map(number -> Html.fill(PART, number,
+                        Exercises.all().get(number - 1).title(), Exercises.all().get(number - 1).text(new Draw(
+                        secrets.get(number), number)))).collect(Collectors.joining()) + "</body></html>\n");
+            }
+            List<String> lines = new ArrayList<>(List.of(HEAD));
+            keys.values().forEach(cells -> lines.add(String.join(",", cells)));
+            Path whole = key.resolveSibling(key.getFileName() + ".new");
+            Files.write(whole, lines);
+            Files.move(whole, key, StandardCopyOption.REPLACE_EXISTING);
+            out.println(sheet + " sheets: " + getFolder() + "; mark with " + getStyle().option("key") + "=" + key);
+        }
+    }
+
+    private static List<Question> taken(Map<Integer, List<Question>> all, int number) {
+        return all.computeIfAbsent(number, n -> new ArrayList<>());
+    }
+
+    private static Stream<Question> question(int number, String secret) {
+        Exercise exercise = Exercises.all().get(number - 1);
+        return exercise instanceof NumericExercise numeric ? Stream.of(numeric.question(new Draw(secret, number)))
+                : Stream.empty();
+    }
+
+    /** A secret with which no answer is right for somebody else, as far as there is one. */
+    private String secret(int number, List<Question> taken) {
+        byte[] bytes = new byte[BYTES];
+        for (int draw = 1;; draw++) {
+            random.nextBytes(bytes);
+            String secret = HexFormat.of().formatHex(bytes);
+            List<Question> mine = question(number, secret).toList();
+            if (draw == MOST_DRAWS || mine.stream().noneMatch(question -> taken.stream().anyMatch(other ->
+                    question.isNear(other.answer(), question.answer()) || other.isNear(question.answer(),
+                    other.answer())))) {
+                taken.addAll(mine);
+                return secret;
+            }
+        }
+    }
+}

@@ -1,0 +1,87 @@
+package particles.app.course;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import particles.app.cli.ExitCode;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.Program;
+import particles.teaching.exercises.Exercises;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.NumericExercise;
+import particles.teaching.marking.Question;
+
+/** Handouts with numbers from a key file, and marking with it. */
+class SheetsCommandTest {
+    @TempDir
+    private Path folder;
+
+    private String run(ExitCode expected, String... args) {
+        StringWriter out = new StringWriter();
+        PrintWriter both = new PrintWriter(out);
+        assertEquals(expected, new Program(List.of(new SheetsCommand(), new GradeCommand(folder.resolve("classes"))),
+                OptionStyle.GRADLE, both, both).execute(args), out.toString());
+        return out.toString();
+    }
+
+    private Map<String, List<String>> sheets(int students) throws Exception {
+        Files.writeString(folder.resolve("list.csv"), IntStream.range(0, students).mapToObj(n -> "s" + n + ",Name\n")
+                .collect(Collectors.joining("", "id,name\n", "")));
+        run(ExitCode.DONE, "sheets", "--students=" + folder.resolve("list.csv"), "--key=" + folder.resolve("key.csv"),
+                "--out=" + folder.resolve("out"));
+        return CourseList.key(folder.resolve("key.csv"));
+    }
+
+    private static Question question(List<String> secrets, int number) {
+        return ((NumericExercise) Exercises.all().get(number - 1)).question(new Draw(secrets.get(number), number));
+    }
+
+    /** In a class of a hundred, no answer is right for somebody else too. */
+    @Tag("slow")
+    @Test
+    void aHundredStudentsShareNoAnswer() throws Exception {
+        Map<String, List<String>> keys = sheets(100);
+        for (int number = 1; number < Exercises.all().size(); number++) {
+            int exercise = number;
+            List<Question> all = keys.values().stream().map(secrets -> question(secrets, exercise)).toList();
+            assertEquals(0, all.stream().filter(mine -> all.stream().anyMatch(other -> other != mine
+                    && mine.isNear(other.answer(), mine.answer()))).count(), "exercise " + number);
+        }
+    }
+
+    @Test
+    void whatIsOnTheSheetIsMarkedWithTheKeyAndOnlyWithIt() throws Exception {
+        Map<String, List<String>> keys = sheets(2);
+        List<String> mine = keys.get("s1");
+        assertEquals(mine, sheets(3).get("s1"), "who has a sheet keeps its numbers");
+        String sheet = Files.readString(folder.resolve("out/sheet-2-s1.html"));
+        String text = Exercises.all().get(1).text(new Draw(mine.get(2), 2));
+        assertTrue(sheet.contains("<h1>Exercises for s1</h1>") && sheet.contains(text), sheet);
+        assertTrue(mine.stream().skip(1).noneMatch(sheet::contains), "no secret is on the sheet");
+        Files.writeString(folder.resolve("answers.yaml"), "2: " + question(mine, 2).answer());
+        Files.writeString(folder.resolve("assignment.yaml"), "numbers: sheet\nexercises: {2: 1}\n");
+        String[][] rows = {{"S1", "key.csv", "mark      2."}, {"s0", "key.csv", "no mark   2."},
+            {"nobody", "key.csv", "lecturer marks it"}, {"s1", "", "lecturer marks it"}};
+        for (String[] row : rows) {
+            String screen = run(row[2].startsWith("mark") ? ExitCode.DONE : ExitCode.BAD_INPUT, "grade", "--student="
+                    + row[0], "--answers=" + folder.resolve("answers.yaml"), "--assignment="
+                    + folder.resolve("assignment.yaml"), row[1].isEmpty() ? "--out=" + folder.resolve("grade")
+                    : "--key=" + folder.resolve(row[1]));
+            assertTrue(screen.contains(row[2]), screen);
+        }
+        Files.writeString(folder.resolve("key.csv"), "student\ns1,12\n");
+        assertTrue(run(ExitCode.BAD_INPUT, "sheets", "--students=" + folder.resolve("list.csv"), "--key="
+                + folder.resolve("key.csv")).contains("key.csv: the line of s1 has 2 cells; a key file has 13"));
+    }
+}
