@@ -18,8 +18,8 @@
  * <p>For practice, a student's numbers come from the id, so everybody can know everybody's. For graded work, {@code
  * gradle sheets -Pstudents=list.csv -Pkey=key.csv} writes a printable sheet for each student and a key file, which
  * students never get, and {@code -Pkey=key.csv} marks with it; {@code numbers: sheet} in the assignment tells {@code
- * grade} of it. In a class of a hundred nobody's answer is then right for somebody else; with numbers from the id, six to
- * nine share one on average. {@code gradle autograding} writes a workflow for GitHub Classroom and a script for VPL.
+ * grade} of it. In a class of a hundred nobody's answer is then right for somebody else; with numbers from the id, six
+ * to nine share one on average. {@code gradle autograding} writes a workflow for GitHub Classroom and a script for VPL.
  *
  * <p>A large course is spread over processors or machines: one command marks one student, without knowing of others,
  * and the tables are made from the results. After {@code gradle installDist}, with GNU parallel, in a job of a CI
@@ -42,6 +42,8 @@
  * <li>Each class is checked in a process of its own, with limits on memory and CPU time. It may loop, print as much as
  * it likes or call {@code System.exit}. Only a verdict that is signed with a secret of this run counts; it is written
  * once, and the process ends at once. Control characters in messages are replaced.
+ * <li>A right solver is run once more in a scene, with nothing of the check on the stack and after thousands of further
+ * calls, a number that nobody knows before: it has to make the same steps there, bit for bit.
  * <li>A check that the machine was too busy for, or that was stopped, is not decided; it is never a wrong answer.
  * </ul>
  *

@@ -232,6 +232,27 @@ class GradeCommandTest {
         assertFalse(screen.matches("(?s).*[\\p{Cc}\\p{Cf}&&[^\r\n]].*"), screen);
     }
 
+    /** Right as long as it is checked; then it makes half steps. */
+    @Tag("slow")
+    @Test
+    void aClassThatIsOtherwiseOutsideOfTheCheckGetsNoMark() throws Exception {
+        String[] names = {"HereSolver", "LaterSolver"};
+        String[] when = {"calls > 0", "calls > 9000"};
+        for (int k = 0; k < names.length; k++) {
+            Files.writeString(classes.resolve(names[k] + ".java"), EULER.formatted(names[k],
+                    "(" + when[k] + " ? 0.5 : 1) * deltaT * dSdt[i]").replaceFirst("\\{\n", """
+                    {
+                        static int calls;
+                        final boolean checked = java.util.Arrays.stream(Thread.currentThread().getStackTrace())
+                                .anyMatch(frame -> frame.getClassName().startsWith("particles.teaching."));
+                    """).replace("double[] state =", "calls = checked ? 0 : calls + 1;\ndouble[] state ="));
+        }
+        Files.writeString(classes.resolve("TrueSolver.java"), EULER.formatted("TrueSolver", "deltaT * dSdt[i]"));
+        String screen = grade(ExitCode.BAD_INPUT);
+        assertEquals(1, screen.lines().filter(line -> line.startsWith("mark ")).count(), screen);
+        assertEquals(2, screen.split("it makes other steps than in this check").length - 1, screen);
+    }
+
     /** Half a step of Euler, after these statements. */
     private void hostile(String name, String statements) throws Exception {
         Files.writeString(classes.resolve(name + ".java"), EULER.formatted(name, "0.5 * deltaT * dSdt[i]")
