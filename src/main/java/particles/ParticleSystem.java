@@ -3,7 +3,6 @@ package particles;
 import deSolvers.ArrayStateSource;
 import deSolvers.ForceDerivatives;
 import deSolvers.JacobianStateSource;
-import deSolvers.SecondOrderStateSource;
 import deSolvers.SubStepSource;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -27,8 +26,7 @@ import particles.law.Vector3;
  *
  * <p>Source: COMPSCI 715 (2003), slide "Restructuring the Particle System".
  */
-public final class ParticleSystem implements SecondOrderStateSource, ArrayStateSource, JacobianStateSource,
-        SubStepSource {
+public final class ParticleSystem implements JacobianStateSource, ArrayStateSource, SubStepSource {
     private static final int STRIDE = Particles.STRIDE;
 
     private final Particles particles = new Particles();
@@ -268,15 +266,20 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         return anchors.hiddenIn(getOwnState());
     }
 
-    @Override
+    /**
+     * Multiplies the Jacobian at the current state and time with a direction; changes neither.
+     *
+     * @param direction a direction w in the state space
+     * @param product   receives J w, per unit of time; another array than {@code direction}
+     */
     public void getJacobianProduct(double[] direction, double[] product) {
         jacobian.multiply(state, time, anchors.freePartOf(direction), product);
         anchors.hide(product);
     }
 
     @Override
-    public Blocks getJacobianBlocks() {
-        return jacobian.isExact() ? Blocks.EXACT : Blocks.APPROXIMATE;
+    public boolean hasExactJacobian() {
+        return jacobian.isExact();
     }
 
     @Override

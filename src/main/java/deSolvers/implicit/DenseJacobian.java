@@ -1,17 +1,15 @@
 package deSolvers.implicit;
 
-import deSolvers.JacobianStateSource;
 import deSolvers.StepTransaction;
 import deSolvers.linear.SolverWork;
 import java.util.Arrays;
 
 /**
- * The Jacobian J = df/ds as a full matrix: column by column from the source's products, or by forward differences at
- * one evaluation a column.
+ * The Jacobian J = df/ds as a full matrix: column by column by forward differences, at one evaluation each.
  */
 final class DenseJacobian {
     /** Half the digits: the best balance of rounding against curvature in a forward difference. */
-    private static final double ROOT_EPSILON = Math.sqrt(Math.ulp(1.0));
+    static final double ROOT_EPSILON = Math.sqrt(Math.ulp(1.0));
     /** An entry that is small and does not move is varied as if it were this part of the largest entry. */
     static final double SMALL_ENTRY = 1e-5;
 
@@ -29,7 +27,7 @@ final class DenseJacobian {
     /**
      * Computes J at a state and the source's present time. Leaves the source at a state near it.
      *
-     * @param source   evaluates, and multiplies with the Jacobian if its client can
+     * @param source   evaluates f
      * @param state    the state at which J is computed
      * @param dSdt     f at that state
      * @param h        a step (s) that tells how far an entry at 0 may be expected to move
@@ -45,18 +43,6 @@ final class DenseJacobian {
             column = new double[n];
         }
         work.jacobians++;
-        if (source.getClient() instanceof JacobianStateSource products) {
-            source.setState(state);
-            Arrays.fill(varied, 0);
-            for (int j = 0; j < n; j++) {
-                varied[j] = 1;
-                products.getJacobianProduct(varied, column);
-                varied[j] = 0;
-                setColumn(jacobian, j, column);
-            }
-            work.products += n;
-            return;
-        }
         double largest = 0;
         for (double s : state) {
             largest = Math.max(largest, Math.abs(s));

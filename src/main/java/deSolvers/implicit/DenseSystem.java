@@ -1,8 +1,6 @@
 package deSolvers.implicit;
 
-import deSolvers.DEStateSource;
 import deSolvers.FiniteCheck;
-import deSolvers.JacobianStateSource;
 import deSolvers.StepTransaction;
 import deSolvers.linear.SolverWork;
 import org.ejml.data.DMatrixRMaj;
@@ -26,7 +24,6 @@ final class DenseSystem implements ShiftedJacobian {
     private final ZMatrixRMaj complexMatrix = new ZMatrixRMaj(0, 0);
     private final ZMatrixRMaj complexRight;
     private final ZMatrixRMaj complexSolution;
-    private DEStateSource client;
 
     /** @param n the state's size */
     DenseSystem(SolverWork work, int n) {
@@ -47,7 +44,6 @@ final class DenseSystem implements ShiftedJacobian {
     @Override
     public void setJacobian(StepTransaction source, double[] state, double[] slope, double h, Kind kind) {
         differences.compute(source, state, slope, h, kind == Kind.CAREFUL, jacobian);
-        this.client = source.getClient();
         NewtonUpdate.units(state, slope, h, unit);
     }
 
@@ -56,7 +52,7 @@ final class DenseSystem implements ShiftedJacobian {
     public boolean seesSmallEntries(double[] m) {
         boolean all = true;
         double small = DenseJacobian.SMALL_ENTRY * NewtonUpdate.largest(m);
-        for (int i = 0; i < n && !(client instanceof JacobianStateSource); i++) {
+        for (int i = 0; i < n; i++) {
             all &= m[i] == 0 || Math.abs(m[i]) >= small;
         }
         return all;

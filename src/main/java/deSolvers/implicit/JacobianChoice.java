@@ -2,7 +2,6 @@ package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
 import deSolvers.JacobianStateSource;
-import deSolvers.SecondOrderStateSource;
 import deSolvers.linear.SolverWork;
 
 /**
@@ -10,8 +9,6 @@ import deSolvers.linear.SolverWork;
  * the velocities, other sources by a full matrix.
  */
 final class JacobianChoice {
-    /** Up to this size a full matrix is faster than GMRES with blocks that are only a preconditioner. */
-    private static final int SMALL = 600;
     /** J, the matrix and its factors then take 600 MB; radau's complex matrix and factors another 800 MB. */
     static final int LARGEST_DENSE = 5000;
 
@@ -26,7 +23,7 @@ final class JacobianChoice {
     /** The form of I - g J for a source; it is made anew when its kind or size changes. */
     ShiftedJacobian of(DEStateSource source) {
         int size = source.getStateSize();
-        boolean blocks = givesBlocks(source, size);
+        boolean blocks = source instanceof JacobianStateSource;
         if (size != n || blocks != form instanceof ReducedVelocitySystem) {
             form = blocks ? new ReducedVelocitySystem(work, size) : dense(source, size);
             n = size;
@@ -41,15 +38,5 @@ final class JacobianChoice {
                     + " are possible without " + JacobianStateSource.class.getName() + "'s blocks");
         }
         return new DenseSystem(work, n);
-    }
-
-    private static boolean givesBlocks(DEStateSource source, int n) {
-        if (!(source instanceof JacobianStateSource known && source instanceof SecondOrderStateSource second)
-                || second.getDimension() != 3) {
-            return false;
-        }
-        JacobianStateSource.Blocks offered = known.getJacobianBlocks();
-        return offered == JacobianStateSource.Blocks.EXACT
-                || offered == JacobianStateSource.Blocks.APPROXIMATE && n > SMALL;
     }
 }

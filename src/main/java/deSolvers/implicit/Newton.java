@@ -85,7 +85,7 @@ final class Newton {
      */
     void solve(StepTransaction source, double[] start, double g, double[] m) {
         begin(source, start, g, m);
-        jacobian.guess(m);
+        jacobian.guess(source.getClient(), m);
         evaluate(m);
         source.requireFinite(slope);
         if (!iterate(m)) {

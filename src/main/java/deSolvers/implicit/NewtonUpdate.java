@@ -71,9 +71,8 @@ final class NewtonUpdate {
      * @param roundOff the terms of g f; receives the round-off
      */
     static void roundOff(DEStateSource source, double[] start, double[] m, double[] roundOff) {
-        boolean constrained = source instanceof JacobianStateSource && source instanceof SecondOrderStateSource
-                && ((JacobianStateSource) source).getJacobianBlocks() == JacobianStateSource.Blocks.APPROXIMATE;
-        int d = constrained ? ((SecondOrderStateSource) source).getDimension() : 1;
+        boolean constrained = source instanceof JacobianStateSource particles && !particles.hasExactJacobian();
+        int d = constrained ? 3 : 1;
         double position = 0;
         double velocity = 0;
         for (int i = 0; i < m.length; i++) {

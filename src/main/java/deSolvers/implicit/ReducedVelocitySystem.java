@@ -1,11 +1,14 @@
 package deSolvers.implicit;
 
+import deSolvers.DEStateSource;
 import deSolvers.JacobianStateSource;
 import deSolvers.StepTransaction;
 import deSolvers.linear.BlockMatrix;
 import deSolvers.linear.BlockSolver;
+import deSolvers.linear.Gmres;
 import deSolvers.linear.LinearOperator;
 import deSolvers.linear.SolverWork;
+import java.util.Arrays;
 
 /**
  * I - g J for particles in space that offer the 3 x 3 blocks of their force derivatives. The positions are eliminated:
@@ -37,9 +40,11 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
     private final double[] partForces;
     private final double[] zero;
     private final double[] term;
-    private final double[] direction;
-    private final double[] product;
     private final double[] base;
+    private final double[] slope;                       // f there
+    private final double[] varied;
+    private final double[] variedSlope;
+    private double size;                                // of the base
     private StepTransaction source;
     private boolean exact;
     private double g;
@@ -63,18 +68,22 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         partForces = new double[m];
         zero = new double[m];
         term = new double[m];
-        direction = new double[n];
-        product = new double[n];
         base = new double[n];
+        slope = new double[n];
+        varied = new double[n];
+        variedSlope = new double[n];
     }
 
     @Override
     public void setJacobian(StepTransaction source, double[] state, double[] slope, double h, Kind kind) {
         JacobianStateSource client = (JacobianStateSource) source.getClient();
-        exact = client.getJacobianBlocks() == JacobianStateSource.Blocks.EXACT;
+        exact = client.hasExactJacobian();
         work.jacobians++;
         this.source = source;
         System.arraycopy(state, 0, base, 0, base.length);
+        System.arraycopy(slope, 0, this.slope, 0, base.length);
+        size = Gmres.norm(base);
+        size = size == 0 ? 1 : size;
         source.setState(state);
         BlockMatrix before = blocks.getStiffness();
         blocks.collect(client, m / 3, kind != Kind.EXACT);
@@ -83,7 +92,7 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         }
     }
 
-    /** Products by the source itself belong to the place where it is. */
+    /** Differences belong to the place where they are taken. */
     @Override
     public boolean keepsJacobian() {
         return exact;
@@ -189,7 +198,7 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         }
     }
 
-    /** K x + C v: by the blocks, or by the source's own product where these are not the whole Jacobian. */
+    /** K x + C v: by the blocks, or by a difference where these are not the whole Jacobian. */
     private void forces(double[] x, double[] v, double[] force) {
         if (exact) {
             blocks.getStiffness().apply(x, force);
@@ -201,15 +210,21 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
             }
             return;
         }
+        double length = Math.sqrt(Gmres.dot(x, x) + Gmres.dot(v, v));
+        if (length == 0) {
+            Arrays.fill(force, 0);
+            return;
+        }
+        double delta = DenseJacobian.ROOT_EPSILON * size / length;
         for (int i = 0; i < m; i++) {
-            direction[place(i)] = x[i];
-            direction[place(i) + 3] = v[i];
+            varied[place(i)] = base[place(i)] + delta * x[i];
+            varied[place(i) + 3] = base[place(i) + 3] + delta * v[i];
         }
         work.products++;
-        source.setState(base);
-        ((JacobianStateSource) source.getClient()).getJacobianProduct(direction, product);
+        source.setState(varied);
+        source.getStateDerivative(variedSlope);
         for (int i = 0; i < m; i++) {
-            force[i] = blocks.mass(i / 3) * product[place(i) + 3];
+            force[i] = blocks.mass(i / 3) * (variedSlope[place(i) + 3] - slope[place(i) + 3]) / delta;
         }
     }
 
@@ -218,10 +233,10 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         return 6 * (i / 3) + i % 3;
     }
 
-    /** The particles where they are, with velocities of 0. */
+    /** The particles where they are, with velocities of 0; with rods as they are, for these bend by v&sup2;. */
     @Override
-    public void guess(double[] m) {
-        for (int i = 0; i < this.m; i++) {
+    public void guess(DEStateSource client, double[] m) {
+        for (int i = 0; i < this.m && ((JacobianStateSource) client).hasExactJacobian(); i++) {
             m[place(i) + 3] = 0;
         }
     }
@@ -234,27 +249,34 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         }
     }
 
-    /** The power of the forces that are left: the slope of an energy, since positions stay x + g v. */
+    /**
+     * The power of the forces that are left: the slope of an energy, since positions stay x + g v. The forces of rods
+     * and friction have no energy; for them it is the natural test, whether the next correction still points ahead.
+     */
     @Override
     public double slope(double[] residual, double[] solution, double[] direction) {
         double sum = 0;
         for (int i = 0; i < m; i++) {
-            sum += blocks.mass(i / 3) * residual[place(i) + 3] * direction[place(i) + 3];
+            sum += blocks.mass(i / 3) * (exact ? residual : solution)[place(i) + 3] * direction[place(i) + 3];
         }
         return sum;
     }
 
-    /** The accelerations are sums of K x/m, which may cancel. */
+    /** The accelerations are sums of K x/m, which may cancel; so may those of a wire and gravity. */
     @Override
     public void terms(double[] state, double[] slope, double g, double[] size) {
         for (int i = 0; i < m; i++) {
-            positions[i] = Math.abs(state[place(i)]);
+            partPositions[i] = Math.abs(state[place(i)]);
             size[place(i)] = Math.abs(g * slope[place(i)]);
         }
-        blocks.getStiffness().applyAbsolute(positions, partForces);
+        if (exact) {
+            blocks.getStiffness().applyAbsolute(partPositions, partForces);
+        } else {
+            forces(partPositions, zero, partForces);
+        }
         for (int i = 0; i < m; i++) {
             int at = place(i) + 3;
-            size[at] = Math.abs(g) * Math.max(Math.abs(slope[at]), partForces[i] / blocks.mass(i / 3));
+            size[at] = Math.abs(g) * Math.max(Math.abs(slope[at]), Math.abs(partForces[i]) / blocks.mass(i / 3));
         }
     }
 }

@@ -1,5 +1,6 @@
 package deSolvers.implicit;
 
+import deSolvers.DEStateSource;
 import deSolvers.StepTransaction;
 
 /**
@@ -73,7 +74,7 @@ interface ShiftedJacobian {
     boolean solveComplex(double[] b, double[] x, double tolerance);
 
     /** Makes the start of a step the guess with which Newton's method begins. */
-    default void guess(double[] m) {
+    default void guess(DEStateSource client, double[] m) {
     }
 
     /** Computes entries of m = s + g f(m) that follow from others, so that they are exact. */

@@ -14,11 +14,12 @@
  * {@code ShiftedJacobian} solves linear systems with I - g J, whatever the form of the matrix. {@code JacobianChoice}
  * chooses by the kind and size of the source:
  * <ul>
- * <li>{@code DenseSystem}, for sources of up to 5000 entries: a full matrix, with J from the source or by
- *     differences; a larger source is refused with an {@code IllegalArgumentException};</li>
+ * <li>{@code DenseSystem}, for sources of up to 5000 entries: a full matrix, with J by differences; a larger
+ *     source is refused with an {@code IllegalArgumentException};</li>
  * <li>{@code ReducedVelocitySystem}, for particles that offer the 3 x 3 blocks of their force derivatives: the
  *     positions are eliminated, which leaves the sparse matrix M - g dF/dv - g<sup>2</sup> dF/dx for the
- *     velocities.</li>
+ *     velocities. Rods, wires and contacts that join particles have no blocks: then GMRES multiplies with J by one
+ *     difference of f at a time, and the blocks of the others are its preconditioner.</li>
  * </ul>
  * The linear systems themselves are solved in {@link deSolvers.linear}.
  *

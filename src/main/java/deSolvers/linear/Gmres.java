@@ -7,7 +7,7 @@ import java.util.Arrays;
  *
  * <p>Source: Y. Saad, M. H. Schultz (1986), SIAM J. Sci. Stat. Comput. 7, 856.
  */
-final class Gmres {
+public final class Gmres {
     private static final int RESTART = 40;
     private static final int MOST_ITERATIONS = 2000;
     /** A remainder of at most this part of a vector is round-off. */
@@ -157,7 +157,8 @@ final class Gmres {
         return basis[k];
     }
 
-    static double dot(double[] a, double[] b) {
+    /** @return the scalar product of two vectors */
+    public static double dot(double[] a, double[] b) {
         double sum = 0;
         for (int i = 0; i < a.length; i++) {
             sum += a[i] * b[i];
@@ -169,7 +170,7 @@ final class Gmres {
      * @param a a vector
      * @return its Euclidean length
      */
-    static double norm(double[] a) {
+    public static double norm(double[] a) {
         return Math.sqrt(dot(a, a));
     }
 

@@ -9,7 +9,7 @@ public final class SolverWork {
     public long newtonIterations;
     /** Jacobians (dense or block by block) that were set up. */
     public long jacobians;
-    /** Products of the Jacobian with a direction that the source computed. */
+    /** Products of the Jacobian with a direction, by a difference of two evaluations of which one is known. */
     public long products;
     /** Iterations of conjugate gradients and GMRES. */
     public long iterations;

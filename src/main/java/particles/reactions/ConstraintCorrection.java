@@ -14,7 +14,7 @@ final class ConstraintCorrection {
     /** Target error, relative to a row's scale plus its particle's distance from the origin; less is round-off. */
     private static final double FINE = 1e-15;
     /** Accepted error of nearly singular configurations, where round-off is larger. */
-    private static final double ENOUGH = 1e-12;
+    private static final double ENOUGH = 1e-9;
     private static final int MOST_ITERATIONS = 30;
 
     private final ConstraintRows rows;

@@ -1,12 +1,9 @@
 package deSolvers.implicit;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.DEStateSource;
 import deSolvers.EulerSolver;
-import deSolvers.JacobianStateSource.Blocks;
 import deSolvers.StepTransaction;
 import deSolvers.linear.SolverWork;
 import deSolvers.problems.Law;
@@ -14,73 +11,87 @@ import deSolvers.problems.PlainSource;
 import deSolvers.problems.Steps;
 import java.util.Arrays;
 import java.util.Random;
-import java.util.function.BiFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.EnumSource;
 
 /** I - g J in its two forms: they solve the same systems. */
 class ShiftedJacobianTest {
     private final SolverWork work = new SolverWork();
 
-    /** The solutions of a real and a complex system one after the other, with the Jacobian where the source starts. */
-    private static double[] solve(DEStateSource source, ShiftedJacobian jacobian, double g) {
+    /** The largest residual of a real and a complex system, with the Jacobian where the source starts. */
+    private static double residual(BlockParticles source, ShiftedJacobian jacobian, double tolerance) {
+        double g = 0.05;
         int n = source.getStateSize();
         double[] state = new double[n];
         double[] slope = new double[n];
         source.getState(state);
         source.getStateDerivative(slope);
-        double[] b = new Random(n).doubles(2 * n, -1, 1).toArray();
+        double[] b = new Random(n).doubles(3 * n, -1, 1).toArray();
+        for (int part = 0; part < 3; part++) {
+            Arrays.fill(b, place(part, 9, n), place(part, 9, n) + 1, 0);
+            Arrays.fill(b, place(part, 10, n), place(part, 10, n) + 1, 0);
+            Arrays.fill(b, place(part, 11, n), place(part, 11, n) + 1, 0);
+        }
         double[] real = new double[n];
         double[] complex = new double[2 * n];
-        double[] right = Arrays.copyOf(b, n);
-        right[9] = 0;                                   // the second particle is held: its velocity stays
-        right[10] = 0;
-        right[11] = 0;
-        Arrays.fill(b, 18, 24, 0);
         try (StepTransaction step = new StepTransaction(EulerSolver.class).begin(source, g)) {
             jacobian.setJacobian(step, state, slope, g, ShiftedJacobian.Kind.EXACT);
             assertTrue(jacobian.prepare(g) && jacobian.prepareComplex(0.6 * g, 0.8 * g));
-            assertTrue(jacobian.solve(right, real, 1e-12) && jacobian.solveComplex(b, complex, 1e-12));
+            assertTrue(jacobian.solve(Arrays.copyOf(b, n), real, tolerance)
+                    && jacobian.solveComplex(Arrays.copyOfRange(b, n, 3 * n), complex, tolerance));
+            step.setState(state);
         }
-        double[] both = Arrays.copyOf(real, 3 * n);
-        System.arraycopy(complex, 0, both, n, 2 * n);
-        return both;
+        double[] x = Arrays.copyOf(real, 3 * n);
+        System.arraycopy(complex, 0, x, n, 2 * n);
+        double[][] image = new double[3][n];
+        for (int part = 0; part < 3; part++) {
+            double[] direction = new double[n];
+            for (int i = 0; i < n; i++) {
+                direction[i] = x[place(part, i, n)];
+            }
+            source.multiply(direction, image[part]);
+        }
+        double largest = 0;
+        for (int i = 0; i < n; i++) {
+            double[] jx = {g * image[0][i], 0.6 * g * image[1][i] - 0.8 * g * image[2][i],
+                0.6 * g * image[2][i] + 0.8 * g * image[1][i]};
+            for (int part = 0; part < 3; part++) {
+                int at = place(part, i, n);
+                largest = Math.max(largest, Math.abs(x[at] - jx[part] - b[at]) / (1 + Math.abs(jx[part])));
+            }
+        }
+        return largest;
     }
 
-    /** Blocks against the full matrix; measured at most 3e-12 with exact blocks, of entries up to 1. */
+    /** Entry i of a real vector, or of the real or imaginary part of the complex one behind it. */
+    private static int place(int part, int i, int n) {
+        return part == 0 ? i : n + 2 * i + part - 1;
+    }
+
+    /**
+     * The second particle is held: its velocity stays. Measured: 9e-11 with exact blocks; with differences, which are
+     * right to half the digits, 3e-6 for springs of 10 N/m and 1.9e-4 for 1e4 N/m.
+     */
     @ParameterizedTest
-    @CsvSource({"EXACT, 10", "EXACT, 1e4", "APPROXIMATE, 10", "APPROXIMATE, 1e4"})
-    void blocksSolveWhatTheFullMatrixSolves(Blocks blocks, double stiffness) {
+    @CsvSource({"true, 10, 1e-5", "true, 1e4, 4e-4", "false, 10, 1e-5", "false, 1e4, 4e-4"})
+    void bothFormsSolveTheSystem(boolean exact, double stiffness, double differences) {
         for (int n : new int[] {3, 20, 90}) {
-            BiFunction<ShiftedJacobian, Double, double[]> solution = (jacobian, g) ->
-                    solve(new BlockParticles(n, stiffness, n != 20, blocks), jacobian, g);
-            double[] full = solution.apply(new DenseSystem(work, 6 * n), 0.05);
-            assertArrayEquals(full, solution.apply(new ReducedVelocitySystem(work, 6 * n), 0.05), 1e-9,
-                    n + " particles");
+            BlockParticles source = new BlockParticles(n, stiffness, n != 20, exact);
+            double blocks = residual(source, new ReducedVelocitySystem(work, 6 * n), exact ? 1e-12 : 1e-6);
+            double full = residual(source, new DenseSystem(work, 6 * n), 0);
+            assertTrue(blocks < (exact ? 2e-10 : differences) && full < differences,
+                    n + " particles: " + blocks + ", " + full);
         }
     }
 
-    /** Differences are right to half the digits. */
+    /** Particles with blocks keep them sparse, exact or not; other sources get a full matrix. */
     @Test
-    void differencesApproximateTheJacobian() {
-        double[] known = solve(new BlockParticles(5, 10, false, Blocks.EXACT), new DenseSystem(work, 30), 0.05);
-        double[] approximate = solve(new PlainSource(new BlockParticles(5, 10, false, Blocks.EXACT)),
-                new DenseSystem(work, 30), 0.05);
-        assertArrayEquals(known, approximate, 1e-6);
-    }
-
-    /** Particles with exact blocks keep them sparse, many with others too; other sources get a full matrix. */
-    @ParameterizedTest
-    @EnumSource(Blocks.class)
-    void theFormDependsOnTheSource(Blocks blocks) {
+    void theFormDependsOnTheSource() {
         JacobianChoice choice = new JacobianChoice(work);
-        for (int n : new int[] {2, 100, 101}) {
-            boolean sparse = blocks == Blocks.EXACT || blocks == Blocks.APPROXIMATE && n == 101;
-            assertEquals(sparse ? ReducedVelocitySystem.class : DenseSystem.class,
-                    choice.of(new BlockParticles(n, 10, true, blocks)).getClass());
-        }
+        BlockParticles particles = new BlockParticles(20, 10, true, false);
+        assertEquals(ReducedVelocitySystem.class, choice.of(particles).getClass());
+        assertEquals(DenseSystem.class, choice.of(new PlainSource(particles)).getClass());
     }
 
     @Test
@@ -96,7 +107,7 @@ class ShiftedJacobianTest {
      */
     @Test
     void theProjectedMatrixLeavesOutWhatPushesOutwards() {
-        BlockParticles pushing = new BlockParticles(30, -1e3, true, Blocks.EXACT);
+        BlockParticles pushing = new BlockParticles(30, -1e3, true, true);
         pushing.cubic = 0;
         ReducedVelocitySystem system = new ReducedVelocitySystem(work, 180);
         double[] state = new double[180];

@@ -44,8 +44,8 @@ class SpringInsideOutTest {
         }
 
         @Override
-        public Blocks getJacobianBlocks() {
-            return Blocks.EXACT;
+        public boolean hasExactJacobian() {
+            return true;
         }
 
         @Override
@@ -55,14 +55,6 @@ class SpringInsideOutTest {
                 dFdX[e] = derivative(getState(), e);
             }
             blocks.add(0, 0, dFdX, new double[9]);
-        }
-
-        @Override
-        public void getJacobianProduct(double[] w, double[] product) {
-            for (int e = 0; e < 9; e++) {
-                product[e / 3] = w[3 + e / 3];
-                product[3 + e / 3] = (e % 3 == 0 ? 0 : product[3 + e / 3]) + derivative(getState(), e) * w[e % 3];
-            }
         }
     }
 
