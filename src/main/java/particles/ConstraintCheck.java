@@ -80,6 +80,11 @@ final class ConstraintCheck implements Observer {
         }
     }
 
+    /** The largest violation that was seen. */
+    Violation getWorst() {
+        return worst;
+    }
+
     /** The largest violation so far, with that of the present state. */
     Violation getWorst(ParticleSystem system) {
         look(system, system.getOwnState(), system.getTime());

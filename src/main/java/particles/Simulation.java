@@ -113,12 +113,14 @@ public final class Simulation {
      * Makes one step.
      *
      * @throws SimulationException if the solver fails, as on NaN or without convergence; if the energy exceeds an
-     *         {@link EnergyLimit}; if impacts follow each other without end, or deltaT is too small to move the clock.
-     *         Observers keep the results so far; {@link #finish} need not be called
+     *         {@link EnergyLimit}; if impacts follow each other without end, or deltaT is too small to move the clock;
+     *         if a rod, wire or contact is seen to be violated by more than a tenth of its scale. Observers keep the
+     *         results so far; {@link #finish} need not be called
      */
     public void advance() {
         double left = endTime - system.getTime();
         step(left <= deltaT * (1 + ROUNDING) ? left : deltaT);
+        requireRight(constraints.getWorst());
         if (endTime - system.getTime() >= left) {
             throw new SimulationException(system.getTime(), -1,
                     "a step of " + deltaT + " s no longer moves the clock at"
@@ -134,9 +136,13 @@ public final class Simulation {
      */
     public void finish() {
         observers.forEach(observer -> observer.finished(system));
-        Violation violation = getViolation();
+        requireRight(getViolation());
+    }
+
+    private void requireRight(Violation violation) {
         if (violation.part() > WRONG) {
-            throw new SimulationException(system.getTime(), -1, violation.what() + ": the motion is wrong", null);
+            throw new SimulationException(system.getTime(), -1, violation.what() + ": the motion is wrong. Try a"
+                    + " smaller deltaT, or a solver that chooses its own sub-steps, such as dormand-prince", null);
         }
     }
 

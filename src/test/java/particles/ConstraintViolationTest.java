@@ -47,13 +47,13 @@ class ConstraintViolationTest {
         return new Simulation(system, () -> solver, deltaT, 2);
     }
 
-    /** Euler's step along the tangent lengthens the rod by a fifth; rk4's by 3e-10 of it. */
+    /** Euler's step along the tangent lengthens the rod by a fifth within 2 s; rk4's by 3e-10 of it. */
     @Test
-    void aRodThatIsAFifthTooLongEndsTheRun() {
+    void aRodThatIsATenthTooLongEndsTheRun() {
         String message = assertThrows(SimulationException.class,
                 () -> pendulum(new EulerSolver(), 0.02).run()).getMessage();
-        assertEquals("the rod from 'nail' to 'bob' is LENGTH m too long at t = 2 s: the motion is wrong",
-                message.replaceFirst("is [0-9.]+ m", "is LENGTH m"));
+        assertTrue(message.matches("the rod from 'nail' to 'bob' is 0[.]1[0-9]* m too long at t = [01][.][0-9]+ s: the"
+                + " motion is wrong[.] Try a smaller deltaT, or a solver that chooses its own sub-steps, .*"), message);
         Simulation good = pendulum(new RK4Solver(), 0.002);
         good.run();
         assertEquals(0, good.getViolation().part(), 1e-8);
@@ -107,7 +107,7 @@ class ConstraintViolationTest {
     @ParameterizedTest
     @CsvSource({"1, 1, ''", "1, 0.99, the reported work of moving anchors is wrong by 1 %",
         "1, 0, the reported work of moving anchors is wrong by 100 %: the motion is wrong",
-        "0, 1, the rod from 'hand' to 'block' is 0.6 m too long: the motion is wrong"})
+        "0, 1, the rod from 'hand' to 'block' is 0.101 m too long: the motion is wrong"})
     void noFaultOfASolverOfConstraintsIsSilent(double strength, double report, String found) {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("hand", 1, new Vector3(0.3, 0, 0), Vector3.ZERO, true);
@@ -125,7 +125,8 @@ class ConstraintViolationTest {
         }
         Violation violation = run.getViolation();
         said = said.isEmpty() && violation.part() > 1e-3 ? violation.what() : said;
-        assertEquals(found, said.replaceFirst(" at t = 0.5\\d* s", ""), violation.toString());
+        assertEquals(found,
+                said.replaceFirst(" at t = 0.12\\d* s", "").replaceFirst("[.] Try .*", ""), violation.toString());
     }
 
     /**
