@@ -75,12 +75,11 @@ final class SceneStabilityPage {
                         + " error of the solver.", spectrum.growth());
         return List.of(Digits.format("""
                         Predicted: the scene's equations, linearised at its start, have modes with eigenvalues up to \
-                        |lambda| = %.8g /s (%s, %d products with the Jacobian, relative error below %.0e). The \
+                        |lambda| = %.8g /s (%d products with the Jacobian, relative error below %.0e). The \
                         longest safe step is the one at which the solver's own factor of some mode exceeds 1. A mode \
                         counts even if the scene does not excite it, such as the sideways swing of a stretched \
                         spring.%s""", fastest.size(),
-                        spectrum.method(),
-                spectrum.products(), Math.max(1e-15, spectrum.error()), grows),
+                        spectrum.products(), Math.max(1e-15, spectrum.error()), grows),
                 """
                         Measured: two runs of the whole scene, rules included, begin a ten-millionth of its size \
                         apart. A step is unsafe if 512 of them bring the runs 20 times farther apart than the motion \

@@ -14,8 +14,9 @@ import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
 
 /**
- * The eigenvalues of a system with damping, drag or reactions: Arnoldi's iteration on the whole Jacobian. It finds the
- * outermost eigenvalues first, and all of a small system.
+ * The eigenvalues of a system: Arnoldi's iteration on the whole Jacobian. It finds the outermost eigenvalues first, and
+ * all of a small system. Without damping, drag or reactions the fastest vibration limits all steps, and the iteration
+ * ends when it is known.
  *
  * <p>Source: W. E. Arnoldi, Quart. Appl. Math. 9 (1951), 17.
  */
@@ -23,6 +24,9 @@ final class Arnoldi {
     private static final double BREAKDOWN = 1e-13;
     /** The relative shift from the eigenvalue in inverse iteration, so that the matrix is not singular. */
     private static final double SHIFT = 1e-10;
+    /** The relative residual at which the fastest vibration is known. */
+    private static final double KNOWN = 1e-9;
+    private static final int LOOK_EVERY = 10;
 
     private final Linearisation linear;
     private final List<double[]> basis = new ArrayList<>();
@@ -38,7 +42,7 @@ final class Arnoldi {
     static Spectrum spectrum(Linearisation linear) {
         Arnoldi arnoldi = new Arnoldi(linear);
         arnoldi.iterate();
-        return arnoldi.modes();
+        return arnoldi.modes(Spectrum.ZERO);
     }
 
     private void iterate() {
@@ -61,7 +65,8 @@ final class Arnoldi {
             }
             next = Linearisation.norm(image);
             largest = Math.max(largest, size);
-            if (column + 1 == hessenberg.numRows || next <= BREAKDOWN * largest) {
+            boolean look = linear.isConservative() && basis.size() % LOOK_EVERY == 0;
+            if (column + 1 == hessenberg.numRows || next <= BREAKDOWN * largest || look && modes(1).error() <= KNOWN) {
                 return;
             }
             hessenberg.set(column + 1, column, next);
@@ -69,7 +74,8 @@ final class Arnoldi {
         }
     }
 
-    private Spectrum modes() {
+    /** @param least the least |lambda| of interest, as a part of the largest */
+    private Spectrum modes(double least) {
         int m = basis.size();
         DMatrixRMaj square = CommonOps_DDRM.extract(hessenberg, 0, m, 0, m);
         EigenDecomposition_F64<DMatrixRMaj> ritz = DecompositionFactory_DDRM.eig(m, false);
@@ -81,7 +87,9 @@ final class Arnoldi {
         double error = 0;
         for (int k = 0; k < m; k++) {
             Complex_F64 lambda = ritz.getEigenvalue(k);
-            if (lambda.imaginary < 0 || lambda.getMagnitude() <= Spectrum.ZERO * largest) {
+            boolean pair = lambda.imaginary < 0         // and the way back to a saddle, of which only growth counts
+                    || lambda.imaginary == 0 && lambda.real < 0 && linear.isConservative();
+            if (pair || lambda.getMagnitude() < least * largest) {
                 continue;
             }
             double[] weights = vector(square, lambda, largest);
@@ -92,7 +100,7 @@ final class Arnoldi {
             error = lambda.getMagnitude() == largest ? residual / largest : error;
         }
         modes.sort(Comparator.comparingDouble(Mode::size).reversed());
-        return new Spectrum(modes, "Arnoldi on the Jacobian", m, error);
+        return new Spectrum(modes, m, error);
     }
 
     /** By inverse iteration: re and im in turn, of length 1. */

@@ -8,11 +8,10 @@ import particles.ParticleSystem;
  * first.
  *
  * @param modes    the modes by falling |lambda|, without those whose lambda is 0
- * @param method   the name of the iteration
  * @param products the number of multiplications with the Jacobian
  * @param error    a bound for the relative error of the largest |lambda|
  */
-public record Spectrum(List<Mode> modes, String method, int products, double error) {
+public record Spectrum(List<Mode> modes, int products, double error) {
     /** The largest memory for directions, 256 MB. */
     private static final long MOST_DOUBLES = 1L << 25;
     private static final int MOST_DIRECTIONS = 300;
@@ -32,9 +31,9 @@ public record Spectrum(List<Mode> modes, String method, int products, double err
     public static Spectrum of(ParticleSystem system) {
         Linearisation linear = new Linearisation(system);
         if (linear.coordinates() == 0) {
-            return new Spectrum(List.of(), "nothing can move", 0, 0);
+            return new Spectrum(List.of(), 0, 0);
         }
-        return linear.isConservative() ? Lanczos.spectrum(linear) : Arnoldi.spectrum(linear);
+        return Arnoldi.spectrum(linear);
     }
 
     /** @return the number of directions of this size that fit into memory, at most the size */

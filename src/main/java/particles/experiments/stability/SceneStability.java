@@ -110,7 +110,7 @@ public final class SceneStability {
     public static Spectrum spectrum(SceneDescription scene) {
         Spectrum all = Spectrum.of(atStart(scene));
         return new Spectrum(all.modes().stream().filter(mode -> mode.size() * scene.duration() > SLOWEST).toList(),
-                all.method(), all.products(), all.error());
+                all.products(), all.error());
     }
 
     private static ParticleSystem atStart(SceneDescription scene) {
