@@ -173,6 +173,9 @@ public final class RunCommand extends ResultsCommand {
             observers.drawCharts(charts.format());
             summary.lines(early.isPresent()).forEach(out::println);
             out.println("files in " + getFolder() + ": " + String.join(", ", files));
+            if (scene.description().output().phase().isEmpty()) {
+                out.println("no phase.png: under 'output', the scene names no particle for it");
+            }
             FolderSize.notice(getFolder(), getStyle().option("frames")).ifPresent(out::println);
             early.ifPresent(why -> {
                 throw new Failure(ExitCode.STOPPED, why);

@@ -100,7 +100,11 @@ class RunCommandTest {
 
     private void replaceInScene(String old, String replacement) throws IOException {
         assertTrue(SCENE.contains(old), old);
-        Files.writeString(scenes.resolve("01-block.yaml"), SCENE.replace(old, replacement));
+        writeScene(SCENE.replace(old, replacement));
+    }
+
+    private void writeScene(String text) throws IOException {
+        Files.writeString(scenes.resolve("01-block.yaml"), text);
     }
 
     private static void assertHas(String text, String... parts) {
@@ -186,6 +190,16 @@ class RunCommandTest {
         assertJson("\"scene\" : \"01-block\"", "\"solver\" : \"rk4\"", "\"steps\" : 50",
                 "\"evaluations\" : 200",
                 "\"version\" : \"" + Version.CURRENT + "\"", "\"endTime\" : 0.5");
+    }
+
+    @Test
+    void aRunWithoutAPhasePlotSaysWhy() throws IOException {
+        replaceInScene(", phase: {particle: block, axis: x}", "");
+        assertEnds(ExitCode.DONE, "", "--frames=false");
+        assertPrinted("energy.png, trajectory.csv, run.json", "no phase.png: under 'output', the scene names no particle");
+        writeScene(SCENE);
+        assertEnds(ExitCode.DONE, "", "--frames=false");
+        assertFalse(lines.toString().contains("no phase.png"), lines.toString());
     }
 
     @Test
