@@ -142,8 +142,12 @@ public final class ReportCommand extends ResultsCommand {
         List<String> wanted = names("experiments", "experiment", names,
                 experiments.stream().map(ExperimentCommand::name).toList());
         boolean onlyOfScene = scene != null && names.strip().equals("all");
-        return experiments.stream().filter(experiment -> wanted.contains(experiment.name()) && (!onlyOfScene
-                || new CommandLine(experiment).getCommandSpec().findOption(SCENE_OPTION) != null)).toList();
+        return experiments.stream().filter(experiment -> wanted.contains(experiment.name())
+                && (!onlyOfScene || runsScene(experiment))).toList();
+    }
+
+    private static boolean runsScene(ExperimentCommand experiment) {
+        return new CommandLine(experiment).getCommandSpec().findOption(SCENE_OPTION) != null;
     }
 
     /** A scene's report leaves that of the course alone. */
@@ -213,13 +217,10 @@ public final class ReportCommand extends ResultsCommand {
         List<String> text = new ArrayList<>();
         about.get().ifPresent(description -> {
             text.add(description.values().get(SceneFormat.TEACHES));
-            text.add("Experiments that run a scene use this one, with " + String.join(", ",
-                    choices.get().stream().map(SolverChoice::label).toList())
-                    + "; the others use their own problems.");
+            text.add("The scene runs with " + String.join(", ", choices.get().stream().map(SolverChoice::label).toList())
+                    + (chosen.get().stream().allMatch(ReportCommand::runsScene) ? "."
+                    : "; experiments without a scene use their own problems."));
         });
-        text.add("Stability, accuracy and energy: "
-                + chosen.get().size() + (chosen.get().size() == 1 ? " experiment" : " experiments")
-                + " with the course's solvers.");
         text.add("Click a column's head to sort a table, or a picture to enlarge it. The numbers behind each"
                 + " picture, with all digits, are in the folder with the experiment's name beside this page.");
         return text;

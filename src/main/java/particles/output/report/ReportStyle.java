@@ -50,9 +50,12 @@ final class ReportStyle {
               @page { margin: 12mm; }
               body { font-size: 10pt; max-width: none; padding: 0; }
               a { color: inherit; text-decoration: none; }
-              section { break-before: page; border: 0; margin: 0; padding: 0; }
-              h1, h2, h3 { break-after: avoid; }
-              figure, .table, tr { break-inside: avoid; }
+              section { margin-top: 6mm; padding-top: 3mm; }
+              nav { font-size: 8.5pt; }
+              p { orphans: 3; widows: 3; }
+              h1, h2, h3, .task { break-after: avoid; }
+              footer { break-before: avoid; }
+              h2, figure, .table, tr { break-inside: avoid; }
               figure { margin: 2mm 0; }
               figcaption { margin-top: 0.5mm; font-size: 8.5pt; line-height: 1.3; }
               figure.animation, .folded { display: none; }
