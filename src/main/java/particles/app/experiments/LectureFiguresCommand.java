@@ -108,7 +108,7 @@ public final class LectureFiguresCommand extends ExperimentCommand {
     private static String title(Result result) {
         Figure figure = result.figure();
         return figure.solver() + ", deltaT = " + Digits.exact(figure.deltaT()) + " s, " + figure.steps() + " steps: "
-                + Digits.format("amplitude\u00a0\u00d7\u00a0%.4g, phase\u00a0%+.2g\u00a0rad",
+                + Digits.format("amplitude\u00a0\u00d7\u00a0%.4g, phase\u00a0%+.3g\u00a0rad",
                 result.amplitude(),
                 result.phaseError()).replace('-', '\u2212');
     }

@@ -62,7 +62,7 @@ public final class DriftCharts {
                 + Digits.few(comparison.scale(), 4) + " J", comparison.drifts(), column("solver", Drift::label),
                 column("deltaT (s)", drift -> drift.setting().deltaT()),
                 column("tolerance", drift -> drift.setting().tolerance().orElse(Double.NaN)),
-                column("end drift", 3, Drift::end), column("largest", 3, Drift::extreme),
+                column("end drift", 2, Drift::end), column("largest", 2, Drift::extreme),
                 column("slope (1/s)", 3, Drift::slope), column("error over time", drift -> drift.kind().words()),
                 column("evaluations", drift -> drift.outcome().evaluations()),
                 column("time (s)", 2, drift -> drift.outcome().seconds()),

@@ -88,13 +88,8 @@ public record Portrait(Subject subject, Series path, CurveDistance curve, double
         return off > LEFT ? ": " + percent(off) + " off the curve" : ": on the curve to " + percent(off);
     }
 
-    /** @return a share with one or two digits, such as 3.2 %, 0.08 % and 2e-5 % */
+    /** @return a share with the digits of the table, such as 3.2 %, 0.08 % and 2e-5 % */
     static String percent(double share) {
-        double percent = 100 * share;
-        return percent > 1000 ? "over 1000 %" : percent >= 10 ? Digits.format("%.0f %%", percent)
-                : percent >= 0.1 ? Digits.format("%.1f %%", percent)
-                : percent >= 0.0095 ? Digits.format("%.2f %%", percent)
-                : percent >= 0.00095 ? Digits.format("%.3f %%", percent)
-                : percent == 0 ? "0 %" : Digits.format("%.0e %%", percent).replace("e-0", "e-");
+        return share > 10 ? "over 1000 %" : Digits.few(100 * share, 2) + " %";
     }
 }

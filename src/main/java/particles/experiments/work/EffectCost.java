@@ -29,7 +29,6 @@ import particles.view.DataTable;
  */
 public final class EffectCost {
     private static final double DELTA_T = 1e-3;
-    private static final double TWO_DECIMALS = 10;
     private static final double DEAR = 10;
     /** Times of the same step differ by less than this factor. */
     private static final double SPREAD = 1.2;
@@ -172,9 +171,8 @@ public final class EffectCost {
                     new double[] {Double.NaN, Double.NaN}));            // the pen is lifted between bars
         }
         return new ChartData(finding(costs), "time for a step / time with springs alone", "what the scene names", true,
-                false, List.of(Series.of("time for a step", Mark.BAND, lines))).inRows(bars.stream().map(cost ->
-                cost.name() + ": " + Digits.format(cost.overBase() < TWO_DECIMALS ? "%.2f" : "%.0f",
-                cost.overBase())).toList());
+                false, List.of(Series.of("time for a step", Mark.BAND, lines))).inRows(bars.stream()
+                .map(cost -> cost.name() + ": " + Digits.few(cost.overBase())).toList());
     }
 
     private static List<String> dear(List<Cost> costs) {
@@ -193,6 +191,6 @@ public final class EffectCost {
 
     /** @return the time of springs alone, divided by that of the hand-written code, in words */
     public static String overBound(List<Cost> costs) {
-        return Digits.format("%.2f", costs.get(1).seconds() / costs.get(0).seconds());
+        return Digits.few(costs.get(1).seconds() / costs.get(0).seconds());
     }
 }

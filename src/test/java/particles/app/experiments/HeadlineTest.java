@@ -9,6 +9,8 @@ import com.lowagie.text.pdf.PdfReader;
 import com.lowagie.text.pdf.parser.PdfTextExtractor;
 import java.awt.geom.Line2D;
 import java.io.IOException;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -17,6 +19,7 @@ import java.util.Comparator;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 import java.util.regex.MatchResult;
@@ -25,6 +28,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -35,6 +39,8 @@ import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
 import particles.output.report.ResultPageWriter;
+import particles.output.text.TableText;
+import particles.view.DataTable;
 
 /**
  * Each chart of the experiments is laid out well, as page and as slide, and its headline is recomputed from the CSV
@@ -46,6 +52,9 @@ class HeadlineTest {
     /** Names at the end of a claim end where the headline does, or another claim begins. */
     private static final String END = "(?=$|; |, (?:not|stays|is gone|up to|fades|at no) )";
     private static final String NUMBER = "(-?[0-9.]+(?:e-?[0-9]+)?)";
+
+    /** What a printed report has room for in two lines. */
+    private static final int TWO_LINES = 215;
 
     @TempDir
     Path top;
@@ -62,6 +71,8 @@ class HeadlineTest {
         try (OutputFolder folder = OutputFolder.open(out)) {
             ResultPage measured = ChartLayoutTest.measured(task, folder);
             assertEquals("", String.join("\n", ChartLayoutTest.faults(measured)));
+            assertTrue(measured.title().length() <= TWO_LINES, "in the contents of a report: " + measured.title());
+            assertEquals(List.of(), otherDigits(measured));
             for (boolean slide : List.of(false, true)) {
                 ChartFormat format = new ChartFormat(slide, false);
                 ResultPage page = ResultPageWriter.write(folder, measured, format);
@@ -78,6 +89,43 @@ class HeadlineTest {
             }
         }
         assertTrue(judged > 1, task);
+    }
+
+    /**
+     * Numbers of a headline that stand in a table with other digits: 14.3 % beside 0.14. Of more than three digits,
+     * which a table needs to compare with theory, the headline has the first three or more.
+     */
+    private static List<String> otherDigits(ResultPage page) {
+        List<String> cells = page.tables().stream().flatMap(table -> TableText.cells(table).stream().skip(1))
+                .flatMap(List::stream).filter(cell -> cell.matches(NUMBER)).toList();
+        return Stream.concat(Stream.of(page.title()), page.pictures().stream().map(Picture::title))
+                .flatMap(title -> Pattern.compile("(?<![\\w^.-])" + NUMBER + "(?![\\w^])").matcher(title).results())
+                .map(MatchResult::group).distinct().filter(said -> cells.stream().anyMatch(cell ->
+                        areOneNumber(said, cell)) && cells.stream().noneMatch(cell -> digits(cell).equals(digits(said))
+                        || digits(said).length() > 2 && areOneNumber(said, cell)))
+                .map(said -> said + " in '" + page.title() + "'").toList();
+    }
+
+    private static String digits(String number) {
+        return number.replaceFirst("e.*", "").replaceAll("[-.]", "").replaceAll("^0+|0+$", "");
+    }
+
+    /** Whether the number with fewer digits is the other one, rounded, or that in percent. */
+    private static boolean areOneNumber(String said, String cell) {
+        int common = Math.min(digits(said).length(), digits(cell).length());
+        BigDecimal one = new BigDecimal(said).abs().round(new MathContext(common));
+        return common > 1 && Stream.of(0, 2).anyMatch(power -> one.compareTo(new BigDecimal(cell).abs()
+                .scaleByPowerOfTen(power).round(new MathContext(common))) == 0);
+    }
+
+    @Test
+    void aTableWithOtherDigitsIsSeen() {
+        Function<Double, ResultPage> page = value -> new ResultPage("made", "rk4 gains 14 %, verlet 0.333 %", List.of(),
+                List.of(), List.of(DataTable.of("t", "t", List.of(value), DataTable.column("x", 3, x -> x))));
+        assertEquals(List.of(), otherDigits(page.apply(0.14)));
+        assertEquals(List.of(), otherDigits(page.apply(0.2)), "another number");
+        assertEquals(List.of(), otherDigits(page.apply(0.00333333)));
+        assertEquals(List.of("14 in 'rk4 gains 14 %, verlet 0.333 %'"), otherDigits(page.apply(0.143)));
     }
 
     /** The PDF of all slides has a page of 16:9 for each, with its title as text and nothing as pixels. */

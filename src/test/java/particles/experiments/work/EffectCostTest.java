@@ -42,7 +42,7 @@ class EffectCostTest {
         assertEquals(7, chart.rows().size(), "six, and all others together");
         assertEquals(17, EffectCost.table(costs).rows().size());
         assertEquals(1.0, (double) EffectCost.table(costs).rows().get(1).get(2));
-        assertEquals("2.00", EffectCost.overBound(costs));
+        assertEquals("2", EffectCost.overBound(costs));
     }
 
     /** The scene format lists all effects; wind acts through drag, and turbulence too. */
@@ -63,7 +63,7 @@ class EffectCostTest {
         ChartData chart = EffectCost.chart(List.of(new Cost("hand-written", 9e-7, 0.9), new Cost("springs", 1e-6, 1),
                 new Cost("+ cohesion", 2.8e-5, 28), new Cost("+ tear", 1.3e-6, 1.3),
                 new Cost("+ gravity", 1.06e-6, 1.06)));
-        assertEquals(List.of("the other 3, at most: 1.06", "+ tear: 1.30", "+ cohesion: 28"), chart.rows());
+        assertEquals(List.of("the other 3, at most: 1.06", "+ tear: 1.3", "+ cohesion: 28"), chart.rows());
         assertTrue(chart.xLog());
         assertArrayEquals(new double[] {1, 28}, Arrays.copyOfRange(chart.series().get(0).x(), 6, 8));
         assertArrayEquals(new double[] {2, 2}, Arrays.copyOfRange(chart.series().get(0).y(), 6, 8));
