@@ -142,7 +142,7 @@ class ConstraintViolationTest {
         for (String solver : SolverCatalog.names()) {
             Scene scene = SceneBuilder.build(SceneReader.read(Path.of("scenes", name + ".yaml")).withSolver(solver));
             EnergyRecorder energy = new EnergyRecorder(scene.simulation(), scene.energyEstimate(), 1);
-            energy.observers().forEach(scene.simulation()::addObserver);
+            energy.attachTo(scene.simulation(), List.of());
             try {
                 scene.simulation().run();
             } catch (SimulationException e) {

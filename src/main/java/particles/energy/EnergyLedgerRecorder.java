@@ -65,6 +65,16 @@ public final class EnergyLedgerRecorder extends StridedRecorder {
         return ledger.getWork();
     }
 
+    /** @return the largest size of the work of any kind during the run (J); 0 where there is none */
+    public double getLargestWork() {
+        return work.values().stream().mapToDouble(MinMaxThinning::largestSize).max().orElse(0);
+    }
+
+    /** @return the times (s) and the numerical errors (J), with every extreme */
+    public double[][] getNumericalErrors() {
+        return error.points();
+    }
+
     /** @return the numerical error at the end, the change of energy that no work explains (J) */
     public double getNumericalError() {
         return ledger.getNumericalError();
@@ -82,7 +92,7 @@ public final class EnergyLedgerRecorder extends StridedRecorder {
 
     /** @return the largest size of the numerical error during the run (J); NaN before a run */
     public double getLargestNumericalError() {
-        return error.isEmpty() ? Double.NaN : Math.max(error.largest(), -error.smallest());
+        return error.isEmpty() ? Double.NaN : error.largestSize();
     }
 
     /**

@@ -30,14 +30,9 @@ public final class EnergyRecorder {
      * @param others     observers that see each step after it was recorded, also the one that ends the run
      */
     public void attachTo(Simulation simulation, Iterable<? extends Observer> others) {
-        observers().forEach(simulation::addObserver);
+        List.of(history, ledger, resolution).forEach(simulation::addObserver);
         others.forEach(simulation::addObserver);
         simulation.addObserver(limit);
-    }
-
-    /** @return the observers that record */
-    public List<Observer> observers() {
-        return List.of(history, ledger, resolution);
     }
 
     /** @return the energies over time, and the energy scale */
@@ -53,10 +48,5 @@ public final class EnergyRecorder {
     /** @return whether a visible vibration has fewer than {@value Resolution#STEPS} steps per period */
     public boolean isTooCoarse() {
         return resolution.isTooCoarse(history.getScale());
-    }
-
-    /** @return the observer that ends a run whose motion is mostly numerical error, to be called last */
-    public Observer getLimit() {
-        return limit;
     }
 }

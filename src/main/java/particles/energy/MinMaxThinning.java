@@ -82,6 +82,11 @@ public final class MinMaxThinning {
         return Arrays.stream(high, 0, buckets).mapToDouble(Sample::value).reduce(first(), Math::max);
     }
 
+    /** @return the largest size of a value */
+    double largestSize() {
+        return Math.max(largest(), -smallest());
+    }
+
     /** @return the times and the values of the points kept: the extremes of each bucket, the first and the last */
     public double[][] points() {
         List<Sample> kept = new ArrayList<>(isEmpty() ? List.of() : List.of(first));

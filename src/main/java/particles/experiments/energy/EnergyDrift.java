@@ -1,13 +1,14 @@
 package particles.experiments.energy;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.function.Predicate;
 import particles.Observer;
 import particles.energy.EnergyHistory;
+import particles.energy.EnergyRecorder;
 import particles.experiments.runs.EqualWork;
+import particles.experiments.runs.FittedLine;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SceneRun;
 import particles.experiments.runs.SceneRun.Outcome;
@@ -133,44 +134,40 @@ public final class EnergyDrift {
         return new Comparison(scene.title(), scale, equalWork, drifts);
     }
 
-    /** @param beside a further observer, which is called first */
+    /** @param beside further observers, called after the energy is recorded */
     public static Drift measure(Scene built, Setting setting, double scale, List<? extends Observer> beside) {
-        DriftRecorder recorder = new DriftRecorder(built);
-        List<Observer> observers = new ArrayList<>(beside);
-        observers.add(recorder);
-        Outcome outcome = SceneRun.run(built, observers);
-        return judge(setting, recorder.getCurve(), recorder.getExchanged(), scale, outcome);
+        EnergyRecorder energy = new EnergyRecorder(built.simulation(), built.energyEstimate(), 1);
+        energy.attachTo(built.simulation(), beside);
+        Outcome outcome = SceneRun.run(built, List.of());
+        double[][] errors = energy.getLedger().getNumericalErrors();
+        return judge(setting, errors[0], errors[1], energy.getLedger().getLargestWork(), scale, outcome);
     }
 
     /**
-     * @param curve     the error over time (J)
+     * @param time      the times of the errors (s)
+     * @param joules    the errors (J)
      * @param exchanged the largest work that damping, driving or a rule did (J)
      * @param scale     the energy scale (J)
      */
-    static Drift judge(Setting setting, ErrorCurve curve, double exchanged, double scale, Outcome outcome) {
-        double[][] points = curve.points();
-        for (int k = 0; k < points[1].length; k++) {
-            points[1][k] /= scale;
+    static Drift judge(Setting setting, double[] time, double[] joules, double exchanged, double scale,
+            Outcome outcome) {
+        int finite = (int) Arrays.stream(joules).takeWhile(Double::isFinite).count();
+        double[] t = Arrays.copyOf(time, finite);
+        double[] error = Arrays.stream(joules).limit(finite).map(value -> value / scale).toArray();
+        FittedLine line = FittedLine.of(t, error);
+        double[] largest = new double[2];               // in the first half of the run and in the second
+        for (int k = 0; k < finite; k++) {
+            int half = t[k] < outcome.endTime() / 2 ? 0 : 1;
+            largest[half] = Math.max(largest[half], Math.abs(error[k]));
         }
-        return new Drift(setting, points[0], points[1], curve.end() / scale, curve.largest() / scale,
-                curve.slope() / scale, kind(curve, exchanged, scale, outcome), outcome);
-    }
-
-    private static Kind kind(ErrorCurve curve, double exchanged, double scale, Outcome outcome) {
-        double rounding = Math.max(ROUNDING, ROUNDING_OF_A_STEP * outcome.steps()) * scale;
-        if (outcome.failure().isPresent()) {
-            return Kind.FAILED;
-        }
-        if (curve.largest() < rounding) {
-            return Kind.ROUNDING;
-        }
-        if (exchanged > rounding) {
-            return Kind.EXCHANGING;
-        }
-        double[] halves = curve.halves(outcome.endTime() / 2);
-        boolean straight = Math.abs(curve.slope()) * outcome.endTime() > SECULAR * curve.scatter();
-        boolean goesOn = halves[1] > GROWS * halves[0] || Math.abs(curve.end()) > STILL * curve.largest();
-        return straight && goesOn ? Kind.SECULAR : Kind.BOUNDED;
+        double all = Math.max(largest[0], largest[1]);
+        double end = error[finite - 1];
+        boolean straight = Math.abs(line.slope()) * outcome.endTime() > SECULAR * line.scatter();
+        boolean goesOn = largest[1] > GROWS * largest[0] || Math.abs(end) > STILL * all;
+        double rounding = Math.max(ROUNDING, ROUNDING_OF_A_STEP * outcome.steps());
+        Kind kind = outcome.failure().isPresent() ? Kind.FAILED : all < rounding ? Kind.ROUNDING
+                : exchanged > rounding * scale ? Kind.EXCHANGING : straight && goesOn ? Kind.SECULAR : Kind.BOUNDED;
+        return new Drift(setting, t, error, end, all, line.slope(), kind, outcome);
     }
 
     /** The largest kinetic plus stored energy of a very accurate run. */

@@ -16,15 +16,7 @@ public final class PowerLaw {
         if (points.size() < FEWEST) {
             return Double.NaN;
         }
-        double meanX = points.stream().mapToDouble(x).map(StrictMath::log).average().orElse(0);
-        double meanY = points.stream().mapToDouble(y).map(StrictMath::log).average().orElse(0);
-        double products = 0;
-        double squares = 0;
-        for (T point : points) {
-            double dx = StrictMath.log(x.applyAsDouble(point)) - meanX;
-            products += dx * (StrictMath.log(y.applyAsDouble(point)) - meanY);
-            squares += dx * dx;
-        }
-        return products / squares;
+        return FittedLine.of(points.stream().mapToDouble(x).map(StrictMath::log).toArray(),
+                points.stream().mapToDouble(y).map(StrictMath::log).toArray()).slope();
     }
 }

@@ -196,7 +196,8 @@ class RunCommandTest {
     void aRunWithoutAPhasePlotSaysWhy() throws IOException {
         replaceInScene(", phase: {particle: block, axis: x}", "");
         assertEnds(ExitCode.DONE, "", "--frames=false");
-        assertPrinted("energy.png, trajectory.csv, run.json", "no phase.png: under 'output', the scene names no particle");
+        assertPrinted("energy.png, trajectory.csv, run.json",
+                "no phase.png: under 'output', the scene names no particle for it");
         writeScene(SCENE);
         assertEnds(ExitCode.DONE, "", "--frames=false");
         assertFalse(lines.toString().contains("no phase.png"), lines.toString());

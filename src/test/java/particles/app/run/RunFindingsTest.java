@@ -63,7 +63,7 @@ class RunFindingsTest {
         List<String> slides = new ArrayList<>();
         try (PdfReader reader = new PdfReader(Files.readAllBytes(out.resolve("slides.pdf")))) {
             for (int page = 1; page <= reader.getNumberOfPages(); page++) {
-                slides.add(new PdfTextExtractor(reader).getTextFromPage(page).replaceAll("\\s+", " "));
+                slides.add(new PdfTextExtractor(reader).getTextFromPage(page).replaceAll("[\\s\\u00a0]+", " "));
             }
         }
         return slides;

@@ -34,7 +34,7 @@ class SummaryTest {
     private static Summary summary(Path file, String text) {
         Scene scene = SceneBuilder.build(SceneReader.read(file.toString(), text.getBytes()));
         EnergyRecorder energy = new EnergyRecorder(scene.simulation(), scene.energyEstimate(), 1);
-        energy.observers().forEach(scene.simulation()::addObserver);
+        energy.attachTo(scene.simulation(), List.of());
         scene.simulation().run();
         return new Summary("one \"spring\"", "ab12", scene, energy, 0.25);
     }

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import particles.energy.MinMaxThinning;
 import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.energy.EnergyDrift.Drift;
 import particles.experiments.energy.EnergyDrift.Kind;
@@ -33,14 +34,15 @@ class DriftHeadlineTest {
 
     private static Drift drift(String solver, DoubleUnaryOperator error, double exchanged, double end,
                                Optional<String> failure) {
-        ErrorCurve curve = new ErrorCurve();
+        MinMaxThinning curve = new MinMaxThinning(1024);
         int steps = (int) Math.round(STEPS * end / DURATION);
         for (int k = 0; k <= steps; k++) {
             double time = end * k / steps;
             curve.add(time, SCALE * error.applyAsDouble(time));
         }
-        return EnergyDrift.judge(new Setting(SolverChoice.of(solver), end / steps, Optional.empty()), curve,
-                SCALE * exchanged, SCALE, new Outcome(end, steps, 4 * steps, 0, 0, failure));
+        return EnergyDrift.judge(new Setting(SolverChoice.of(solver), end / steps, Optional.empty()),
+                curve.points()[0], curve.points()[1], SCALE * exchanged, SCALE,
+                new Outcome(end, steps, 4 * steps, 0, 0, failure));
     }
 
     private static String headline(Drift... drifts) {

@@ -1,0 +1,27 @@
+package particles.experiments.runs;
+
+import java.util.Arrays;
+
+/**
+ * The straight line that fits points best, by least squares.
+ *
+ * @param slope   the slope; 0 where all x are equal
+ * @param scatter the root mean square distance of the points' y from the line
+ */
+public record FittedLine(double slope, double scatter) {
+    /** @return the line through the points (x, y) */
+    public static FittedLine of(double[] x, double[] y) {
+        double meanX = Arrays.stream(x).average().orElse(0);
+        double meanY = Arrays.stream(y).average().orElse(0);
+        double squares = 0;
+        double products = 0;
+        double spread = 0;
+        for (int k = 0; k < x.length; k++) {
+            squares += (x[k] - meanX) * (x[k] - meanX);
+            products += (x[k] - meanX) * (y[k] - meanY);
+            spread += (y[k] - meanY) * (y[k] - meanY);
+        }
+        double slope = squares > 0 ? products / squares : 0;
+        return new FittedLine(slope, Math.sqrt(Math.max(0, spread - slope * products) / x.length));
+    }
+}
