@@ -217,9 +217,9 @@ public final class ReportCommand extends ResultsCommand {
         List<String> text = new ArrayList<>();
         about.get().ifPresent(description -> {
             text.add(description.values().get(SceneFormat.TEACHES));
-            text.add("The scene runs with "
-                    + String.join(", ", choices.get().stream().map(SolverChoice::label).toList()) + (chosen.get().stream().allMatch(ReportCommand::runsScene) ? "."
-                    : "; experiments without a scene use their own problems."));
+            boolean alone = chosen.get().stream().allMatch(ReportCommand::runsScene);
+            text.add("The scene runs with " + String.join(", ", choices.get().stream().map(SolverChoice::label)
+                    .toList()) + (alone ? "." : "; experiments without a scene use their own problems."));
         });
         text.add("Click a column's head to sort a table, or a picture to enlarge it. The numbers behind each"
                 + " picture, with all digits, are in the folder with the experiment's name beside this page.");

@@ -112,8 +112,7 @@ public final class RaceFilm implements AutoCloseable {
         int[] backdrop = ghost.getRenderer().renderBackdrop();
         int[] colours = films.stream().flatMapToInt(film -> Arrays.stream(film.getRenderer().importantColours()))
                 .distinct().toArray();
-        try (GifAnimation gif = new GifAnimation(folder, page.width(), page.height(), colours, page.width(),
-                playback);
+        try (GifAnimation gif = new GifAnimation(folder, page.width(), page.height(), colours, page.width(), playback);
                 Pipeline<Canvas> pipeline = new Pipeline<>(Pipeline.threads(BYTES_PER_PIXEL * page.width()
                         * page.height()), () -> new Canvas(page, strip))) {
             for (int k = 0; k < ghost.count(); k++) {
