@@ -59,8 +59,8 @@ final class ExplicitMethod {
         boolean still = step.evaluations() == 0;
         Optional<Finding> rule = Search.first(() -> step.calls().wrongLengths().stream().findFirst().map(
                 Phrase.ARRAY_LENGTH::of), () -> step.findings().stream().findFirst(), () -> Phrase.NO_DERIVATIVE.when(
-                still), () -> oddSize().filter(finding -> !read.isOfParticles()), rules::notSet, rules::oldState,
-                rules::deltaT);
+                still), () -> oddSize().filter(finding -> !read.isOfParticles()), rules::notSet, rules::oldState, ()
+                -> rules.deltaT().map(finding -> promise.isImplicit() && read.size() > 1 ? unsolved(read) : finding));
         if (still) {
             return new Diagnosis("It makes no step.", rule);
         }
@@ -79,8 +79,8 @@ final class ExplicitMethod {
         }
         Optional<Finding> unused = Phrase.UNUSED.when(!read.isOfParticles() && scheme.size() < read.size());
         Optional<Finding> unsolved = same ? unused : SolvedEquation.rounds(maker, scheme, promise).or(() ->
-                KnownMethods.mistake(scheme)).or(() -> Phrase.EXPLICIT.when(promise.isImplicit(), "an explicit method"
-                + " with " + count(scheme), promise.says()));
+                KnownMethods.mistake(scheme)).or(() -> Optional.of(unsolved(scheme)).filter(finding ->
+                promise.isImplicit()));
         return same ? new Diagnosis("This is " + name, unused.stream().toList(), nearest.known().order(), name)
                 : unsolved.isPresent() ? new Diagnosis("This is an explicit method", unsolved)
                 : unknown(scheme, nearest, unused);
@@ -95,6 +95,10 @@ final class ExplicitMethod {
         } catch (RuntimeException e) {
             return Phrase.ODD_SIZE.when(!StudentFailure.isRefusal(e), StudentFailure.describe(e));
         }
+    }
+
+    private Finding unsolved(Scheme scheme) {
+        return Phrase.EXPLICIT.of("an explicit method with " + count(scheme), promise.says());
     }
 
     private static String count(Scheme scheme) {

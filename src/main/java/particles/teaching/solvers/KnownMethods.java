@@ -92,6 +92,7 @@ final class KnownMethods {
             the implicit trapezoidal rule | 0 1 | 1 1/2 -1/2 | : a sign is wrong
             the BDF formula of order 2 | 1 | 4/3 -1/3 1 | : the 2/3 is missing
             the BDF formula of order 2 | 1 | 4/3 1/3 2/3 | : the sign of the older state is wrong
+            the BDF formula of order 2 | 1 | -1/3 4/3 2/3 | : the old states are exchanged
             the BDF formula of order 2 | 1 | 4/3 -1/3 1/3 | : the weight of the derivative is not 2/3
             the BDF formula of order 3 | 1 | 18/11 -9/11 2/11 1 | : the 6/11 is missing
             the Adams method of order 2 | 0 -1 | 1 3/2 -1/2 |

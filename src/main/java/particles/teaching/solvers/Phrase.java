@@ -18,7 +18,7 @@ enum Phrase {
     DIFFERS, CHANGED, PARTS, WEIGHTS_SUM, LOW_ORDER, OTHER_STEPS, CONTRADICTS, EXPLICIT, ROUNDS, OLD_VELOCITY,
     NEW_VELOCITY, NOTHING_EARLIER, NO_CONTROL, NAME_ORDER, EQUATION, EQUATION_TIME, LOOSE, STALE,
     TOO_OLD, ADAMS_START, UNSTABLE, UNCONTROLLED, LARGEST_ERROR, ABSOLUTE_ERROR, ELSEWHERE,
-    LAYOUT, NO_CONVERGENCE, UNUSED;
+    LAYOUT, ADDS, NO_CONVERGENCE, UNUSED;
 
     private static final String BOOK = """
             # the class
@@ -82,7 +82,7 @@ enum Phrase {
             method LOW_ORDER: the order is %s with %s%s: %s %s; compare the coefficients and the weights with those \
                 of the book
             method OTHER_STEPS: the measured order is %s, and the coefficients of a step are those of a method of \
-                order %s: on other sources it makes another step
+                order %s: on other sources, or with another deltaT, it makes another step
             # the name
             name CONTRADICTS: this is %s and not %s, as its name says
             name EXPLICIT: this is %s, which is explicit, and not %s, as its name says: the equation for the new \
@@ -132,6 +132,8 @@ enum Phrase {
             state LAYOUT: entry %s of the new state changes with entry %s of the state or of the derivative, and has \
                 to change with its own: an index is wrong. The state is (x1, v1, x2, v2, ...), three \
                 positions and three velocities for each particle in turn
+            state ADDS: where state and derivative are 0, entry %s is %s after a step: something is added that the \
+                source does not say. Forces, such as gravity, belong to the source
             method NO_CONVERGENCE: the error does not go to 0 with deltaT: it is still %s with deltaT \
                 = %s s. Check that each evaluation is at its own state and time, and that the weights add up to 1
             # style

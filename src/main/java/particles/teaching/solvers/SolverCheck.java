@@ -93,7 +93,7 @@ public final class SolverCheck {
                     maker.get().stepState(again, SHORT);
                     return Phrase.NOT_REPEATABLE.when(!Arrays.equals(again.getState(), source.getState())
                             || again.getTime() != source.getTime());
-                }).or(() -> Search.first(unread::mixed));
+                }).or(() -> Search.first(unread::mixed, unread::adds));
     }
 
     /** Finds mistakes, and the method. */
