@@ -43,6 +43,20 @@ final class Browser implements AutoCloseable {
                 }
             }
             """;
+    /** A method that is not finished. */
+    static final String UNFINISHED = "exercises.UnfinishedSolver";
+    private static final String HALF = """
+            package exercises;
+
+            import deSolvers.FixedStepSolver;
+
+            public final class UnfinishedSolver extends FixedStepSolver {
+                @Override
+                protected void step(deSolvers.DEStateSource source, double[] s, double deltaT) {
+                    throw new UnsupportedOperationException("the second half is yet to be written");
+                }
+            }
+            """;
     /** A force law with one key, as a student might write it. */
     static final String EFFECT = "exercises.Lift";
     private static final String LIFT = """
@@ -107,12 +121,14 @@ final class Browser implements AutoCloseable {
                 Path folder = Files.createDirectories(Path.of("build", "tmp", "browserTests"));
                 Path exercises = Files.createDirectories(folder.resolve("exercises"));
                 Files.writeString(exercises.resolve("HeunSolver.java"), HEUN);
+                Files.writeString(exercises.resolve("UnfinishedSolver.java"), HALF);
                 Files.writeString(exercises.resolve("Lift.java"), LIFT);
                 LabBuilder builder = Class.forName("particles.lab.compile.PageBuilder").asSubclass(LabBuilder.class)
                         .getConstructor().newInstance();
                 Path scenes = Path.of("scenes");
                 String page = builder.build(new LabBuilder.Contents(SceneFiles.list(scenes),
-                        SceneFiles.find(scenes, "2"), Optional.empty(), List.of(SOLVER), List.of(EFFECT), exercises));
+                        SceneFiles.find(scenes, "2"), Optional.empty(), List.of(SOLVER, UNFINISHED), List.of(EFFECT),
+                        exercises));
                 return Files.writeString(folder.resolve("index.html"), page);
             } catch (IOException e) {
                 throw new UncheckedIOException(e);

@@ -13,6 +13,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -28,6 +30,10 @@ class LabStateTest extends LabPageTestCase {
               ...window.lab.view.camera.describe().map(number => number.toFixed(9)),
               ...window.lab.view.moment.state].join();
             """;
+
+    /** A row of README's table of slides; its run, if it has one, is what stands behind the task's name. */
+    private static final Pattern SLIDE = Pattern.compile(
+            "(?m)^\\| (?<slide>[^|`]+) \\| `[\\w.`, ]+ \\| `gradle (?:run(?<run> [^`]+)|\\w+[^`]*)` \\|$");
 
     @ParameterizedTest
     @ValueSource(strings = {"file", "http"})
@@ -126,6 +132,42 @@ class LabStateTest extends LabPageTestCase {
         until("number('steps') > 0 && number('rate') > 0 && number('pace') > 0");
         page.choose("scene", "06-bouncing-ball.yaml");
         until("text('teaches').includes('bounce') && number('steps') > 0");
+    }
+
+    @Test
+    void aLectureGoesThroughReadmesSlidesByKeysInLargeType() throws IOException {
+        List<?> stations = (List<?>) page.script("return JSON.parse(document.getElementById('stations').textContent)"
+                + ".map(({slide, scene, solver = ''}) => [slide, scene, solver]);");
+        Matcher row = SLIDE.matcher(Files.readString(Path.of("README.md")));
+        for (Object each : stations) {
+            List<?> station = (List<?>) each;
+            assertTrue(row.find());
+            assertEquals(row.group("slide"), station.get(0));
+            String options = " -Pscene=" + Integer.parseInt(station.get(1).toString().substring(0, 2)) + " -Psolver="
+                    + station.get(2) + " ";
+            String run = row.group("run");
+            assertTrue(run == null || options.contains(run + " "), station + " and " + row.group());
+        }
+        assertTrue(row.find() && row.group().contains("Interface to DE Solver") && !row.find(), "README's last slide");
+        press("l");
+        until("text('ask').startsWith('Which six numbers') && view.facts.title === 'A falling particle'");
+        assertEquals("21px", page.script("return getComputedStyle(document.getElementById('clock')).fontSize;"));
+        press(Keys.PAGE_DOWN);
+        until("view.facts.title.includes('damped spring')");
+        press(" ");
+        until("number('steps') > 0");
+        press(Keys.PAGE_UP);
+        until("value('slides') === '0' && !element('nextSlide').disabled && element('previousSlide').disabled");
+        page.choose("slides", "10");
+        until("caption().startsWith('euler') && value('solver') === 'midpoint'");
+        page.click("step");
+        until("location.hash.length > 10 && text('steps') === '1'");
+        page.screenshot("lecture");
+        page.go(page.driver().getCurrentUrl());
+        until("value('slides') === '10' && caption().startsWith('euler')");
+        press("l");
+        until("!document.body.classList.contains('lecture')");
+        assertTrue(page.element("copyLink").isDisplayed());
     }
 
     @Test

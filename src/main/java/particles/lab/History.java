@@ -26,12 +26,16 @@ final class History {
     /** Keeps a moment, later than all before. */
     void add(Frame frame) {
         append(frame);
-        while (bytes > mostBytes && frames.size() > 2) {
-            thin();
+        while (bytes > mostBytes && thin()) {
+            // half of them is left
         }
     }
 
-    private void thin() {
+    /** Drops every second moment, if there are more than two. @return whether there were */
+    boolean thin() {
+        if (frames.size() <= 2) {
+            return false;
+        }
         List<Frame> kept = new ArrayList<>();
         for (int i = 0; i < frames.size(); i += 2) {
             kept.add(frames.get(i));
@@ -41,6 +45,7 @@ final class History {
         bytes = 0;
         interval = span / (kept.size() - 1) * (1 - 1e-9);
         kept.forEach(this::append);
+        return true;
     }
 
     private void append(Frame frame) {
@@ -76,6 +81,11 @@ final class History {
             first--;
         }
         return List.copyOf(frames.subList(first, frames.size()));
+    }
+
+    /** The shortest time between two moments kept (s); 0 if all are. */
+    double getInterval() {
+        return interval;
     }
 
     /** About how much memory it takes. */

@@ -7,7 +7,6 @@ import java.util.function.BooleanSupplier;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Rule;
 import particles.Simulation;
 import particles.energy.EnergyRecorder;
 import particles.scene.Scene;
@@ -22,11 +21,9 @@ public final class LabRun {
     private final Scene scene;
     private final Simulation simulation;
     private final ParticleSystem system;
-    private final EnergyParts energies;
     private final EnergyRecorder energy;
+    private final FrameRecorder frames;
     private final PointerSpring pointer;
-    private final History history = new History(HISTORY_BYTES);
-    private Structure structure;
     private double wanted;
     private Frame shown;
     private double[] between = {};
@@ -39,13 +36,13 @@ public final class LabRun {
         simulation = scene.simulation();
         system = scene.system();
         energy = new EnergyRecorder(simulation, scene.energyEstimate(), 1);
-        energies = new EnergyParts(system, energy.getLedger());
+        frames = new FrameRecorder(new EnergyParts(system, energy.getLedger()), HISTORY_BYTES);
         pointer = new PointerSpring(system.getParticles(), mostOmega(scene.description()));
         system.addEffect(pointer);
         simulation.addRule(pointer);
-        structure = Structure.of(system);
-        energy.attachTo(simulation, List.of(new Recorder()));
+        energy.attachTo(simulation, List.of(frames, new Latest()));
         simulation.start();
+        show();
     }
 
     /** A solver whose steps are limited by springs bears a vibration of this angular frequency (rad/s) at least. */
@@ -56,31 +53,13 @@ public final class LabRun {
         return limited ? BEARABLE / scene.deltaT() : Double.POSITIVE_INFINITY;
     }
 
-    private final class Recorder implements Observer {
-        @Override
-        public void started(ParticleSystem system) {
-            wanted = system.getTime();
-            shown = frame(system.getOwnState(), system.getTime(), structure);
-            history.add(shown);
-        }
-
+    private final class Latest implements Observer {
         @Override
         public void moved(Motion motion) {
-            double end = motion.getEndTime();
-            if (history.wants(end)) {
-                history.add(frame(motion.getEndState(), end, structure));
-            }
             latest = motion;
-            latestStructure = structure;
-            if (motion.getStartTime() <= wanted && wanted < end) {
+            latestStructure = frames.getStructure();
+            if (motion.getStartTime() <= wanted && wanted < motion.getEndTime()) {
                 showBetween();
-            }
-        }
-
-        @Override
-        public void changed(ParticleSystem system, Rule rule) {
-            if (!structure.isOf(system)) {
-                structure = Structure.of(system);
             }
         }
     }
@@ -92,15 +71,7 @@ public final class LabRun {
             between = new double[size];
         }
         latest.interpolate(wanted, between);
-        shown = frame(between, wanted, latestStructure);
-    }
-
-    private Frame frame(double[] state, double time, Structure structure) {
-        float[] copy = new float[6 * structure.ids().length];
-        for (int i = 0; i < copy.length; i++) {
-            copy[i] = (float) state[i];
-        }
-        return new Frame(time, copy, energies.of(state, time), structure);
+        shown = frames.frame(between, wanted, latestStructure);
     }
 
     /**
@@ -119,7 +90,7 @@ public final class LabRun {
         }
         if (system.getTime() <= time) {
             show();
-        } else if (latestStructure != structure) {
+        } else if (latestStructure != frames.getStructure()) {
             show();                                     // particles have come or gone since the motion
         } else if (latest.getStartTime() <= time) {
             showBetween();
@@ -136,7 +107,7 @@ public final class LabRun {
 
     private void show() {
         wanted = system.getTime();
-        shown = frame(system.getOwnState(), wanted, structure);
+        shown = frames.frame(system.getOwnState(), wanted, frames.getStructure());
     }
 
     /** @return whether the scene's duration is over */
@@ -163,10 +134,10 @@ public final class LabRun {
     }
 
     History getHistory() {
-        return history;
+        return frames.getHistory();
     }
 
     EnergyParts getEnergies() {
-        return energies;
+        return frames.getEnergies();
     }
 }

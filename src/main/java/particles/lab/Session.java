@@ -222,12 +222,7 @@ public final class Session {
 
     /** @return the particles, springs and rods at the moment that is shown, as JSON */
     public String structure() {
-        Structure structure = shown.structure();
-        return JsonText.compact(Ordered.map("ids", List.of(structure.ids()), "fixed", structure.fixed(),
-                "births", structure.births(), "lives", structure.lives(),
-                "springs", structure.links().ends(),
-                "restLengths", structure.links().restLengths(),
-                "rigid", structure.links().rigid()));
+        return JsonText.compact(shown.structure().facts());
     }
 
     /**

@@ -1,9 +1,11 @@
 package particles.lab;
 
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.law.Particles;
+import particles.spec.Ordered;
 import particles.view.SpringView;
 
 /**
@@ -67,6 +69,12 @@ record Structure(String[] ids, int[] fixed, float[] births, float[] lives, Links
         int n = system.getParticles().count();
         return n == ids.length && (n == 0 || ids[n - 1].equals(system.getParticles().id(n - 1)))
                 && views(system).stream().mapToInt(SpringView::springCount).sum() == links.restLengths.length;
+    }
+
+    /** The same, by name, as pages read it. */
+    Map<String, Object> facts() {
+        return Ordered.map("ids", List.of(ids), "fixed", fixed, "births", births, "lives", lives, "springs", links.ends,
+                "restLengths", links.restLengths, "rigid", links.rigid);
     }
 
     /** About the number of bytes that it takes. */

@@ -51,6 +51,11 @@ export class Editor {
     }));
   }
 
+  /** From now on the text can only be read. */
+  lock() {
+    this.code.setOption('readOnly', true);
+  }
+
   /** Needed after it was hidden. */
   refresh() {
     this.code.refresh();

@@ -4,7 +4,7 @@ const STILL = 4, REACH = {mouse: 14, pen: 20, touch: 28};       // pixels
 export class Hand {
   /**
    * view: says what is where; picked(id): a particle was clicked; dragged(id, point): one is dragged towards a point,
-   * or let go, and then the point is null
+   * or let go, and then the point is null; dragged may be null, where nothing can be
    */
   constructor(element, view, picked, dragged) {
     Object.assign(this, {element, view, picked, dragged, held: null});
@@ -29,7 +29,7 @@ export class Hand {
 
   move(event) {
     const held = this.held;
-    if (!held || !held.moved && Math.hypot(event.clientX - held.x, event.clientY - held.y) < STILL) {
+    if (!held || !this.dragged || !held.moved && Math.hypot(event.clientX - held.x, event.clientY - held.y) < STILL) {
       return;
     }
     held.moved = true;

@@ -2,7 +2,7 @@
 const FIELDS = 'input:not([type=checkbox], [type=range]), select, textarea, .CodeMirror, dialog';
 const TAKERS = {' ': 'button, input, summary, a', ArrowLeft: 'input', ArrowRight: 'input'};
 
-/** actions: what is done, by key */
+/** actions: what is done, by key; one that returns false leaves the key to the browser */
 export function listen(actions) {
   addEventListener('keydown', event => {
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
@@ -10,8 +10,9 @@ export function listen(actions) {
         || event.target.closest?.(FIELDS) || TAKERS[key] && event.target.closest?.(TAKERS[key])) {
       return;
     }
-    event.preventDefault();
-    actions[key]();
+    if (actions[key]() !== false) {
+      event.preventDefault();
+    }
   });
 }
 

@@ -1,15 +1,23 @@
-// Up to three more runs of the same scene beside the first, each with its own solver and deltaT; they follow its time.
+// Up to three more runs beside the first, each with its own solver, deltaT and, where somebody has edited it, its own
+// text of the scene; they follow the time of the first.
 import {$, few, make} from './dom.js';
 import {makeView} from './view.js';
 
 const MOST = 3;
 export const COLOURS = ['#e69f00', '#009e73', '#cc79a7'];       // the first run is blue
 
-export const captionOf = ({solver, deltaT}, {time, evaluations}) =>
-    `${solver}, deltaT = ${few(deltaT)} s: ${few(time)} s, ${evaluations} evaluations`;
+export const captionOf = ({solver, deltaT}) => `${solver}, deltaT = ${few(deltaT)} s`;
+export const momentOf = ({time, evaluations}) => `: ${few(time)} s, ${evaluations} evaluations`;
+
+const line = (text, key) => RegExp('^' + key + ':.*', 'm').exec(text)?.[0];
+/** Whether the line of a key differs in two texts. */
+export const differs = (key, one, other) => line(one, key) !== line(other, key);
 
 export class Panels {
-  /** engine: the address of the compiled classes; changed(): one came, went, or has another solver or deltaT */
+  /**
+   * engine: the address of the compiled classes; changed(): one came, went, or is to run something else;
+   * heard(i, message): what one tells
+   */
   constructor(engine, changed, heard) {
     Object.assign(this, {engine, changed, heard, all: []});
     $('addPanel').onclick = () => this.set([...this.describe(), {}]);
@@ -25,7 +33,12 @@ export class Panels {
     return this.all.map(panel => panel.choice);
   }
 
-  /** Replaces all runs by those with these choices, {solver, deltaT}. */
+  /** The first run has another scene: own texts of the one before are no longer needed. */
+  forgetTexts() {
+    this.all.forEach(panel => { delete panel.choice.text; });
+  }
+
+  /** Replaces all runs by those with these choices, {solver, deltaT, text}. */
   set(choices) {
     this.all.forEach(panel => panel.close());
     this.all = choices.slice(0, MOST).map((choice, i) => new Panel(this, i, choice));
@@ -82,7 +95,7 @@ class Panel {
   addControls() {
     this.row = make('li');
     this.row.style.borderColor = COLOURS[this.index];
-    const solver = make('select');
+    const solver = this.solver = make('select');
     solver.append(...this.panels.solvers.map(one => new Option(one.name)));
     solver.value = this.choice.solver;
     solver.onchange = () => this.choose({solver: solver.value});
@@ -91,7 +104,7 @@ class Panel {
     const remove = make('button', {type: 'button', textContent: 'Remove', onclick: () => this.panels.remove(this)});
     this.error = make('p');
     this.error.setAttribute('role', 'alert');
-    const name = make('label', {textContent: 'Solver of run ' + (this.index + 2) + ' '});
+    const name = make('label', {textContent: 'Solver of ' + this.name + ' '});
     const step = make('label', {textContent: 'Its deltaT (s) '});
     name.append(solver);
     step.append(this.step);
@@ -99,9 +112,20 @@ class Panel {
     $('panelList').append(this.row);
   }
 
+  get name() {
+    return 'run ' + (this.index + 2);
+  }
+
   choose(more) {
     Object.assign(this.choice, more);
     this.panels.changed();
+  }
+
+  /** Its own text of the scene; the first run's is not its own. What a text says of solver and deltaT then goes. */
+  edit(text, first) {
+    const before = this.choice.text ?? first;
+    this.choose({text: text === first ? undefined : text, ...(differs('solver', before, text) && {solver: ''}),
+      ...(differs('deltaT', before, text) && {deltaT: ''})});
   }
 
   open(sent, facts) {
@@ -109,8 +133,9 @@ class Panel {
     this.note = $('equalWork').checked && equal === null
         ? 'No fixed number of evaluations per step, so its own deltaT.' : '';
     this.facts = null;
-    this.worker.postMessage({type: 'open', ...sent, solver: this.choice.solver,
-      deltaT: String(equal ?? (this.choice.deltaT || facts.deltaT)), tolerance: 0});
+    const {solver, deltaT, text} = this.choice;
+    this.worker.postMessage({type: 'open', ...sent, text: text ?? sent.text, solver,
+      deltaT: String(equal ?? (deltaT || (text === undefined ? facts.deltaT : ''))), tolerance: 0});
   }
 
   hear(message) {
@@ -120,6 +145,7 @@ class Panel {
       this.facts = errors ? this.facts : message.facts;
       this.opened = false;
       this.step.value = message.facts.deltaT ?? this.step.value;
+      this.solver.value = message.facts.solver ?? this.choice.solver;
     } else if (message.type === 'frame' && this.facts) {
       this.show(message);
     } else if (message.type === 'broken') {
@@ -130,6 +156,7 @@ class Panel {
 
   show(message) {
     if (message.structure) {
+      this.structure = message.structure;
       if (!this.opened) {
         this.view.open(this.facts, message.structure, message.state);
         this.opened = true;
@@ -138,7 +165,8 @@ class Panel {
     }
     this.view.show(message);
     this.error.textContent = message.failure || this.note;
-    this.caption.textContent = captionOf(this.facts, message);
+    this.caption.textContent = captionOf(this.facts) + momentOf(message)
+        + (this.choice.text === undefined ? '' : ', own text');
   }
 
   /** Looks at the scene from where the first picture does. */

@@ -8,9 +8,14 @@ const OF_ENERGIES = {'total': 0, 'kinetic': 1, 'gravity': 2, 'springs': 3, 'attr
 const MOST = 4000;                      // points of a curve; then every second is dropped
 const FEW = 150;                        // points that are dots as well
 
-const short = v => v !== 0 && (Math.abs(v) >= 1e5 || Math.abs(v) < 1e-3) ? v.toExponential(1) : String(v);
+// a logarithmic axis has no numbers at some of its lines
+const short = v => v === null ? ''
+    : v !== 0 && (Math.abs(v) >= 1e5 || Math.abs(v) < 1e-3) ? v.toExponential(1) : String(v);
+/** How large the type is, and how thick lines are with it, where 1 is usual. */
+const scale = () => parseFloat(getComputedStyle(document.body).getPropertyValue('--type')) / 12;
 const axes = (x, y) => [x, y].map((label, i) => ({label, values: (u, values) => values.map(short),
-  size: i ? 62 : 44, labelSize: 20, stroke: () => ink('--ink'),
+  size: (i ? 62 : 44) * scale(), labelSize: 20 * scale(), font: 12 * scale() + 'px system-ui, sans-serif',
+  labelFont: 'bold ' + 12 * scale() + 'px system-ui, sans-serif', stroke: () => ink('--ink'),
   grid: {stroke: () => ink('--line'), width: 1}, ticks: {stroke: () => ink('--line')}}));
 const size = element => ({width: Math.max(240, element.clientWidth),
   height: parseFloat(getComputedStyle(element).getPropertyValue('--height')) || 240});
@@ -45,7 +50,7 @@ export class EnergyPlot {
       cursor: {drag: {x: false, y: false}},
       series: [{label: 'time (s)', value: latest},
         ...this.names.map((name, i) => ({label: this.uniform.includes(i) ? name + ' (from its lowest)' : name,
-        show: false, stroke: colourOf(name), width: i === 0 ? 2.5 : 1.5, scale: i === error ? 'error' : 'y',
+        show: false, stroke: colourOf(name), width: (i === 0 ? 2.5 : 1.5) * scale(), scale: i === error ? 'error' : 'y',
         dash: i === error ? [4, 3] : [], value: latest,
         points: {show: (u, series, from, to) => to - from <= FEW, size: 5}}))]}, this.shown(), this.element);
     this.rows = [...this.plot.root.querySelectorAll('.u-series')];
@@ -129,39 +134,36 @@ function thin(curve) {
   }
 }
 
-/** How the total energies of several runs change. */
+/** One curve for each of several runs. */
 export class ComparisonPlot {
-  constructor(element) {
-    this.element = element;
+  /** label: of the vertical axis; logarithmic: whether that axis is */
+  constructor(element, label, logarithmic) {
+    Object.assign(this, {element, label, logarithmic});
   }
 
-  /** solver: of the first run; others: name and colour of each of the others */
-  start(solver, others) {
+  /** runs: the name of each, and the colour of each but the first */
+  start(runs) {
     const facets = [{scale: 'x', auto: true}, {scale: 'y', auto: true}];
-    const runs = [{name: solver, colour: COLOURS[1]}, ...others];
     this.data = [null, ...runs.map(() => [[], []])];
     this.plot?.destroy();
-    this.plot = new uPlot({...size(this.element), mode: 2, axes: axes('time (s)', 'energy change (J)'),
-      scales: {x: {time: false}}, cursor: {show: false}, legend: {show: true, live: false},
-      series: [{}, ...runs.map(({name, colour}) => ({facets, label: name, stroke: colour, width: 1.5,
-        paths: polyline(false)}))]}, this.data, this.element);
+    const [time, value] = axes('time (s)', this.label);
+    this.plot = new uPlot({...size(this.element), mode: 2,
+      axes: [time, {...value, ...(this.logarithmic && {splits: decades})}],
+      scales: {x: {time: false}, y: {distr: this.logarithmic ? 3 : 1}}, cursor: {show: false},
+      legend: {show: true, live: false},
+      series: [{}, ...runs.map(({name, colour = COLOURS[1]}) => ({facets, label: name, stroke: colour,
+        width: 1.5 * scale(), paths: polyline(false)}))]}, this.data, this.element);
   }
 
-  /** rows: the time and the energies, the total first, after each step of a run; so many numbers in a row */
-  add(run, rows, width) {
+  /** A point of a run's curve, later than all before; others are left out. */
+  add(run, time, value) {
     const curve = this.data?.[1 + run];
-    for (let r = 0; curve && r < rows.length; r += width) {
-      const [times, changes] = curve;
-      if (times.length === 0) {
-        curve.first = rows[r + 1];
-      }
-      if (!times.length || rows[r] > times[times.length - 1]) {
-        times.push(rows[r]);
-        changes.push(rows[r + 1] - curve.first);
-      }
+    if (curve && !(time <= curve[0].at(-1)) && !(this.logarithmic && value <= 0)) {
+      curve[0].push(time);
+      curve[1].push(value);
+      thin(curve);
+      this.stale = true;
     }
-    thin(curve);
-    this.stale = true;
   }
 
   draw() {
@@ -174,6 +176,12 @@ export class ComparisonPlot {
   resize() {
     this.plot?.setSize(size(this.element));
   }
+}
+
+/** A few powers of ten in a range. */
+function decades(u, axis, low, high) {
+  const from = Math.ceil(Math.log10(low)), to = Math.floor(Math.log10(high)), step = Math.ceil((to - from + 1) / 5);
+  return Array.from({length: Math.max(0, Math.floor((to - from) / step) + 1)}, (none, k) => 10 ** (from + k * step));
 }
 
 /** Straight lines, with dots where the points are few; or dots alone. */
@@ -222,9 +230,9 @@ export class PhasePlot {
     this.plot = new uPlot({...size(this.element), mode: 2, axes: axes(axis + ' (m)', 'v (m/s)'),
       scales: {x: {time: false, range}, y: {range}}, legend: {show: false}, cursor: {show: false},
       series: [{}, {facets, stroke: () => ink('--line'), width: 7, paths: polyline(false)},
-        {facets, stroke: COLOURS[1], width: 1.5, dots: true, paths: polyline(false)},
+        {facets, stroke: COLOURS[1], width: 1.5 * scale(), dots: true, paths: polyline(false)},
         {facets, stroke: COLOURS[0], width: 1, paths: polyline(true)},
-        ...others.map(colour => ({facets, stroke: colour, width: 1.5, paths: polyline(false)}))]},
+        ...others.map(colour => ({facets, stroke: colour, width: 1.5 * scale(), paths: polyline(false)}))]},
         this.data, this.element);
   }
 

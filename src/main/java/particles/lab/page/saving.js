@@ -5,7 +5,7 @@ import {save} from './packing.js';
 const INK = '#1b2430', PAPER = '#ffffff', FILM_RATE = 30;
 
 /** The picture with its arrows and labels, on a canvas of its own or on one that is given. */
-export function composed(element, canvas = document.createElement('canvas')) {
+function composed(element, canvas = document.createElement('canvas')) {
   const picture = element.querySelector('canvas'), scale = picture.width / element.clientWidth;
   if (canvas.width !== picture.width || canvas.height !== picture.height) {
     Object.assign(canvas, {width: picture.width, height: picture.height});
@@ -40,7 +40,7 @@ export function composed(element, canvas = document.createElement('canvas')) {
 }
 
 /** A plot on the page's ground, as its own canvas has none; with the names of its curves. */
-export function plotImage(element) {
+function plotImage(element) {
   const plot = element.querySelector('canvas'), canvas = document.createElement('canvas'), scale = devicePixelRatio;
   const names = [...element.querySelectorAll('.u-series')].slice(1).filter(row => !row.hidden);   // the first is time
   Object.assign(canvas, {width: plot.width, height: plot.height + 18 * scale * names.length});
@@ -60,7 +60,15 @@ export function plotImage(element) {
   return canvas;
 }
 
-export const savePicture = (name, canvas) => canvas.toBlob(blob => save(name + '.png', blob));
+const savePicture = (name, canvas) => canvas.toBlob(blob => save(name + '.png', blob));
+
+/** The buttons that save pictures. name(): the beginning of the files' names */
+export function offer(name, film) {
+  $('savePicture').onclick = () => savePicture(name(), composed($('view')));
+  $('saveEnergy').onclick = () => savePicture(name() + '-energy', plotImage($('energy')));
+  $('savePhase').onclick = () => savePicture(name() + '-phase', plotImage($('phase')));
+  $('film').onclick = () => film.toggle(name());
+}
 
 export class Film {
   /** element: the picture; told(text): what there is to say */

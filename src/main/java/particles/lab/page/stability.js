@@ -46,7 +46,7 @@ export class Stability {
   ask(message) {
     if (!this.worker) {
       this.worker = new Worker(this.engine);
-      this.worker.onmessage = ({data}) => this.answer(data);
+      this.worker.onmessage = ({data}) => data.type === 'broken' ? this.fail(data) : this.answer(data);
     }
     this.worker.postMessage(message);
   }
@@ -59,6 +59,14 @@ export class Stability {
     }
     this.tell();
     this.draw();
+  }
+
+  /** A student's own solver has thrown something. */
+  fail({message, asked}) {
+    if (asked.solver === this.facts.solver) {
+      this.growth = null;
+      $('growth').textContent = asked.solver + ' cannot be tried: ' + message;
+    }
   }
 
   tell() {

@@ -15,7 +15,7 @@ export function makeView(element) {
 
 class NoPicture {
   constructor(element) {
-    element.textContent = 'No picture: this browser has no WebGL 2. Plots, numbers and the editor work.';
+    element.append('No picture: this browser has no WebGL 2. Plots, numbers and the editor work.');
   }
 
   open(facts) {

@@ -26,7 +26,7 @@ function guarded(work) {
       work(message);
     } catch (error) {
       playing = false;
-      postMessage({type: 'broken', message: error.message || String(error)});
+      postMessage({type: 'broken', message: error.message || String(error), asked: message});
     }
   };
 }
@@ -161,6 +161,8 @@ const commands = {
   region: message => postMessage({...message, values: region(message.solver, message.left, message.bottom,
       message.cell, message.columns, message.rows).slice()}),
   drag: message => { pull = message; dragged(); },
+  // The state at a time, also between two steps.
+  sample: ({time}) => { advance(time, 1e9); postMessage({type: 'sample', time, state: state().slice()}); },
   state: message => {
     advance(message.time, 1e9);
     postMessage({type: 'state', ...JSON.parse(status()), state: exactState()});

@@ -1,0 +1,152 @@
+// The first run, in its worker: started, paused, stepped and looked back at by buttons, keys and the time slider.
+import {$, few, make} from './dom.js';
+
+const WITHOUT_PULLS = 'The run up to this moment was computed anew, without your earlier pulls.';
+
+export class Player {
+  /** paused(): the run has stopped; restarted(): it is computed anew, and what was known of it is void */
+  constructor(worker, {paused, restarted}) {
+    Object.assign(this, {worker, paused, restarted, run: 0, playing: false, looking: false, autoplay: false,
+      pulled: false, frame: null});
+    $('start').onclick = () => this.startOrPause();
+    $('step').onclick = () => this.step();
+    $('speed').onchange = () => this.playing && this.tell({type: 'play', speed: this.speed});
+    $('time').oninput = () => this.look(Number($('time').value));
+  }
+
+  tell(message) {
+    this.worker.postMessage(message);
+  }
+
+  get speed() {
+    return Number($('speed').value);
+  }
+
+  /** Opens what is chosen, at its start; play: it moves as soon as it is there. */
+  open(sent, play = this.playing) {
+    this.autoplay = play;
+    this.pulled = false;
+    this.setPlaying(false);
+    this.tell({type: 'open', run: ++this.run, ...sent});
+  }
+
+  /** The scene is there. */
+  opened(facts) {
+    this.looking = false;
+    $('message').textContent = '';
+    $('time').max = facts.duration;
+  }
+
+  startIfWanted() {
+    if (this.autoplay) {
+      this.start();
+    }
+  }
+
+  setPlaying(on) {
+    this.playing = on;
+    if (!on) {
+      this.paused();
+    }
+    this.showStart();
+  }
+
+  showStart() {
+    const frame = this.frame;
+    const again = !frame || frame.failure || frame.over && !this.looking || !frame.steps;
+    $('start').textContent = this.playing ? 'Pause' : again ? 'Start' : 'Continue';
+  }
+
+  start() {
+    if (this.frame?.failure || this.frame?.over && !this.looking) {
+      this.goOn(0);
+    } else if (this.looking) {
+      this.goOn(this.frame.time);
+    } else {
+      this.tell({type: 'play', speed: this.speed});
+    }
+    this.autoplay = false;
+    this.setPlaying(true);
+  }
+
+  /** The worker computes the run anew up to this moment; pulls are not repeated, so what they changed is not kept. */
+  goOn(time) {
+    $('message').textContent = this.pulled && time > 0 ? WITHOUT_PULLS : '';
+    this.tell({type: 'goOn', run: ++this.run, time, speed: this.speed});
+    if (this.pulled) {
+      this.pulled = false;
+      this.restarted();
+    }
+  }
+
+  pause() {
+    this.autoplay = false;
+    this.tell({type: 'pause'});
+    this.setPlaying(false);
+  }
+
+  startOrPause() {
+    if (!$('start').disabled) {
+      this.playing ? this.pause() : this.start();
+    }
+  }
+
+  step() {
+    if (!$('step').disabled) {
+      this.pause();
+      this.tell({type: 'step'});
+    }
+  }
+
+  look(time) {
+    this.setPlaying(false);
+    this.tell({type: 'look', time});
+  }
+
+  /** Back to the end of the step before. */
+  stepBack() {
+    if (this.frame) {
+      this.look(this.frame.time * (1 - 1e-12));
+    }
+  }
+
+  /** Pulls a particle towards a point, or lets it go; a pull sets a paused run going. */
+  drag(id, point) {
+    if (point && !this.playing && !this.frame?.over) {
+      this.start();
+    }
+    this.pulled ||= Boolean(point);
+    const pull = {type: 'drag', id: point ? id : '', point: point ?? [0, 0, 0]};
+    this.tell(pull);
+    return pull;
+  }
+
+  /** A moment of the run, in numbers. */
+  show(frame) {
+    this.frame = frame;
+    this.looking = Boolean(frame.looking);
+    $('time').value = frame.time;
+    $('clock').textContent = few(frame.time) + ' s';
+    $('steps').textContent = frame.steps;
+    $('evaluations').textContent = frame.evaluations;
+    $('seconds').textContent = few(frame.seconds) + ' s';
+    $('work').replaceChildren(...Object.entries(frame.work).filter(([name, joules]) => joules)
+        .map(([name, joules]) => make('li', {textContent: name + ': ' + few(joules)})));
+    if (frame.failure && !this.looking) {
+      $('message').textContent = frame.failure;
+    }
+    if (frame.over || frame.failure) {
+      this.setPlaying(false);
+    }
+    this.showStart();
+  }
+
+  /** The run cannot go on, only start anew. */
+  fail(message) {
+    if (this.frame) {
+      this.frame.failure = message;
+    }
+    this.setPlaying(false);
+    $('message').textContent = 'Internal error; please report it: ' + message;
+  }
+}
