@@ -104,9 +104,9 @@ class ArchitectureTest {
                                            particles.experiments.runs particles.experiments.spectrum particles.law
                                            particles.scene particles.view
             particles.javac:               javax.tools
-            particles.lab:                 deSolvers deSolvers.catalog particles particles.effects.springs
-                                           particles.energy particles.experiments.stability particles.law
-                                           particles.messages particles.scene particles.scene.format
+            particles.lab:                 deSolvers deSolvers.catalog deSolvers.text particles
+                                           particles.effects.springs particles.energy particles.experiments.stability
+                                           particles.law particles.messages particles.scene particles.scene.format
                                            particles.spec particles.spec.documents particles.view
             particles.lab.browser:         deSolvers particles.effects particles.lab particles.spec org.teavm
             particles.lab.compile:         particles.javac particles.lab org.teavm

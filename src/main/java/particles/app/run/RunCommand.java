@@ -2,6 +2,7 @@ package particles.app.run;
 
 import deSolvers.text.Digits;
 import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
@@ -16,6 +17,7 @@ import particles.app.cli.FolderSize;
 import particles.app.cli.Mistakes;
 import particles.app.cli.ResultsCommand;
 import particles.app.student.StudentClasses;
+import particles.lab.Replay;
 import particles.messages.BlowUpMessage;
 import particles.output.files.OutputFolder;
 import particles.scene.Overrides;
@@ -69,12 +71,18 @@ public final class RunCommand extends ResultsCommand {
             description = "The size of frames, animation and film (pixels), such as 1920x1080.")
     private String size;
 
+    @Option(names = "--replay", arity = "0..1", fallbackValue = "true", defaultValue = "false",
+            paramLabel = "true|false",
+            description = "Whether to write replay.html, the run in the lab's page (default: false).")
+    private boolean replay;
+
     @Mixin
     private final ChartOptions charts = new ChartOptions();
 
     private final Path scenes;
     private final StopRequest stop;
     private String name = "";
+    private String text = "";
     private String hash = "";
     private SceneDescription description;
 
@@ -99,6 +107,7 @@ public final class RunCommand extends ResultsCommand {
         mistakes.check(() -> readScene(overrides));
         super.read(mistakes);
         mistakes.check(this::checkPictures);
+        mistakes.check(this::checkReplay);
     }
 
     private Overrides overrides() {
@@ -110,6 +119,7 @@ public final class RunCommand extends ResultsCommand {
         Path file = SceneFiles.find(scenes, wanted);
         byte[] bytes = SceneReader.bytes(file);
         name = SceneName.of(file).whole();
+        text = new String(bytes, StandardCharsets.UTF_8);
         hash = sha256(bytes);
         SceneDescription scene = overrides.applyTo(
                 SceneReader.read(SceneReader.nameOf(file), bytes, new StudentClasses()));
@@ -149,6 +159,12 @@ public final class RunCommand extends ResultsCommand {
         }
     }
 
+    private void checkReplay() {
+        if (replay && !Replay.isPossible()) {
+            throw wrong("replay", "the page's libraries are not in this program; type: gradle run -Preplay=true");
+        }
+    }
+
     @Override
     public void run(PrintWriter out) {
         Scene scene = SceneBuilder.build(description);
@@ -156,11 +172,11 @@ public final class RunCommand extends ResultsCommand {
             out.println(line);
             out.flush();
         });
-        List<String> files = RunObservers.files(description.output(), charts.format());
+        List<String> files = RunObservers.files(description.output(), charts.format(), replay);
         try (OutputFolder folder = OutputFolder.open(getFolder(), files.toArray(String[]::new))) {
             stop.addLastResort(folder::close);
             Progress progress = new Progress(out, description.duration(), System::nanoTime);
-            RunObservers observers = new RunObservers(scene, folder);
+            RunObservers observers = new RunObservers(scene, folder, replay);
             Optional<String> early;
             try (observers) {
                 observers.add(progress);
@@ -171,6 +187,7 @@ public final class RunCommand extends ResultsCommand {
             Summary summary = new Summary(name, hash, scene, observers.getEnergy(), progress.seconds());
             folder.write(Summary.FILE, summary.json());
             observers.drawCharts(charts.format());
+            observers.writeReplay(wanted, text, early.orElse("")).ifPresent(out::println);
             summary.lines(early.isPresent()).forEach(out::println);
             out.println("files in " + getFolder() + ": " + String.join(", ", files));
             if (scene.description().output().phase().isEmpty()) {

@@ -9,6 +9,7 @@ import particles.energy.EnergyRecorder;
 import particles.experiments.phase.Axis;
 import particles.experiments.phase.PhaseHistory;
 import particles.experiments.phase.VectorFields;
+import particles.lab.Replay;
 import particles.output.animation.Film;
 import particles.output.animation.GifAnimation;
 import particles.output.charts.ChartFormat;
@@ -42,6 +43,7 @@ final class RunObservers implements AutoCloseable {
     private final TrajectoryWriter trajectory;
     private final EnergyRecorder energy;
     private final List<Observer> others = new ArrayList<>();
+    private final Optional<Replay> replay;
     private final Optional<PhaseHistory> phase;
     private Optional<FrameObserver> frames = Optional.empty();
     private Optional<LastSteps> lastSteps = Optional.empty();
@@ -49,9 +51,10 @@ final class RunObservers implements AutoCloseable {
     /**
      * @param output the scene's output settings
      * @param charts the format of charts
+     * @param replay whether there is a replay
      * @return the names of the files that a run writes, the most interesting first
      */
-    static List<String> files(OutputDescription output, ChartFormat charts) {
+    static List<String> files(OutputDescription output, ChartFormat charts, boolean replay) {
         List<String> names = new ArrayList<>();
         addIf(output.frames().drawn(), OutputFolder.FRAMES, names);
         addIf(output.frames().animation() > 0, GifAnimation.FILE, names);
@@ -61,6 +64,7 @@ final class RunObservers implements AutoCloseable {
             addIf(output.phase().isPresent(), PHASE.replace(ChartWriter.PNG, end), names);
         }
         addIf(charts.slide() && (output.energy() || output.phase().isPresent()), ChartWriter.PDF, names);
+        addIf(replay, Replay.FILE, names);
         names.add(TrajectoryWriter.FILE);
         names.add(Summary.FILE);
         return names;
@@ -75,8 +79,9 @@ final class RunObservers implements AutoCloseable {
     /**
      * @param scene  a scene that is about to run
      * @param folder the output folder
+     * @param replay whether to record a replay
      */
-    RunObservers(Scene scene, OutputFolder folder) {
+    RunObservers(Scene scene, OutputFolder folder, boolean replay) {
         this.scene = scene;
         this.folder = folder;
         OutputDescription output = scene.description().output();
@@ -86,6 +91,8 @@ final class RunObservers implements AutoCloseable {
         energy = new EnergyRecorder(scene.simulation(), scene.energyEstimate(),
                 TrajectoryWriter.strideFor(steps, 1, MOST_ENERGIES));
         phase = output.phase().map(plot -> new PhaseHistory(plot.particle(), plot.about()));
+        this.replay = replay ? Optional.of(new Replay(scene, energy.getLedger())) : Optional.empty();
+        this.replay.map(Replay::getRecorder).ifPresent(this::add);
         add(trajectory);
         phase.ifPresent(this::add);
         if (output.frames().drawn()) {
@@ -177,6 +184,19 @@ final class RunObservers implements AutoCloseable {
                         VectorFields.around(scene.system(), axis, states.x(), states.y()));
             });
         }
+    }
+
+    /**
+     * Writes the replay, if there is one.
+     *
+     * @param file    the scene file's name
+     * @param text    its text
+     * @param failure why the run ended early; empty if it did not
+     * @return a line about states that were left out
+     */
+    Optional<String> writeReplay(String file, String text, String failure) {
+        replay.ifPresent(recorded -> folder.write(Replay.FILE, recorded.page(file, text, failure)));
+        return replay.flatMap(Replay::thinning).map(line -> Replay.FILE + ": " + line);
     }
 
     /** The caption: solver and settings of this run. */

@@ -234,6 +234,13 @@ class RunCommandTest {
                 ByteBuffer.wrap(film).getInt(header + 4) >> 16));
     }
 
+    /** The program without the page's libraries, as an installed one. */
+    @Test
+    void aReplayWithoutThePagesLibrariesIsRefusedWithTheTaskThatHasThem() {
+        assertEnds(ExitCode.BAD_INPUT, "option -Preplay: the page's libraries are not in this program;"
+                + " type: gradle run -Preplay=true", "--replay=true");
+    }
+
     @Test
     void anImpossibleSizeIsOneLine() {
         assertEnds(ExitCode.BAD_INPUT, "option -Psize: 'wide' is not a size such as 1920x1080", "--size=wide");
@@ -321,8 +328,8 @@ class RunCommandTest {
     @Test
     void wrongOptionsAreRefusedWithTheirPlaceBeforeAnythingIsWritten() {
         assertEnds(ExitCode.BAD_INPUT,
-                "unknown option -Pdeltat; did you mean -PdeltaT? allowed: -Pout, -Pscene, -Psolver,"
-                + " -PdeltaT, -Pduration, -Pthreads, -Pframes, -Pvideo, -Psize, -Pslide, -Psvg, -Pdark, -Phelp",
+                "unknown option -Pdeltat; did you mean -PdeltaT? allowed: -Pout, -Pscene, -Psolver, -PdeltaT,"
+                + " -Pduration, -Pthreads, -Pframes, -Pvideo, -Psize, -Preplay, -Pslide, -Psvg, -Pdark, -Phelp",
                 "--deltat=1");
         assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is the text 'soon'; it has to be a number over 0 (s)",
                 "--deltaT=soon");

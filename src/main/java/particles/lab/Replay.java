@@ -1,0 +1,106 @@
+package particles.lab;
+
+import deSolvers.text.Digits;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import particles.Observer;
+import particles.energy.EnergyLedgerRecorder;
+import particles.scene.Scene;
+import particles.spec.Ordered;
+import particles.spec.documents.JsonText;
+
+/** A run recorded for the lab's page, which shows it without computing anything. */
+public final class Replay {
+    /** The file's name. */
+    public static final String FILE = "replay.html";
+    /** The largest page (bytes), and the memory for the states of a run. */
+    private static final int MOST_BYTES = 10_000_000;
+    private static final long MEMORY = 64_000_000;
+
+    private final Scene scene;
+    private final FrameRecorder recorder;
+
+    /**
+     * @param scene  a scene that is about to run
+     * @param ledger the energy ledger of its run
+     */
+    public Replay(Scene scene, EnergyLedgerRecorder ledger) {
+        this.scene = scene;
+        recorder = new FrameRecorder(new EnergyParts(scene.system(), ledger), MEMORY);
+    }
+
+    /** @return whether the page's libraries are here: only the tasks that write pages have them */
+    public static boolean isPossible() {
+        return PageParts.areHere();
+    }
+
+    /** @return records the run; to be called after the energy ledger */
+    public Observer getRecorder() {
+        return recorder;
+    }
+
+    /** @return says which states were left out, if some were */
+    public Optional<String> thinning() {
+        double interval = recorder.getHistory().getInterval();
+        return interval > 0 ? Optional.of("states closer than " + Digits.few(interval)
+                + " s are left out, to stay below 10 MB") : Optional.empty();
+    }
+
+    /**
+     * @param file    the scene file's name
+     * @param text    its text
+     * @param failure why the run ended early; empty if it did not
+     * @return the page; where it would be too large, every second state is left out until it is not
+     */
+    public String page(String file, String text, String failure) {
+        return page(file, text, failure, MOST_BYTES);
+    }
+
+    String page(String file, String text, String failure, int mostBytes) {
+        try {
+            String scenes = PageParts.scene(file, text, " data-first=\"\"") + PageParts.students(List.of());
+            while (true) {
+                String page = PageParts.page("const RECORDED = " + recorded(failure) + ";\n"
+                        + PageParts.own("recorded.js"), scenes, List.of());
+                if (page.length() <= mostBytes || !recorder.getHistory().thin()) {
+                    return page;
+                }
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private String recorded(String failure) {
+        List<Frame> frames = recorder.getHistory().after(Double.NEGATIVE_INFINITY);
+        Map<Structure, Integer> numbers = new IdentityHashMap<>();
+        List<Map<String, Object>> structures = new ArrayList<>();
+        int size = frames.stream().mapToInt(frame -> frame.state().length + frame.energies().length).sum();
+        ByteBuffer floats = ByteBuffer.allocate(Float.BYTES * size).order(ByteOrder.LITTLE_ENDIAN);
+        for (Frame frame : frames) {
+            numbers.computeIfAbsent(frame.structure(), structure -> {
+                structures.add(structure.facts());
+                return structures.size() - 1;
+            });
+            for (float[] values : List.of(frame.energies(), frame.state())) {
+                floats.asFloatBuffer().put(values);
+                floats.position(floats.position() + Float.BYTES * values.length);
+            }
+        }
+        Map<String, Object> facts = SceneFacts.of(scene, recorder.getEnergies());
+        facts.put("numbers", List.of());
+        facts.put("recorded", thinning().orElse(""));
+        return JsonText.compact(Ordered.map("facts", facts, "structures", structures,
+                "times", frames.stream().map(Frame::time).toList(),
+                "structureOf", frames.stream().map(frame -> numbers.get(frame.structure())).toList(),
+                "failure", failure, "floats", Base64.getEncoder().encodeToString(floats.array())));
+    }
+}

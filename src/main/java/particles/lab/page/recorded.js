@@ -1,0 +1,77 @@
+// Takes the place of the compiled classes in a page that shows a recorded run: functions of the same names, which read
+// what was recorded.
+const floats = new Float32Array(Uint8Array.from(atob(RECORDED.floats), letter => letter.charCodeAt(0)).buffer);
+const times = RECORDED.times, parts = RECORDED.facts.energies.length, last = times.length - 1;
+const moments = [];                     // the energies and the state of each
+let now = 0, at = 0;
+
+for (let k = 0, from = 0; k <= last; k++) {
+  const to = from + parts + 6 * structureOf(k).ids.length;
+  moments.push({energies: floats.subarray(from, from + parts), state: floats.subarray(from + parts, to)});
+  from = to;
+}
+
+function structureOf(k) {
+  return RECORDED.structures[RECORDED.structureOf[k]];
+}
+
+/** The latest moment that is not after a time, or the first. */
+function find(time) {
+  let low = 0, high = last;
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    [low, high] = times[middle] <= time ? [middle, high] : [low, middle - 1];
+  }
+  return low;
+}
+
+const solvers = () => '[]', particle = () => '{}', drag = () => {};
+
+function openScene() {
+  look(times[0]);
+  return JSON.stringify(RECORDED.facts);
+}
+
+function advance(time) {
+  at = find(time);
+  now = Math.min(time, times[last]);
+}
+
+function look(time) {
+  at = find(time);
+  now = times[at];
+}
+
+function step() {
+  look(times[Math.min(at + 1, last)]);
+}
+
+const status = () => JSON.stringify({time: now, reached: times[last], steps: at, evaluations: 0, seconds: 0, work: {},
+  over: at === last, failure: at === last ? RECORDED.failure : ''});
+
+/** Between two moments of the same particles, on straight lines. */
+function state() {
+  const {state} = moments[at];
+  if (at === last || now === times[at] || RECORDED.structureOf[at] !== RECORDED.structureOf[at + 1]) {
+    return state;
+  }
+  const next = moments[at + 1].state, part = (now - times[at]) / (times[at + 1] - times[at]);
+  return state.map((value, i) => value + part * (next[i] - value));
+}
+
+/** Rows of what read(k) gives, after each moment later than a time. */
+function rows(time, read) {
+  const from = times.findIndex(one => one > time);
+  return Float32Array.from(times.slice(from < 0 ? times.length : from).flatMap((one, k) => read(from + k)));
+}
+
+const energies = time => rows(time, k => [times[k], ...moments[k].energies]);
+const structureNumber = () => RECORDED.structureOf[at];
+const structure = () => JSON.stringify(structureOf(at));
+
+function phase(id, axis, time) {
+  return rows(time, k => {
+    const i = structureOf(k).ids.indexOf(id);
+    return i < 0 ? [] : [times[k], moments[k].state[6 * i + axis], moments[k].state[6 * i + axis + 3]];
+  });
+}
