@@ -235,11 +235,11 @@ function shown(message) {
   if (!structure) {
     return;
   }
-  player.show(message);
   view.show(message);
   energy.add(message.energies);
   phasePlot.add(message.points);
   addEnergies(0, message, facts);
+  player.show(message);                 // at its end, tables are written of what the plots have
   nearest.add(0, message, structure);
   panels.tell({type: 'follow', time: message.time});
   const particle = structure.ids.indexOf(phase.id);

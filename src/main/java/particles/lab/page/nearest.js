@@ -108,6 +108,6 @@ function verdict(names, distances, uncertainty, size) {
   }
   // the states that are compared have seven digits
   return first.metres > PARTED * size ? 'All have left the reference.'
-      : second.metres < Math.max(3 * uncertainty, 1e-6 * size) ? 'No difference that the reference can tell.'
+      : second.metres <= Math.max(3 * uncertainty, 1e-6 * size) ? 'No difference that the reference can tell.'
       : second.metres < CLEAR * first.metres ? 'No clear difference.' : 'Nearest: ' + first.name + '.';
 }
