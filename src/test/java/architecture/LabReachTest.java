@@ -116,7 +116,7 @@ class LabReachTest {
     @Test
     void theProgramUsesFormatsThatThePageDoesNotKnow() throws Exception {
         Set<String> found = unknownFormats(reached(uses(), "particles.app.Main"));
-        assertTrue(found.contains("Portrait.java formats with %.0e"), found.toString());
+        assertTrue(found.stream().anyMatch(line -> line.endsWith("formats with %.0e")), found.toString());
     }
 
     /** Tests this test: the whole program does use threads and files. */
