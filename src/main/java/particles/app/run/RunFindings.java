@@ -73,6 +73,7 @@ final class RunFindings {
         boolean known = Double.isFinite(wider) && Double.isFinite(higher);
         String begin = "the second half of the path is ";
         return !known ? "a path of " + path.x().length + (path.x().length == 1 ? " state" : " states")
+                : wider == 0 && higher == 0 ? "the particle is at rest in the second half of the path"
                 : Math.abs(wider - 1) <= EQUAL && Math.abs(higher - 1) <= EQUAL ? begin + "as large as the first"
                 : Math.abs(wider / higher - 1) <= EQUAL ? begin + Digits.few(wider) + " times as large as the first"
                 : begin + Digits.few(wider) + " times as wide and " + Digits.few(higher) + " times as high";

@@ -22,6 +22,7 @@ import particles.output.frames.FrameSetup;
 import particles.output.frames.FrameSink;
 import particles.output.frames.LastSteps;
 import particles.output.frames.PngFrames;
+import particles.output.report.Picture;
 import particles.scene.Scene;
 import particles.scene.format.OutputDescription;
 import particles.scene.format.OutputDescription.Frames;
@@ -35,8 +36,8 @@ final class RunObservers implements AutoCloseable {
     /** The largest number of energy samples; each costs about half an evaluation. */
     private static final long MOST_ENERGIES = 100_000;
 
-    private static final String ENERGY = "energy.png";
-    private static final String PHASE = "phase.png";
+    private static final String ENERGY = "energy";
+    private static final String PHASE = "phase";
 
     private final Scene scene;
     private final OutputFolder folder;
@@ -60,8 +61,8 @@ final class RunObservers implements AutoCloseable {
         addIf(output.frames().animation() > 0, GifAnimation.FILE, names);
         addIf(output.frames().film(), Film.FILE, names);
         for (String end : charts.svg() ? List.of(ChartWriter.PNG, ChartWriter.SVG) : List.of(ChartWriter.PNG)) {
-            addIf(output.energy(), ENERGY.replace(ChartWriter.PNG, end), names);
-            addIf(output.phase().isPresent(), PHASE.replace(ChartWriter.PNG, end), names);
+            addIf(output.energy(), ENERGY + end, names);
+            addIf(output.phase().isPresent(), PHASE + end, names);
         }
         addIf(charts.slide() && (output.energy() || output.phase().isPresent()), ChartWriter.PDF, names);
         addIf(replay, Replay.FILE, names);
@@ -164,25 +165,28 @@ final class RunObservers implements AutoCloseable {
             return;                                     // drawing classes are not even loaded
         }
         String title = scene.description().title() + " (" + caption() + "): ";
-        try (ChartWriter writer = new ChartWriter(folder, format)) {
-            if (scene.description().output().energy()) {
-                boolean log = energy.getHistory().hasGrown();
-                List<ChartData> charts = new ArrayList<>();
-                ChartData energies = energy.getHistory().chart(title);
-                charts.add(energies.titled(title + RunFindings.energy(energies.series())));
-                for (ChartData chart : energy.getLedger().charts(energy.getHistory().getScale(), log)) {
-                    charts.add(chart.titled(title + (chart.series().get(0).name().startsWith("work")
-                            ? RunFindings.work(chart.series(), !log) : RunFindings.error(chart.series()))));
-                }
-                writer.write(ENERGY, charts);
+        List<Picture> pictures = new ArrayList<>();
+        if (scene.description().output().energy()) {
+            boolean log = energy.getHistory().hasGrown();
+            List<ChartData> charts = new ArrayList<>();
+            ChartData energies = energy.getHistory().chart(title);
+            charts.add(energies.titled(title + RunFindings.energy(energies.series())));
+            for (ChartData chart : energy.getLedger().charts(energy.getHistory().getScale(), log)) {
+                charts.add(chart.titled(title + (chart.series().get(0).name().startsWith("work")
+                        ? RunFindings.work(chart.series(), !log) : RunFindings.error(chart.series()))));
             }
-            phase.ifPresent(history -> {
-                Axis axis = Axis.values()[scene.description().output().phase().orElseThrow().axis()];
-                ChartData path = history.chart(axis, title);
-                ChartData.Series states = path.series().get(0);
-                writer.writePhase(PHASE, path.titled(title + RunFindings.path(states)),
-                        VectorFields.around(scene.system(), axis, states.x(), states.y()));
-            });
+            pictures.add(Picture.stacked(ENERGY, "", charts));
+        }
+        phase.ifPresent(history -> {
+            Axis axis = Axis.values()[scene.description().output().phase().orElseThrow().axis()];
+            ChartData path = history.chart(axis, title);
+            ChartData.Series states = path.series().get(0);
+            pictures.add(Picture.phase(PHASE, "", path.titled(title + RunFindings.path(states)),
+                    VectorFields.around(scene.system(), axis, states.x(), states.y())));
+        });
+        try (ChartWriter writer = new ChartWriter(folder, format)) {
+            pictures.stream().flatMap(picture -> picture.laidOut(format).stream()).forEach(picture ->
+                    writer.write(picture.file(), picture.page(format).orElseThrow()));
         }
     }
 

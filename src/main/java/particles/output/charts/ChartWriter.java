@@ -7,13 +7,10 @@ import java.awt.image.DataBufferInt;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.output.files.PngEncoder;
 import particles.output.text.FontCheck;
-import particles.view.ChartData;
-import particles.view.VectorField;
 
 /** Writes charts as PNG pictures, and as SVG if wanted, all in one style; slides at the end once more as one PDF. */
 public final class ChartWriter implements AutoCloseable {
@@ -35,33 +32,6 @@ public final class ChartWriter implements AutoCloseable {
     public ChartWriter(OutputFolder folder, ChartFormat format) {
         this.folder = folder;
         this.format = format;
-    }
-
-    /**
-     * Writes charts above each other over the same x axis, or on slides each by itself.
-     *
-     * @param name   the file's name, such as {@code energy.png}; further slides have their quantity in the name
-     * @param charts the charts, at least one, the uppermost first
-     * @throws OutputException if a file cannot be written, or this machine has no font
-     */
-    public void write(String name, List<ChartData> charts) {
-        Panel whole = Panel.stacked(charts);
-        for (Panel page : format.slide() ? whole.apart(false) : List.of(whole)) {
-            boolean first = page.charts().get(0) == charts.get(0);
-            write(first ? name : name.replace(PNG, "-" + page.quantity() + PNG), ChartPage.of(page, format));
-        }
-    }
-
-    /**
-     * A path in state space.
-     *
-     * @param name  the file's name, such as {@code phase.png}
-     * @param data  position against velocity: the path, then points to be marked, such as its start
-     * @param field the arrows behind it, if there are any
-     * @throws OutputException if a file cannot be written, or this machine has no font
-     */
-    public void writePhase(String name, ChartData data, Optional<VectorField> field) {
-        write(name, ChartPage.of(Panel.phase(data, field), format));
     }
 
     /**

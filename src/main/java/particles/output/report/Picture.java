@@ -131,8 +131,11 @@ public record Picture(String name, String caption, String file, String title, Li
     /**
      * Splits a picture as the format needs: on slides each chart is a picture of its own; elsewhere only charts with
      * too many curves are split by solver families. The names of files say what is in them.
+     *
+     * @param format the format
+     * @return the pictures to be drawn
      */
-    List<Picture> laidOut(ChartFormat format) {
+    public List<Picture> laidOut(ChartFormat format) {
         boolean crowded = panels.stream().anyMatch(panel -> panel.curves() > format.mostCurves());
         if (format.slide() && slides.isPresent()) {
             return slides.get().stream().flatMap(slide -> slide.laidOut(format).stream()).toList();

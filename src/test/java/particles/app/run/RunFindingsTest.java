@@ -113,7 +113,9 @@ class RunFindingsTest {
     }
 
     @Test
-    void aPathOfOneStateHasNoHalves() {
+    void aPathOfOneStateHasNoHalvesAndOneMayEndAtRest() {
+        assertEquals("the particle is at rest in the second half of the path", RunFindings.path(new Series("path",
+                Mark.LINE, new double[] {3, 2, 1, 1, 1, 1}, new double[] {4, 2, 0, 0, 0, 0})));
         assertEquals("a path of 1 state", RunFindings.path(new Series("path", Mark.LINE, new double[1],
                 new double[1])));
     }

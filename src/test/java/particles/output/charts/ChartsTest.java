@@ -190,9 +190,11 @@ class ChartsTest {
         assertEquals(1.5, chart.getXYPlot().getDomainAxis().getUpperBound());
         OutputFolder folder = OutputFolder.open(top);
         ChartWriter writer = new ChartWriter(folder, ChartFormat.PAGE);
-        writer.writePhase("phase.png", chart(false, series("path", 1, 2, 3)), Optional.of(field));
-        writer.write("energy.png", List.of(chart(false, series("a", 0, 0)), chart(false, series("b", 0))));
-        writer.write("log.png", List.of(chart(true, series("nothing", -1, -1))));
+        writer.write("phase.png", ChartPage.of(Panel.phase(chart(false, series("path", 1, 2, 3)), Optional.of(field)),
+                ChartFormat.PAGE));
+        writer.write("energy.png", ChartPage.of(Panel.stacked(List.of(chart(false, series("a", 0, 0)),
+                chart(false, series("b", 0)))), ChartFormat.PAGE));
+        writer.write("log.png", ChartPage.of(Panel.chart(chart(true, series("nothing", -1, -1))), ChartFormat.PAGE));
         assertEquals(1440, ImageIO.read(top.resolve("phase.png").toFile()).getWidth(), "as wide as high, about");
         assertFalse(Files.exists(top.resolve("energy.svg")));
         assertTrue(Files.size(top.resolve("energy.png")) > 0);

@@ -27,6 +27,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Document;
 import particles.output.files.OutputFolder;
+import particles.output.report.Picture;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
@@ -160,8 +161,11 @@ class FittedChartTest {
     void slidesAreWideAndSvgHasTheTextOfTheChart(@TempDir Path top) throws Exception {
         ChartData below = new ChartData("", "time (s)", "energy error / scale", false, false,
                 List.of(new Series("b", Mark.LINE, new double[] {0, 1}, new double[] {0, 1})));
-        try (ChartWriter writer = new ChartWriter(OutputFolder.open(top), new ChartFormat(true, true))) {
-            writer.write("energy.png", List.of(ellipse(3), below));
+        ChartFormat format = new ChartFormat(true, true);
+        try (ChartWriter writer = new ChartWriter(OutputFolder.open(top), format)) {
+            for (Picture slide : Picture.stacked("energy", "", List.of(ellipse(3), below)).laidOut(format)) {
+                writer.write(slide.file(), slide.page(format).orElseThrow());
+            }
         }
         for (String name : List.of("energy.png", "energy-energy-error.png")) {
             BufferedImage slide = ImageIO.read(top.resolve(name).toFile());
@@ -179,8 +183,9 @@ class FittedChartTest {
     /** Lightness is inverted and hue kept: black text becomes white, and blue a light blue, in both kinds of file. */
     @Test
     void darkChartsAreTheSameOnBlack(@TempDir Path top) throws Exception {
-        new ChartWriter(OutputFolder.open(top), new ChartFormat(true, true, true)).write("energy.png",
-                List.of(ellipse(3)));
+        ChartFormat format = new ChartFormat(true, true, true);
+        new ChartWriter(OutputFolder.open(top), format).write("energy.png",
+                ChartPage.of(Panel.chart(ellipse(3)), format));
         assertEquals(0xff000000, ImageIO.read(top.resolve("energy.png").toFile()).getRGB(3, 3));
         String svg = Files.readString(top.resolve("energy.svg"));
         assertFalse(svg.matches("(?s).*(white|black|rgb\\().*"), svg);

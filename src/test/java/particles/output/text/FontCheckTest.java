@@ -15,7 +15,9 @@ import particles.ParticleSystem;
 import particles.Simulation;
 import particles.law.Vector3;
 import particles.output.charts.ChartFormat;
+import particles.output.charts.ChartPage;
 import particles.output.charts.ChartWriter;
+import particles.output.charts.Panel;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.output.frames.FrameObserver;
@@ -53,7 +55,8 @@ class FontCheckTest {
                 for (int k = 0; k < 2; k++) {
                     try {
                         new ChartWriter(folder, ChartFormat.PAGE).write("chart.png",
-                                List.of(new ChartData("t", "x", "y", false, false, List.of())));
+                                ChartPage.of(Panel.chart(new ChartData("t", "x", "y", false, false, List.of())),
+                                        ChartFormat.PAGE));
                     } catch (OutputException e) {
                         System.out.println(e.getMessage());
                     }
