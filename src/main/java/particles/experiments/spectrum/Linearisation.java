@@ -15,7 +15,6 @@ import particles.law.Reaction;
  * skew.
  */
 final class Linearisation {
-    private static final int POWER_STEPS = 30;
     private static final long SEED = 715;
 
     private final ParticleSystem system;
@@ -50,24 +49,15 @@ final class Linearisation {
                 && system.getReactions().stream().noneMatch(Reaction::isActive);
     }
 
-    /** @return w (1/s), about the largest angular frequency; 1 if there is no restoring force */
+    /** @return w (1/s), an angular frequency of the system's size; 1 if there is no restoring force */
     double getFrequency() {
         return frequency;
     }
 
     private double typicalFrequency() {
-        double[] q = random(coordinates());
-        double[] next = new double[q.length];
-        double square = 0;
-        for (int n = 0; n < POWER_STEPS && q.length > 0; n++) {
-            stiffness(q, next);
-            square = norm(next);
-            if (square == 0) {
-                return 1;
-            }
-            q = divided(next, square);
-        }
-        return square == 0 ? 1 : Math.sqrt(square);
+        double[] image = new double[coordinates()];
+        stiffness(random(coordinates()), image);
+        return norm(image) == 0 ? 1 : Math.sqrt(norm(image));
     }
 
     /** @return a direction of length 1 without preference, the same every time */
