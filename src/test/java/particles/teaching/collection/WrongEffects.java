@@ -161,6 +161,11 @@ final class WrongEffects {
                 wrong("A spring to the origin.", "velocity read for the position", "velocity",
                         p -> tether(p, 1, 1, Trait.CONSERVATIVE).force(each(p, (s, f, x, m)
                         -> push(f, x, -4, s, x + 3)))),
+                wrong("A spring to the origin.", "force to another centre", "pulls to another centre",
+                        p -> tether(p, 1, 1, Trait.CONSERVATIVE).moving().force(each(p, (s, f, x, m) -> {
+                            push(f, x, -4, s, x);
+                            f[x + 3] += 4;
+                        }))),
                 wrong("Drag.", "position read for the velocity", "position", p -> drag(p, 1, 1, Trait.DISSIPATIVE)
                         .force(each(p, (s, f, x, m) -> push(f, x, -0.4, s, x)))),
                 wrong("Gravity.", "begins at particle 1", "no force on particle 'p0'.*loop",
