@@ -54,7 +54,7 @@ class ArchitectureTest {
                                            particles.output.charts particles.output.files particles.output.report
                                            particles.spec particles.spec.documents particles.spec.messages
                                            particles.teaching particles.teaching.exercises
-                                           particles.teaching.marking particles.view picocli
+                                           particles.teaching.marking particles.view com.fasterxml.jackson picocli
             particles.app.experiments:     deSolvers.catalog deSolvers.text particles particles.app.cli
                                            particles.app.student particles.experiments.energy
                                            particles.experiments.lecture particles.experiments.phase
@@ -160,7 +160,7 @@ class ArchitectureTest {
             particles.teaching.effects:    deSolvers deSolvers.text particles particles.effects
                                            particles.effects.springs particles.law particles.spec particles.teaching
             particles.teaching.exercises:  deSolvers deSolvers.catalog deSolvers.problems particles
-                                           particles.effects.springs particles.energy
+                                           particles.energy
                                            particles.experiments.runs particles.law particles.scene
                                            particles.scene.format particles.spec particles.spec.messages
                                            particles.teaching.marking

@@ -1,30 +1,21 @@
 package particles.app.course;
 
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonToken;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
-import particles.spec.FlagType;
-import particles.spec.Key;
-import particles.spec.ListType;
-import particles.spec.MappingType;
-import particles.spec.NumberType;
-import particles.spec.Reading;
-import particles.spec.SourceText;
-import particles.spec.TextType;
-import particles.spec.Type;
-import particles.spec.Values;
-import particles.spec.YamlText;
 import particles.spec.documents.JsonText;
-import particles.spec.messages.Problems;
 
 /**
  * The result of one hand-in: the file grade.json. {@code status}, {@code max_score} and {@code tests} are those that
@@ -42,28 +33,6 @@ import particles.spec.messages.Problems;
 record Result(String student, String handedIn, Instant date, String program, String digest,
         List<String> problems, List<String> classes, List<Item> items) {
     static final String FILE = "grade.json";
-    private static final Type<String> TEXT = TextType.typed("a text");
-    private static final Key<String> NAME = TEXT.required("name", "Its name.");
-    private static final Key<String> STATUS = TEXT.required("status", "One of pass, fail, error.");
-    private static final Key<Double> SCORE = NumberType.notNegative("").required("score", "The points.");
-    private static final Key<Double> MOST = NumberType.notNegative("").required("max_score", "The most points.");
-    private static final Key<Boolean> ANSWERED = FlagType.FLAG.required("answered", "Whether it was handed in.");
-    private static final Key<String> MESSAGE = TEXT.required("message", "The first line of comment.");
-    private static final Key<List<String>> MORE = ListType.of("a line", TEXT).required("more", "Further lines.");
-    private static final Key<Double> LINE = NumberType.notNegative("").required("line_no", "0: none.");
-    private static final Key<List<Values>> TESTS = ListType.of("a test", MappingType.of("a test", NAME, STATUS, SCORE,
-            MOST, ANSWERED, MESSAGE, MORE, LINE)).required("tests", "The marks.");
-    private static final Key<String> STUDENT = TEXT.required("student", "The id.");
-    private static final Key<String> HANDED_IN = TEXT.required("handedIn", "The name of the hand-in.");
-    private static final Key<String> DATE = TEXT.required("date", "Its date.");
-    private static final Key<String> DIGEST = TEXT.required("digest", "Of all on which the result depends.");
-    private static final Key<String> PROGRAM = TEXT.required("program", "The version of the program.");
-    private static final Key<List<String>> PROBLEMS = ListType.of("a line", TEXT).required("problems", "Lines.");
-    private static final Key<List<String>> CLASSES = ListType.of("a class", TEXT).required("classes", "Shapes.");
-    private static final MappingType FORMAT = MappingType.of("the result", NumberType.any("").required("version",
-            "Of the format of tests."), STATUS, MOST, TESTS, STUDENT, HANDED_IN, DATE, DIGEST, PROGRAM, PROBLEMS,
-            CLASSES);
-
     /**
      * A mark.
      *
@@ -133,26 +102,60 @@ record Result(String student, String handedIn, Instant date, String program, Str
     /**
      * @param file a file with a result
      * @return the result
-     * @throws Failure with a line for each mistake if it is none
+     * @throws Failure if it is none
      */
     static Result read(Path file) {
-        Problems problems = new Problems();
-        Reading in = new Reading(file.toString().replace('\\', '/'), problems);
-        Optional<Values> read = SourceText.read(file, in).flatMap(bytes -> YamlText.compose(bytes, in))
-                .map(root -> FORMAT.readRoot(root, in));
-        if (problems.count() > 0) {
-            throw new Failure(ExitCode.BAD_INPUT, problems.lines());
+        try (JsonParser in = new JsonFactory().createParser(Files.readString(file))) {
+            in.nextToken();
+            Map<?, ?> all = (Map<?, ?>) value(in);
+            return new Result(text(all, "student"), text(all, "handedIn"), Instant.parse(text(all, "date")),
+                    text(all, "program"), text(all, "digest"), texts(all, "problems"), texts(all, "classes"),
+                    ((List<?>) all.get("tests")).stream().map(test -> item((Map<?, ?>) test)).toList());
+        } catch (IOException | RuntimeException e) {
+            throw new Failure(ExitCode.BAD_INPUT, file + ": this is not a result of grade, or it is damaged");
         }
-        Values all = read.orElseThrow();
-        return new Result(all.get(STUDENT), all.get(HANDED_IN), Instant.parse(all.get(DATE)), all.get(PROGRAM),
-                all.get(DIGEST), all.get(PROBLEMS), all.get(CLASSES), all.get(TESTS).stream().map(Result::item)
-                .toList());
     }
 
-    private static Item item(Values test) {
-        return new Item(test.get(NAME), test.get(ANSWERED), Status.valueOf(test.get(STATUS).toUpperCase(Locale.ROOT)),
-                test.get(MOST), test.get(MESSAGE).isEmpty() ? List.of() : Stream.concat(Stream.of(test.get(MESSAGE)),
-                test.get(MORE).stream()).toList());
+    private static Item item(Map<?, ?> test) {
+        List<String> lines = new ArrayList<>(texts(test, "more"));
+        if (!text(test, "message").isEmpty()) {
+            lines.add(0, text(test, "message"));
+        }
+        return new Item(text(test, "name"), (Boolean) test.get("answered"), Status.valueOf(text(test, "status")
+                .toUpperCase(Locale.ROOT)), (Double) test.get("max_score"), lines);
+    }
+
+    private static String text(Map<?, ?> map, String key) {
+        return map.get(key).toString();
+    }
+
+    private static List<String> texts(Map<?, ?> map, String key) {
+        return ((List<?>) map.get(key)).stream().map(Object::toString).toList();
+    }
+
+    private static Object value(JsonParser in) throws IOException {
+        switch (in.currentToken()) {
+            case START_OBJECT:
+                Map<String, Object> map = new LinkedHashMap<>();
+                while (in.nextToken() != JsonToken.END_OBJECT) {
+                    String key = in.currentName();
+                    in.nextToken();
+                    map.put(key, value(in));
+                }
+                return map;
+            case START_ARRAY:
+                List<Object> list = new ArrayList<>();
+                while (in.nextToken() != JsonToken.END_ARRAY) {
+                    list.add(value(in));
+                }
+                return list;
+            case VALUE_STRING:
+                return in.getText();
+            case VALUE_TRUE, VALUE_FALSE:
+                return in.getBooleanValue();
+            default:
+                return in.getDoubleValue();
+        }
     }
 
     /** @return all results in the folders of this folder */

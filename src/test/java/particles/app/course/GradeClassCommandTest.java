@@ -189,7 +189,7 @@ class GradeClassCommandTest {
         Files.createDirectories(damaged.getParent());
         Files.writeString(damaged, "{\"version\": 1}");
         assertTrue(grade(ExitCode.BAD_INPUT, options("--collect=" + folder.resolve("one")))
-                .contains("grade.json:1:1: the result needs 'student'"));
+                .contains("grade.json: this is not a result of grade, or it is damaged"));
     }
 
     private Map<String, String> tables() throws Exception {

@@ -3,6 +3,8 @@ package particles.teaching.exercises;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import deSolvers.RK4Solver;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.DoubleUnaryOperator;
@@ -11,6 +13,14 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import particles.Observer;
+import particles.ParticleSystem;
+import particles.Rule;
+import particles.effects.springs.SpringForce;
+import particles.law.Vector3;
+import particles.scene.Scene;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneReader;
 import particles.teaching.marking.Draw;
 import particles.teaching.marking.NumericExercise;
 import particles.teaching.marking.Question;
@@ -141,13 +151,37 @@ class ClosedFormsTest {
         });
     }
 
+    /** A thousandth below the answer RK4 is stable on the chain, and a thousandth above it is not. */
     @Test
     void theChainsFastestMotionSetsTheStep() {
-        hold(6, 3e-4, text -> {
-            int n = Integer.parseInt(text.substring(0, 1));
-            return 2 * Math.sqrt(2) / (2 * Math.sqrt(after(text, "k = ") / after(text,
-                    "m = ")) * StrictMath.sin(n * Math.PI / (2 * (n + 1))));
-        });
+        for (int s = 0; s < STUDENTS; s++) {
+            Question question = ((NumericExercise) Exercises.all().get(5)).question(new Draw("student " + s, 6));
+            int n = Integer.parseInt(question.text().substring(0, 1));
+            double m = after(question.text(), "m = ");
+            double k = after(question.text(), "k = ");
+            assertTrue(growth(n, m, k, 0.999 * question.answer()) < 1, question.text());
+            assertTrue(growth(n, m, k, 1.001 * question.answer()) > 10, question.text());
+        }
+    }
+
+    /** The factor of the energy in 2000 steps; neighbours begin against each other. */
+    private static double growth(int count, double m, double k, double deltaT) {
+        ParticleSystem system = new ParticleSystem();
+        SpringForce springs = new SpringForce(system.getParticles());
+        for (int i = 0; i < count + 2; i++) {
+            boolean wall = i == 0 || i == count + 1;
+            double aside = wall ? 0 : i % 2 == 0 ? 1e-9 : -1e-9;
+            system.addParticle("p" + i, m, new Vector3(i + aside, 0, 0), Vector3.ZERO, wall);
+            if (i > 0) {
+                springs.addSpring(i - 1, i, k, 1, 0);
+            }
+        }
+        system.addEffect(springs);
+        double before = system.getEnergy(system.getOwnState(), 0);
+        for (int step = 0; step < 2000; step++) {
+            new RK4Solver().stepState(system, deltaT);
+        }
+        return system.getEnergy(system.getOwnState(), 0) / before;
     }
 
     /** k x^2 + m v^2 - deltaT k x v stays what it is, and the energy is largest on the ellipse's diagonal. */
@@ -203,10 +237,29 @@ class ClosedFormsTest {
     @Test
     void flightsFormAGeometricSeries() {
         hold(11, 1e-7, text -> {
-            double r = after(text, "r = ");
-            int n = (int) after(text, "for the ");
-            double sum = r * (1 - StrictMath.pow(r, n - 1)) / (1 - r);
-            return Math.sqrt(2 * after(text, "its middle ") / after(text, "g = ")) * (1 + 2 * sum);
+            int bounce = (int) after(text, "for the ");
+            double fall = Math.sqrt(2 * after(text, "its middle ") / after(text, "g = "));
+            Scene scene = SceneBuilder.build(SceneReader.read("a ball", """
+                    title: A ball
+                    teaches: When it bounces.
+                    solver: rk4
+                    deltaT: %s
+                    duration: %s
+                    impact: exact
+                    particles: [{id: ball, position: [0, %s, 0]}]
+                    effects: [gravity: {acceleration: [0, -%s, 0]}]
+                    rules: [ground: {restitution: %s, restSpeed: 1e-9}]
+                    """.formatted(fall / 16, fall * (2 * bounce + 1), after(text, "its middle "), after(text, "g = "),
+                    after(text, "r = ")).getBytes(StandardCharsets.UTF_8)));
+            List<Double> times = new ArrayList<>();
+            scene.simulation().addObserver(new Observer() {
+                @Override
+                public void changed(ParticleSystem system, Rule rule) {
+                    times.add(system.getTime());
+                }
+            });
+            scene.simulation().run();
+            return times.get(bounce - 1);
         });
     }
 
