@@ -58,8 +58,8 @@ public final class ParticleSystem implements JacobianStateSource, ArrayStateSour
         if (state.length < needed) {
             state = Arrays.copyOf(state, Math.max(needed, STRIDE * particles.getMasses().length));
         }
-        double[] values = {position.x(), position.y(), position.z(), velocity.x(), velocity.y(), velocity.z()};
-        System.arraycopy(values, 0, state, STRIDE * i, STRIDE);
+        position.put(state, STRIDE * i);
+        velocity.put(state, STRIDE * i + 3);
         return i;
     }
 

@@ -60,7 +60,7 @@ public final class Gravity implements PerParticleEffect, DifferentiableEffect {
         double energy = 0;
         for (int i = 0; i < particles.count(); i++) {
             if (!particles.isFixed(i)) {
-                energy -= particles.mass(i) * g.dot(new Vector3(state[6 * i], state[6 * i + 1], state[6 * i + 2]));
+                energy -= particles.mass(i) * g.dot(Vector3.at(state, 6 * i));
             }
         }
         return energy;

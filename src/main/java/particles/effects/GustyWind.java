@@ -46,9 +46,7 @@ public final class GustyWind implements Wind {
     public void getVelocities(double[] state, double time, double[] wind, int from, int to) {
         Vector3 u = velocityAt(time);
         for (int v = 6 * from + 3; v < 6 * to; v += 6) {
-            wind[v] = u.x();
-            wind[v + 1] = u.y();
-            wind[v + 2] = u.z();
+            u.put(wind, v);
         }
     }
 

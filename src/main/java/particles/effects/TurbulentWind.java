@@ -55,8 +55,8 @@ public final class TurbulentWind implements Wind {
             Vector3 direction = random.nextDirection(new Vector3(0, 1, 0), Math.PI);
             Vector3 along = random.nextDirection(new Vector3(0, 1, 0), Math.PI);
             Vector3 across = along.minus(direction.times(along.dot(direction))).normalized();
-            put(k, w, direction.times(number));
-            put(amplitude, w, across.times(a));
+            direction.times(number).put(k, 3 * w);
+            across.times(a).put(amplitude, 3 * w);
             frequency[w] = a * number + direction.times(number).dot(mean);
             phase[w] = 2 * Math.PI * random.nextDouble();
         }
@@ -64,12 +64,6 @@ public final class TurbulentWind implements Wind {
 
     private static double numberOf(int wave, double eddySize) {
         return Math.PI / eddySize * StrictMath.pow(1 / SMALLEST, wave / (WAVES - 1.0));
-    }
-
-    private static void put(double[] array, int wave, Vector3 vector) {
-        array[3 * wave] = vector.x();
-        array[3 * wave + 1] = vector.y();
-        array[3 * wave + 2] = vector.z();
     }
 
     @Override

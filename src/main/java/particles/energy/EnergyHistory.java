@@ -3,10 +3,10 @@ package particles.energy;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.DoubleUnaryOperator;
 import particles.ParticleSystem;
 import particles.law.Effect;
 import particles.view.ChartData;
-import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 
 /**
@@ -159,6 +159,7 @@ public final class EnergyHistory extends StridedRecorder {
         }
         List<Series> series = new ArrayList<>();
         double zero = zero();
+        boolean log = hasGrown();
         List<Series> parts = new ArrayList<>();
         List<String> shifted = new ArrayList<>();
         for (int e = 0; e < effects.size(); e++) {
@@ -170,18 +171,14 @@ public final class EnergyHistory extends StridedRecorder {
             if (lowest != 0) {
                 shifted.add(effects.get(e).getName());
             }
-            parts.add(line("potential: " + effects.get(e).getName(), energy, lowest));
+            parts.add(energy.line("potential: " + effects.get(e).getName(), from(lowest, log)));
         }
-        series.add(line("total", total, zero));
-        series.add(line("kinetic", kinetic, 0));
+        series.add(total.line("total", from(zero, log)));
+        series.add(kinetic.line("kinetic", from(0, log)));
         if (parts.size() > 1) {
-            series.add(line("potential", potential, zero));
+            series.add(potential.line("potential", from(zero, log)));
         }
         series.addAll(parts);
-        boolean log = hasGrown();
-        if (log) {
-            series.forEach(line -> dropRounding(line.y(), total.largest() - zero));
-        }
         String axis = "energy (J)" + (shifted.isEmpty() ? ""
                 : "; " + String.join(" and ", shifted) + " is 0 at its lowest");
         return new ChartData(title, "time (s)", axis, false, log, List.copyOf(series));
@@ -198,18 +195,12 @@ public final class EnergyHistory extends StridedRecorder {
         return before > ROUND_OFF * largest && largest > MUCH * before;
     }
 
-    /** Replaces round-off, which would stretch a logarithmic axis to 1e-30, by 0, which is not drawn on it. */
-    private static void dropRounding(double[] energies, double largest) {
-        for (int k = 0; k < energies.length; k++) {
-            energies[k] = energies[k] > ROUND_OFF * largest ? energies[k] : 0;
-        }
-    }
-
-    private static Series line(String name, MinMaxThinning energy, double zero) {
-        double[][] points = energy.points();
-        for (int k = 0; k < points[1].length; k++) {
-            points[1][k] -= zero;
-        }
-        return new Series(name, Mark.LINE, points[0], points[1]);
+    /**
+     * Energies above a zero. On a logarithmic axis round-off, which would stretch it to 1e-30, becomes 0, which is not
+     * drawn.
+     */
+    private DoubleUnaryOperator from(double zero, boolean log) {
+        double largest = total.largest() - zero();
+        return joules -> log && !(joules - zero > ROUND_OFF * largest) ? 0 : joules - zero;
     }
 }

@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.DoubleUnaryOperator;
 import particles.Motion;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.view.ChartData;
-import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 
 /**
@@ -105,7 +105,7 @@ public final class EnergyLedgerRecorder extends StridedRecorder {
         List<Series> lines = new ArrayList<>();
         work.forEach((name, joules) -> {
             if (joules.smallest() != 0 || joules.largest() != 0) {
-                lines.add(line("work: " + name, joules, 1, log));
+                lines.add(joules.line("work: " + name, shown(1, log)));
             }
         });
         if (!lines.isEmpty()) {
@@ -116,7 +116,7 @@ public final class EnergyLedgerRecorder extends StridedRecorder {
         }
         charts.add(new ChartData("numerical error: change of energy minus the work of physics", "time (s)",
                 size("numerical error", log) + " / scale", false, log,
-                List.of(line("numerical error", error, scale, log))));
+                List.of(error.line("numerical error", shown(scale, log)))));
         return charts;
     }
 
@@ -124,12 +124,10 @@ public final class EnergyLedgerRecorder extends StridedRecorder {
         return log ? "|" + name + "|" : name;
     }
 
-    private static Series line(String name, MinMaxThinning energy, double scale, boolean log) {
-        double[][] points = energy.points();
-        for (int k = 0; k < points[1].length; k++) {
-            double part = points[1][k] == 0 ? 0 : points[1][k] / scale;
-            points[1][k] = log ? Math.abs(part) : part;
-        }
-        return new Series(name, Mark.LINE, points[0], points[1]);
+    private static DoubleUnaryOperator shown(double scale, boolean log) {
+        return joules -> {
+            double part = joules == 0 ? 0 : joules / scale;
+            return log ? Math.abs(part) : part;
+        };
     }
 }

@@ -3,6 +3,9 @@ package particles.energy;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.DoubleUnaryOperator;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
 
 /**
  * Thins a quantity over time to a few thousand points without losing an extreme. Neighbouring samples share a bucket,
@@ -103,5 +106,11 @@ public final class MinMaxThinning {
         }
         return new double[][] {kept.stream().mapToDouble(Sample::time).toArray(),
             kept.stream().mapToDouble(Sample::value).toArray()};
+    }
+
+    /** @return a line through the points kept, with each value shown in its own way */
+    Series line(String name, DoubleUnaryOperator shown) {
+        double[][] points = points();
+        return new Series(name, Mark.LINE, points[0], Arrays.stream(points[1]).map(shown).toArray());
     }
 }

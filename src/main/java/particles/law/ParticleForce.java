@@ -45,7 +45,7 @@ public abstract class ParticleForce implements Effect {
     @Override
     public final void addForces(double[] state, double time, double[] force) {
         for (int i = 0, x = 0; i < particles.count(); i++, x += Particles.STRIDE) {
-            Vector3 f = getForce(position(state, x), velocity(state, x), particles.mass(i), time);
+            Vector3 f = getForce(Vector3.at(state, x), Vector3.at(state, x + 3), particles.mass(i), time);
             force[x + 3] += f.x();
             force[x + 4] += f.y();
             force[x + 5] += f.z();
@@ -58,17 +58,9 @@ public abstract class ParticleForce implements Effect {
         double energy = 0;
         for (int i = 0; i < particles.count(); i++) {
             if (!particles.isFixed(i)) {
-                energy += getPotentialEnergy(position(state, Particles.STRIDE * i), particles.mass(i), time);
+                energy += getPotentialEnergy(Vector3.at(state, Particles.STRIDE * i), particles.mass(i), time);
             }
         }
         return energy;
-    }
-
-    private static Vector3 position(double[] state, int x) {
-        return new Vector3(state[x], state[x + 1], state[x + 2]);
-    }
-
-    private static Vector3 velocity(double[] state, int x) {
-        return new Vector3(state[x + 3], state[x + 4], state[x + 5]);
     }
 }

@@ -58,7 +58,7 @@ public final class VectorType extends Type<Vector3> {
         if (right && !zeroAllowed && values[0] == 0 && values[1] == 0 && values[2] == 0) {
             return wrong(node, what, in);
         }
-        return right ? Optional.of(new Vector3(values[0], values[1], values[2])) : Optional.empty();
+        return right ? Optional.of(Vector3.at(values, 0)) : Optional.empty();
     }
 
     @Override

@@ -55,11 +55,11 @@ public final class Extent implements Observer {
 
     /** @return the corner with the lowest coordinates (m); infinite before a run */
     public Vector3 low() {
-        return new Vector3(low[0], low[1], low[2]);
+        return Vector3.at(low, 0);
     }
 
     /** @return the corner with the highest coordinates (m) */
     public Vector3 high() {
-        return new Vector3(high[0], high[1], high[2]);
+        return Vector3.at(high, 0);
     }
 }

@@ -133,7 +133,7 @@ public final class FrameState {
     }
 
     private static Vector3 vector(double[] numbers, int i) {
-        return new Vector3(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
+        return Vector3.at(numbers, 3 * i);
     }
 
     /** Shares the springs, fixed particles, lives and marks of another state, which nobody changes any more. */

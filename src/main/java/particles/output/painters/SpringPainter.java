@@ -83,9 +83,7 @@ public record SpringPainter(RoundShapes shapes, CameraProjection view, RenderOpt
             double angle = 2 * Math.PI * turns * (t - STRAIGHT) / (1 - 2 * STRAIGHT);
             Vector3 place = from.plus(along.times(t * length)).plus(second.times(radius * Math.sin(angle)))
                     .plus(first.times(radius * Math.cos(angle)));
-            helix[3 * k] = place.x();
-            helix[3 * k + 1] = place.y();
-            helix[3 * k + 2] = place.z();
+            place.put(helix, 3 * k);
         }
         ProjectedParticles coil = new ProjectedParticles(view, helix, segments + 1);
         boolean seen = false;

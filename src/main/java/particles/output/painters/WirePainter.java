@@ -60,9 +60,7 @@ public final class WirePainter {
         double[] points = new double[3 * (pieces + 1)];
         for (int k = 0; k <= pieces; k++) {
             Vector3 place = curve.at(from + (to - from) * k / pieces);
-            points[3 * k] = place.x();
-            points[3 * k + 1] = place.y();
-            points[3 * k + 2] = place.z();
+            place.put(points, 3 * k);
         }
         return points;
     }

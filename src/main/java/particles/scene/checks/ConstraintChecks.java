@@ -196,8 +196,8 @@ final class ConstraintChecks {
         Vector3 at = from;
         for (int n = 0; n < MOST_STEPS; n++) {
             curve.evaluate(new double[] {at.x(), at.y(), at.z(), 0, 0, 0}, 0, off, g, new double[Curve.ROWS]);
-            Vector3 a = new Vector3(g[0], g[1], g[2]);
-            Vector3 b = new Vector3(g[3], g[4], g[5]);
+            Vector3 a = Vector3.at(g, 0);
+            Vector3 b = Vector3.at(g, 3);
             double determinant = a.dot(a) * b.dot(b) - a.dot(b) * a.dot(b);
             at = at.minus(a.times((b.dot(b) * off[0] - a.dot(b) * off[1]) / determinant))
                     .minus(b.times((a.dot(a) * off[1] - a.dot(b) * off[0]) / determinant));

@@ -39,7 +39,7 @@ abstract class MotionKinds extends RuleKind {
     public Vector3 startVelocity(Values values, ParticleIndex index) {
         double[] at = new double[9];
         motion(values, index.position(values.get(PARTICLE))).at(0, at);
-        return new Vector3(at[3], at[4], at[5]);
+        return Vector3.at(at, 3);
     }
 
     @Override
