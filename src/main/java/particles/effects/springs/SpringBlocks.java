@@ -76,29 +76,6 @@ final class SpringBlocks {
         return 2 * count - (2 * count >> level) + (a >> level);
     }
 
-    /** Adapts the blocks to the removal of springs; the others keep their order. */
-    void remove(boolean[] gone) {
-        int[] before = starts.clone();
-        int stay = 0;
-        for (int s = 0, b = 0; b < 2 * count; s++) {
-            while (b < 2 * count && before[b] == s) {
-                starts[b++] = stay;
-            }
-            stay += s < gone.length && !gone[s] ? 1 : 0;
-        }
-    }
-
-    /** Adapts the ranges after particles were removed. */
-    void reindex(int[] newIndex) {
-        int[] before = firstParticles.clone();
-        for (int i = 0, stay = 0, b = 1; b < count; i++) {
-            while (b < count && before[b] == i) {
-                firstParticles[b++] = stay;
-            }
-            stay += i < newIndex.length && newIndex[i] >= 0 ? 1 : 0;
-        }
-    }
-
     /** The number of blocks, a power of two. */
     int count() {
         return count;

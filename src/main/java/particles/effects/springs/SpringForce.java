@@ -21,7 +21,7 @@ import particles.view.SpringView;
  * of the law; for l &gt; 0 it is an unstable equilibrium.
  *
  * <p>Spring indices are in the order of adding until forces are first evaluated; then springs are sorted by their first
- * particle. Indices become invalid when springs are added.
+ * particle. Indices become invalid when springs are added or removed.
  *
  * <p>Potential energy k (|r| - l)&sup2; / 2, dissipated power k_d (d|r|/dt)&sup2;. Source: COMPSCI 715 (2003), slides
  * "Spring Force" and "Damped Spring Force".
@@ -181,7 +181,7 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
     }
 
     /**
-     * Removes springs. The others keep their order.
+     * Removes springs.
      *
      * @param gone for each spring, whether to remove it
      */

@@ -9,8 +9,6 @@ import particles.law.Particles;
  * can be added and removed; they are removed with their particles.
  */
 final class SpringTable {
-    private static final int NOT_COUNTED = -1;
-
     int count;
     int[] from = new int[8];                            // state index of the first particle
     int[] to = new int[8];
@@ -18,7 +16,7 @@ final class SpringTable {
     double[] restLength = new double[8];
     double[] damping = new double[8];
     // how many particles begin springs, in the order of the table
-    private int owners = NOT_COUNTED;
+    private int owners;
     private boolean arranged;
     private boolean sorted = true;
     private final SpringBlocks blocks = new SpringBlocks();
@@ -56,13 +54,9 @@ final class SpringTable {
             to[s] = Particles.STRIDE * j;
         }
         remove(gone);
-        blocks.reindex(newIndex);
     }
 
     void remove(boolean[] gone) {
-        if (arranged) {
-            blocks.remove(gone);
-        }
         int stay = 0;
         for (int s = 0; s < count; s++) {
             if (!gone[s]) {
@@ -70,7 +64,7 @@ final class SpringTable {
             }
         }
         count = stay;
-        owners = NOT_COUNTED;
+        arranged = false;
     }
 
     private void move(int s, int stay) {
@@ -86,17 +80,15 @@ final class SpringTable {
      * its springs; then divides them into blocks.
      */
     void arrange() {
-        if (arranged && owners != NOT_COUNTED) {
+        if (arranged) {
             return;
         }
-        if (!arranged) {
-            if (!sorted) {
-                sort();
-            }
-            put(blocks.divide(from, to, count));
-            sorted = blocks.count() == 1;
-            arranged = true;
+        if (!sorted) {
+            sort();
         }
+        put(blocks.divide(from, to, count));
+        sorted = blocks.count() == 1;
+        arranged = true;
         owners = 0;
         for (int s = 0; s < count; s++) {
             owners += s == 0 || from[s] != from[s - 1] ? 1 : 0;
