@@ -89,6 +89,7 @@ final class HandwrittenSolvers {
                 increment("random",
                         "^method: two new solvers make different steps from the same place: something is random,"
                         + " or static", (f, h) -> h * f * (1 + 0.01 * random.nextDouble())),
+                increment("gravity of its own", "something is added", (f, h) -> h * (f - 9.81)),
                 increment("NaN", "^state: the new state is NaN", (f, h) -> Math.sqrt(-1 - f * f)),
                 wrong("ClassicRK", "deltaT twice", "multiplied by deltaT twice", (source, h) -> {
                     double[] s = state(source);

@@ -179,6 +179,15 @@ final class SolverSpecimens {
                 Ruth3 | kick first | | turns 0 2/3 -2/3 1 -> 7/24 3/4 -1/24
                 BackwardEulerNewton | full Newton | | BACKWARD : newton 1e-12 50
                 ImplicitMidpoint | simple iteration | | IMPLICIT_MIDPOINT : simple 1e-13 500
+                MersonSolver | Merson | | rk 1/3; 1/6 1/6; 1/8 0 3/8; 1/2 0 -3/2 2 -> 1/6 0 0 2/3 1/6
+                TextTableSolver | Nystrom of order 3 | | rk 2/3; 0 2/3 -> 1/4 3/8 3/8
+                GenericRK2Solver | alpha is 3/5 | | rk 3/5 -> 1/6 5/6
+                McLachlanSolver | two stages | | turns 0.1931833275037836 0.6136333449924328 0.1931833275037836 \
+                -> 1/2 1/2
+                BlanesMoanSolver | six stages, order 4 | | turns 0.0792036964311957 0.353172906049774 \
+                -0.0420650803577195 0.2193769557534996 -0.0420650803577195 0.353172906049774 0.0792036964311957 \
+                -> 0.209515106613362 -0.143851773179818 0.434336666566456 0.434336666566456 -0.143851773179818 \
+                0.209515106613362
                 R01HeunSolver | Heun, numbered | | rk HEUN
                 A3HeunSolver | Heun, numbered | | rk HEUN
                 R03KuttaThirdOrderSolver | Kutta | | rk 1/2; -1 2 -> 1/6 2/3 1/6
@@ -422,6 +431,15 @@ final class SolverSpecimens {
                 | pair 1/2; 0 3/4; 2/9 1/3 4/9 -> 2/9 1/3 1/9 0 -> 7/24 1/4 0 1/8 : 1e-8 3
                 W138AdaptiveBogackiShampine | trial loop to n - 1 | trial state at evaluation 2: 23; \
                 | pair BOGACKI : 1e-8 3 loop
+                EarlyClockHeun | the clock moves first | k1 is evaluated at t \\+ deltaT | rk HEUN @ 1 1
+                SSPRK3Mixed | s for the first stage | k3 is evaluated at s \\+ k2/4 \
+                | rk 1; 0 1/4 -> 0 1/6 2/3 @ 0 1 1/2
+                Kutta3Swapped | k1 and k2 exchanged | k3 is evaluated at s \\+ 2 k1 - k2 \
+                | rk 1/2; 2 -1 -> 1/6 2/3 1/6
+                KuttaEighths | divided by 8 | 3/4 times what it should be | rk RK4 1/8 1/4 1/4 1/8
+                Yoshida4Root | Math.pow(2, 1 / 3) | not a symplectic method of order 4 | LEAPFROG
+                SDIRK2Half | gamma is 1/2 | error does not go to 0/or/add up \
+                | irk 1/2; 0.7071067811865476 1/2 -> 0.7071067811865476 1/2 SIMPLE
                 GaussSolver | clocks of the stages exchanged | at another clock than their states \
                 | irk 0.25 -0.03867513459481287; 0.5386751345948129 0.25 -> 1/2 1/2 \
                 @ 0.7886751345948129 0.21132486540518713 NEWTON
