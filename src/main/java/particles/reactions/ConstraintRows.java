@@ -23,7 +23,7 @@ final class ConstraintRows {
     private int[] bead = new int[4];                    // by bead: its particle
     private Curve[] curve = new Curve[4];
 
-    double[] value = {};                                // by row: rods first, then then two for each bead
+    double[] value = {};                                // by row: rods first, then two for each bead
     double[] rate = {};
     double[] bend = {};
     double[] gradient = {};                             // 6 a row: for the first and second particle

@@ -1,5 +1,2 @@
-/**
- * Contact of one particle with surfaces: contact modes, normal forces, friction, and their derivatives for implicit
- * solvers.
- */
+/** Contact of one particle with surfaces: the surfaces, contact modes, laws of friction and directions of sliding. */
 package particles.reactions.contact;
