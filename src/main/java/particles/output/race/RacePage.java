@@ -73,7 +73,7 @@ record RacePage(int width, int height, int columns, int panelWidth, int panelHei
     private static RacePage of(int width, int height, int panels, int wide, int high) {
         int columns = columns(panels);
         int bottom = bottom(panels, high);
-        int left = margin(width, columns, wide) + panels % columns * (wide + GAP);
+        int left = GAP + panels % columns * pitch(width, columns);
         return new RacePage(width, height, columns, wide, high, panels % columns == 0
                 ? new Rectangle2D.Double(0, bottom, width, height - bottom)
                 : new Rectangle2D.Double(left, bottom - GAP - high - LABEL, width - left, high + LABEL));
@@ -93,8 +93,9 @@ record RacePage(int width, int height, int columns, int panelWidth, int panelHei
         return new BufferedImage(panelWidth, panelHeight, BufferedImage.TYPE_INT_RGB);
     }
 
-    private static int margin(int page, int columns, int panel) {
-        return (page - columns * (panel + GAP) + GAP) / 2;
+    /** From a panel to the next; the text above each may be wider than the panel. */
+    private static int pitch(int width, int columns) {
+        return (width - GAP) / columns;
     }
 
     /**
@@ -122,7 +123,7 @@ record RacePage(int width, int height, int columns, int panelWidth, int panelHei
         g.drawString(String.format(Locale.ROOT, "t = %.2f s", time),
                 width - GAP - g.getFontMetrics().stringWidth("t = 0000.00 s"), 24);
         for (int k = 0; k < panels.size(); k++) {
-            int x = margin(width, columns, panelWidth) + k % columns * (panelWidth + GAP);
+            int x = GAP + k % columns * pitch(width, columns);
             int y = HEAD + k / columns * (LABEL + panelHeight + GAP);
             drawLabel(g, head.words().get(k), x, y);
             g.drawImage(panels.get(k), x, y + LABEL, panelWidth, panelHeight, null);
@@ -153,9 +154,9 @@ record RacePage(int width, int height, int columns, int panelWidth, int panelHei
         g.fill(look.shape());
         g.translate(-x - 18, -y - 12);
         g.setColor(ChartStyle.TEXT);
-        drawFitting(g, NAME, words.name(), x + 40, y + 17, panelWidth - 40);
+        drawFitting(g, NAME, words.name(), x + 40, y + 17, pitch(width, columns) - GAP - 40);
         g.setColor(ChartStyle.AXIS);
-        drawFitting(g, SMALL, words.step() + ", " + words.cost(), x + 2, y + 32, panelWidth - 4);
+        drawFitting(g, SMALL, words.step() + ", " + words.cost(), x + 2, y + 32, pitch(width, columns) - GAP - 2);
     }
 
     /** A run that has left the race stays visible, faint, with the time at which it left. */
