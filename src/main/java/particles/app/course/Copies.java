@@ -56,25 +56,20 @@ final class Copies {
 
     /**
      * @param classes what {@link #of} says of each student's classes
-     * @return for each class to look at, its student and the reason
+     * @return for each group of classes that are alike, and for each that uses our solvers, the students and the reason
      */
     static List<Map.Entry<String, String>> toLookAt(Map<String, List<String>> classes) {
         Map<String, Set<String>> alike = new TreeMap<>();
-        classes.forEach((student, all) -> all.forEach(each -> alike.computeIfAbsent(each.split(" ")[1], s ->
-                new TreeSet<>()).add(student)));
         List<Map.Entry<String, String>> reasons = new ArrayList<>();
         classes.forEach((student, all) -> all.forEach(each -> {
             String[] words = each.split(" ");
-            Set<String> others = new TreeSet<>(alike.get(words[1]));
-            others.remove(student);
-            if (!others.isEmpty()) {
-                reasons.add(Map.entry(student, words[0] + " is the same but for names, comments and layout as that of "
-                        + String.join(", ", others)));
-            }
+            alike.computeIfAbsent(words[1], shape -> new TreeSet<>()).add(student + " (" + words[0] + ")");
             if (each.endsWith(" " + USES)) {
                 reasons.add(Map.entry(student, words[0] + " uses a solver of the project"));
             }
         }));
+        alike.values().stream().filter(group -> group.size() > 1).forEach(group -> reasons.add(Map.entry(String.join(
+                ", ", group), "the same but for names, comments and layout")));
         return reasons;
     }
 }

@@ -123,7 +123,7 @@ class GradeClassCommandTest {
         assertTrue(screen.contains("broken.zip cannot be read") && screen.contains("nothing was handed in by nobody"),
                 screen);
         String html = Files.readString(folder.resolve("out/class.html"));
-        assertTrue(html.contains("MySolver is the same but for names, comments and layout as that of s1"), html);
+        assertTrue(html.contains("carl (MySolver), s1 (MySolver)"), html);
         assertEquals(1, html.split("MySolver uses a solver of the project").length - 1, html);
         String own = Files.readString(folder.resolve("out/s2/grade.md"));
         assertTrue(own.contains("\nanswers.yaml:2:")
@@ -184,7 +184,7 @@ class GradeClassCommandTest {
         grade(ExitCode.DONE, options("--collect=" + folder.resolve("one")));
         assertEquals(whole, tables());
         assertTrue(whole.get("class.csv").contains("\n'=1+1,"), whole.get("class.csv"));
-        assertTrue(whole.get("talk.csv").contains("hw1-bob,\"YourSolver is the same"), whole.get("talk.csv"));
+        assertTrue(whole.get("talk.csv").contains("hw1-ann (MySolver), hw1-bob (YourSolver)\","), whole.toString());
         Path damaged = folder.resolve("one/x/grade.json");
         Files.createDirectories(damaged.getParent());
         Files.writeString(damaged, "{\"version\": 1}");
