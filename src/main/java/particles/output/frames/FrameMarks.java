@@ -18,6 +18,7 @@ import java.util.stream.Stream;
 import particles.law.Vector3;
 import particles.output.painters.FrameState;
 import particles.output.raster.CameraProjection;
+import particles.output.raster.CameraProjection.Place;
 import particles.output.raster.Sky;
 import particles.output.text.FontCheck;
 import particles.view.ParticleStyle;
@@ -72,8 +73,8 @@ final class FrameMarks {
             int i = k;
             if (!state.label(i).isEmpty()) {
                 place(state, i, 0).ifPresent(at -> {
-                    double radius = state.radius(i, ball) * at[2];
-                    balls.put(i, new Rectangle2D.Double(at[0] - radius, at[1] - radius, 2 * radius, 2 * radius));
+                    double radius = state.radius(i, ball) * at.scale();
+                    balls.put(i, new Rectangle2D.Double(at.x() - radius, at.y() - radius, 2 * radius, 2 * radius));
                 });
             }
         }
@@ -96,10 +97,10 @@ final class FrameMarks {
             }
         }
         int index = state.trailIndex.length == 0 ? particle : state.trailIndex[particle];
-        Optional<double[]> newer = Optional.empty();
+        Optional<Place> newer = Optional.empty();
         for (int k = state.trail.length - 1; k >= 0 && index >= 0 && !state.fixed[particle]; k--) {
             float[] places = state.trail[k].places();
-            Optional<double[]> older = place(places[3 * index], places[3 * index + 1], places[3 * index + 2]);
+            Optional<Place> older = place(places[3 * index], places[3 * index + 1], places[3 * index + 2]);
             join(newer, older, lines::add);
             newer = older;
             index = state.trail[k].earlier(index);
@@ -107,8 +108,8 @@ final class FrameMarks {
         return lines;
     }
 
-    private static void join(Optional<double[]> from, Optional<double[]> to, Consumer<Line2D> use) {
-        from.ifPresent(a -> to.ifPresent(b -> use.accept(new Line2D.Double(a[0], a[1], b[0], b[1]))));
+    private static void join(Optional<Place> from, Optional<Place> to, Consumer<Line2D> use) {
+        from.ifPresent(a -> to.ifPresent(b -> use.accept(new Line2D.Double(a.x(), a.y(), b.x(), b.y()))));
     }
 
     /**
@@ -151,8 +152,8 @@ final class FrameMarks {
         g.fill(tip);
     }
 
-    /** @return pixels from the left and from the top, and pixels per metre, if it can be drawn */
-    private Optional<double[]> place(FrameState state, int i, double seconds) {
+    /** @return where it is seen, if it can be drawn */
+    private Optional<Place> place(FrameState state, int i, double seconds) {
         Vector3 at = state.place(i);
         if (seconds > 0) {
             at = at.plus(state.velocity(i).times(seconds));
@@ -160,11 +161,9 @@ final class FrameMarks {
         return place(at.x(), at.y(), at.z());
     }
 
-    private Optional<double[]> place(double x, double y, double z) {
-        double depth = view.depth(x, y, z);
-        double scale = view.scale(depth);
-        double[] place = {view.x(x, y, z, scale), view.y(x, y, z, scale), scale};
-        boolean near = Math.abs(place[0]) < FARTHEST && Math.abs(place[1]) < FARTHEST;      // false for NaN
-        return view.isInFront(depth) && near ? Optional.of(place) : Optional.empty();
+    private Optional<Place> place(double x, double y, double z) {
+        Place place = view.place(x, y, z);
+        boolean near = Math.abs(place.x()) < FARTHEST && Math.abs(place.y()) < FARTHEST;      // false for NaN
+        return view.isInFront(place.depth()) && near ? Optional.of(place) : Optional.empty();
     }
 }

@@ -11,6 +11,7 @@ import particles.output.painters.BlobPainter;
 import particles.output.painters.DrawnSizes;
 import particles.output.painters.FrameState;
 import particles.output.painters.GlowPainter;
+import particles.output.painters.IntactTriangles;
 import particles.output.painters.ParticlePainter;
 import particles.output.painters.ProjectedParticles;
 import particles.output.painters.ShadowPainter;
@@ -94,7 +95,8 @@ public final class FrameRenderer {
         raster = new Raster(width, height);
         shown = new VisibilityFilter(stage.look(), stage.scenery().surfaces());
         surfaces = stage.scenery().surfaces().isEmpty() ? Optional.empty()
-                : Optional.of(new SurfacePainter(raster, view, lighting, stage.look()));
+                : Optional.of(new SurfacePainter(raster, view, lighting, stage.look(),
+                        stage.scenery().surfaces().stream().map(IntactTriangles::new).toList()));
         shapes = new RoundShapes(raster, view, lighting);
         blobs = style().kind() == ParticleStyle.Kind.BLOBS ? Optional.of(new BlobPainter(raster, view, lighting))
                 : Optional.empty();
@@ -180,8 +182,7 @@ public final class FrameRenderer {
     boolean draw(FrameState state) {
         ProjectedParticles projected = new ProjectedParticles(view, state.positions, state.particles);
         raster.clear();
-        surfaces.ifPresent(painter -> stage.scenery().surfaces().forEach(each -> painter.paint(each, state,
-                projected)));
+        surfaces.ifPresent(painter -> painter.paint(state, projected));
         if (springs.isEmpty() && state.springs > 0 && stage.look().springs() != Visibility.NEVER) {
             springs = Optional.of(new SpringPainter(shapes, view, stage.look(), sizes));
         }

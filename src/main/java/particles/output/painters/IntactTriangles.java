@@ -16,6 +16,11 @@ public final class IntactTriangles {
         whole = new boolean[surface.triangles().length / 3];
     }
 
+    /** @return the corners of all triangles, whole or not */
+    int[] getCorners() {
+        return surface.triangles();
+    }
+
     /** @return for each triangle whether it is drawn; valid until springs change */
     public boolean[] in(FrameState state) {
         if (structure != state.structure) {

@@ -27,14 +27,13 @@ public final class ProjectedParticles {
         scale = new double[count];
         visible = new boolean[count];
         for (int i = 0, at = 0; i < count; i++, at += 3) {
-            double d = view.depth(p[at], p[at + 1], p[at + 2]);
-            double pixels = view.scale(d);
-            depth[i] = d;
-            near[i] = view.nearness(d);
-            scale[i] = Raster.SAMPLES * pixels;
-            x[i] = Raster.SAMPLES * view.x(p[at], p[at + 1], p[at + 2], pixels);
-            y[i] = Raster.SAMPLES * view.y(p[at], p[at + 1], p[at + 2], pixels);
-            visible[i] = view.isInFront(d) && Double.isFinite(x[i]) && Double.isFinite(y[i]);
+            CameraProjection.Place place = view.place(p[at], p[at + 1], p[at + 2]);
+            depth[i] = place.depth();
+            near[i] = view.nearness(depth[i]);
+            scale[i] = Raster.SAMPLES * place.scale();
+            x[i] = Raster.SAMPLES * place.x();
+            y[i] = Raster.SAMPLES * place.y();
+            visible[i] = view.isInFront(depth[i]) && Double.isFinite(x[i]) && Double.isFinite(y[i]);
         }
     }
 }

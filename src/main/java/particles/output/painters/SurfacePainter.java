@@ -1,14 +1,12 @@
 package particles.output.painters;
 
 import java.util.Arrays;
-import java.util.IdentityHashMap;
-import java.util.Map;
+import java.util.List;
 import particles.law.Vector3;
 import particles.output.raster.CameraProjection;
 import particles.output.raster.Lighting;
 import particles.output.raster.Raster;
 import particles.view.RenderOptions;
-import particles.view.Surface;
 
 /**
  * Draws surfaces with Gouraud shading (1971) on both sides: light is computed at the particles with the mean normal of
@@ -16,21 +14,20 @@ import particles.view.Surface;
  * normal.
  */
 public record SurfacePainter(Raster raster, CameraProjection view, Lighting lighting, RenderOptions look,
-        Map<Surface, IntactTriangles> triangles) {
+        List<IntactTriangles> surfaces) {
     /** The cosine between a triangle's normal and a particle's from which the surface counts as smooth. */
     private static final double SMOOTH = 0.85;
 
-    /** Creates a painter that draws onto this raster. */
-    public SurfacePainter(Raster raster, CameraProjection view, Lighting lighting, RenderOptions look) {
-        this(raster, view, lighting, look, new IdentityHashMap<>());
+    /** Draws all surfaces. */
+    public void paint(FrameState state, ProjectedParticles projected) {
+        surfaces.forEach(surface -> paint(surface, state, projected));
     }
 
-    /** Draws one surface. */
-    public void paint(Surface surface, FrameState state, ProjectedParticles projected) {
+    private void paint(IntactTriangles surface, FrameState state, ProjectedParticles projected) {
         Vector3[] normals = new Vector3[state.particles];
         Arrays.fill(normals, Vector3.ZERO);
-        int[] corners = surface.triangles();
-        boolean[] whole = triangles.computeIfAbsent(surface, IntactTriangles::new).in(state);
+        int[] corners = surface.getCorners();
+        boolean[] whole = surface.in(state);
         for (int t = 0; t + 2 < corners.length; t += 3) {
             if (whole[t / 3]) {
                 Vector3 normal = normal(state, corners, t);

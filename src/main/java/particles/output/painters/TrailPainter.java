@@ -67,10 +67,9 @@ public final class TrailPainter {
 
     /** @return the picture coordinates (pixels) and nearness, or NaN if it cannot be drawn */
     private double[] point(double x, double y, double z) {
-        double depth = view.depth(x, y, z);
-        double scale = view.scale(depth);
-        return new double[] {view.isInFront(depth) ? view.x(x, y, z, scale) : Double.NaN, view.y(x, y, z, scale),
-            view.nearness(depth)};
+        CameraProjection.Place place = view.place(x, y, z);
+        return new double[] {view.isInFront(place.depth()) ? place.x() : Double.NaN, place.y(),
+            view.nearness(place.depth())};
     }
 
     private void line(double[] a, double[] b, double opacityA, double opacityB, int rgb,

@@ -59,8 +59,8 @@ public final class CameraProjection {
         nearest = NEAREST * distance;
     }
 
-    /** @return the depth of the point: its distance from the camera along the viewing direction (m) */
-    public double depth(double x, double y, double z) {
+    /** The depth of the point: its distance from the camera along the viewing direction (m). */
+    private double depth(double x, double y, double z) {
         return -((x - eye.x()) * back.x() + (y - eye.y()) * back.y() + (z - eye.z()) * back.z());
     }
 
@@ -70,7 +70,7 @@ public final class CameraProjection {
     }
 
     /** @return pixels per metre at this depth */
-    public double scale(double depth) {
+    double scale(double depth) {
         return perspective ? focal / depth : focal;
     }
 
@@ -79,15 +79,25 @@ public final class CameraProjection {
         return perspective ? 1 / depth : -depth;
     }
 
-    /** @return the distance from the left edge (pixels); may be far outside */
-    public double x(double x, double y, double z, double scale) {
-        return width / 2.0
-                + scale * ((x - eye.x()) * right.x() + (y - eye.y()) * right.y() + (z - eye.z()) * right.z());
+    /**
+     * A point as the camera sees it.
+     *
+     * @param x     its distance from the left edge (pixels); may be far outside, or not finite
+     * @param y     its distance from the top edge
+     * @param depth its depth (m)
+     * @param scale pixels per metre there
+     */
+    public record Place(double x, double y, double depth, double scale) {
     }
 
-    /** @return the distance from the top edge (pixels) */
-    public double y(double x, double y, double z, double scale) {
-        return height / 2.0 - scale * ((x - eye.x()) * up.x() + (y - eye.y()) * up.y() + (z - eye.z()) * up.z());
+    /** @return where the camera sees a point, in front of it or not */
+    public Place place(double x, double y, double z) {
+        double depth = depth(x, y, z);
+        double scale = scale(depth);
+        return new Place(width / 2.0
+                + scale * ((x - eye.x()) * right.x() + (y - eye.y()) * right.y() + (z - eye.z()) * right.z()),
+                height / 2.0 - scale * ((x - eye.x()) * up.x() + (y - eye.y()) * up.y() + (z - eye.z()) * up.z()),
+                depth, scale);
     }
 
     /** @return a direction in space as the camera sees it */
@@ -97,10 +107,9 @@ public final class CameraProjection {
 
     /** @return whether the point is inside the middle part of the picture, 1 for all of it */
     public boolean isInPicture(double x, double y, double z, double part) {
-        double depth = depth(x, y, z);
-        double scale = scale(depth);
-        return isInFront(depth) && Math.abs(x(x, y, z, scale) - width / 2.0) <= part * width / 2
-                && Math.abs(y(x, y, z, scale) - height / 2.0) <= part * height / 2;
+        Place place = place(x, y, z);
+        return isInFront(place.depth) && Math.abs(place.x - width / 2.0) <= part * width / 2
+                && Math.abs(place.y - height / 2.0) <= part * height / 2;
     }
 
     /** @return the origin of the ray through a point of the picture */

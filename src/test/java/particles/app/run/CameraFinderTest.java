@@ -38,8 +38,7 @@ class CameraFinderTest {
     }
 
     private static double y(CameraProjection view, double[] state, int x) {
-        return view.y(state[x], state[x + 1], state[x + 2],
-                view.scale(view.depth(state[x], state[x + 1], state[x + 2])));
+        return view.place(state[x], state[x + 1], state[x + 2]).y();
     }
 
     /** Ten pixels, when the camera was fitted to all that was seen until the energy was out of bounds. */

@@ -145,10 +145,8 @@ class FrameLayoutTest {
         }
 
         private double[] place(double[] p, int i) {
-            double depth = view.depth(p[3 * i], p[3 * i + 1], p[3 * i + 2]);
-            double scale = view.scale(depth);
-            return new double[] {view.x(p[3 * i], p[3 * i + 1], p[3 * i + 2], scale),
-                view.y(p[3 * i], p[3 * i + 1], p[3 * i + 2], scale), scale};
+            CameraProjection.Place place = view.place(p[3 * i], p[3 * i + 1], p[3 * i + 2]);
+            return new double[] {place.x(), place.y(), place.scale()};
         }
 
         private void note(boolean wrong, String problem) {

@@ -16,9 +16,8 @@ class CameraProjectionTest {
     private static final Vector3 UP = new Vector3(0, 1, 0);
 
     private static double[] project(CameraProjection view, Vector3 p) {
-        double depth = view.depth(p.x(), p.y(), p.z());
-        double scale = view.scale(depth);
-        return new double[] {view.x(p.x(), p.y(), p.z(), scale), view.y(p.x(), p.y(), p.z(), scale), depth};
+        CameraProjection.Place place = view.place(p.x(), p.y(), p.z());
+        return new double[] {place.x(), place.y(), place.depth()};
     }
 
     private static Camera camera(boolean perspective) {
@@ -66,9 +65,9 @@ class CameraProjectionTest {
     @Test
     void pointsBehindTheCameraAreNotDrawn() {
         CameraProjection view = new CameraProjection(camera(true), 100, 100);
-        assertTrue(view.isInFront(view.depth(0, 0, 0)));
-        assertFalse(view.isInFront(view.depth(0, 0, 4)));
-        assertFalse(view.isInFront(view.depth(0, 0, 5)));
+        assertTrue(view.isInFront(view.place(0, 0, 0).depth()));
+        assertFalse(view.isInFront(view.place(0, 0, 4).depth()));
+        assertFalse(view.isInFront(view.place(0, 0, 5).depth()));
         assertTrue(view.nearness(1) > view.nearness(2));
         CameraProjection flat = new CameraProjection(camera(false), 100, 100);
         assertTrue(flat.nearness(1) > flat.nearness(2));
