@@ -172,7 +172,7 @@ public final class GradeClassCommand extends ResultsCommand {
 
     private Map<Path, Result> finished(Map<Path, Callable<Result>> begun, PrintWriter out)
             throws InterruptedException, ExecutionException {
-        Runtime.getRuntime().addShutdownHook(new Thread(() -> stopped.set(true)));
+        Runtime.getRuntime().addShutdownHook(new Thread(() -> stopped.set(true)));      // Ctrl-C
         ExecutorService workers = Executors.newFixedThreadPool(Runtime.getRuntime().availableProcessors());
         try {
             Map<Path, Future<Result>> marks = new LinkedHashMap<>();
@@ -181,13 +181,15 @@ public final class GradeClassCommand extends ResultsCommand {
             Map<Path, Result> results = new LinkedHashMap<>();
             for (Map.Entry<Path, Future<Result>> mark : marks.entrySet()) {
                 Result result = mark.getValue().get();
-                if (stopped.get()) {
-                    throw new Failure(ExitCode.STOPPED, STOPPED);
-                }
                 results.put(mark.getKey(), result);
                 progress.reached((double) results.size() / marks.size(), result.student());
             }
             return results;
+        } catch (ExecutionException e) {
+            if (stopped.get()) {
+                throw new Failure(ExitCode.STOPPED, STOPPED);
+            }
+            throw e;
         } finally {
             workers.shutdownNow();
         }
