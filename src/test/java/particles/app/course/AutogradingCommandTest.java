@@ -52,8 +52,8 @@ class AutogradingCommandTest {
         PrintWriter both = new PrintWriter(out);
         assertEquals(ExitCode.DONE, new Program(List.of(new AutogradingCommand()), OptionStyle.GRADLE, both, both)
                 .execute("autograding", "--out=" + folder.resolve("made")), out.toString());
-        write("answers.yaml", "2: " + ((NumericExercise) Exercises.all().get(1)).question(new Draw("ann", 2)).answer()
-                + "\n3: 1\n");
+        NumericExercise second = (NumericExercise) Exercises.all().get(1);
+        write("answers.yaml", "3: 1\n2: " + second.question(new Draw("ann", 2)).answer() + "\n");
         write("assignment.yaml", "exercises: {2: 3, 3: 4}\nsolvers: {BadSolver: heun}\n");
         for (String at : List.of("BadSolver.java", "src/main/java/exercises/BadSolver.java")) {
             write(at, """
