@@ -106,8 +106,8 @@ public final class PageParts {
 
     /** A script; its text may not hold the end of a script. */
     private static String script(String attributes, String text) {
-        return "<script" + attributes + ">" + text.replace("</script", "<\\/script").replace("<!--", "<\\!--")
-                + "</script>\n";
+        String open = text.replace("</script", "<\\/script").replace("<!--", "<\\!--");
+        return "<script" + attributes + ">" + open + "</script>\n";
     }
 
     /** @return a text as an attribute's value or an element's content */
