@@ -141,8 +141,8 @@ public final class Simulation {
 
     private void requireRight(Violation violation) {
         if (violation.part() > WRONG) {
-            throw new SimulationException(system.getTime(), -1, violation.what() + ": the motion is wrong. Try a"
-                    + " smaller deltaT, or a solver that chooses its own sub-steps, such as dormand-prince", null);
+            throw new SimulationException(SimulationException.End.NUMERICAL_ERROR, system.getTime(), -1,
+                    violation.what() + ": the motion is wrong");
         }
     }
 

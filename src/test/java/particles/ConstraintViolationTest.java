@@ -53,7 +53,7 @@ class ConstraintViolationTest {
         String message = assertThrows(SimulationException.class,
                 () -> pendulum(new EulerSolver(), 0.02).run()).getMessage();
         assertTrue(message.matches("the rod from 'nail' to 'bob' is 0[.]1[0-9]* m too long at t = [01][.][0-9]+ s: the"
-                + " motion is wrong[.] Try a smaller deltaT, or a solver that chooses its own sub-steps, .*"), message);
+                + " motion is wrong"), message);
         Simulation good = pendulum(new RK4Solver(), 0.002);
         good.run();
         assertEquals(0, good.getViolation().part(), 1e-8);
@@ -126,7 +126,7 @@ class ConstraintViolationTest {
         Violation violation = run.getViolation();
         said = said.isEmpty() && violation.part() > 1e-3 ? violation.what() : said;
         assertEquals(found,
-                said.replaceFirst(" at t = 0.12\\d* s", "").replaceFirst("[.] Try .*", ""), violation.toString());
+                said.replaceFirst(" at t = 0.12\\d* s", ""), violation.toString());
     }
 
     /**

@@ -10,8 +10,8 @@ import deSolvers.linear.SolverWork;
  */
 final class JacobianChoice {
     /**
-     * Up to this size a full matrix, which costs as many evaluations, serves where blocks are only a preconditioner: its
-     * entries tell the round-off of rods between masses of very different sizes.
+     * Up to this size a full matrix, which costs about as many evaluations, serves where blocks are only a
+     * preconditioner: its entries tell the round-off of rods between masses of very different sizes.
      */
     private static final int SMALL = 100;
     /** J, the matrix and its factors then take 600 MB; radau's complex matrix and factors another 800 MB. */
@@ -28,7 +28,8 @@ final class JacobianChoice {
     /** The form of I - g J for a source; it is made anew when its kind or size changes. */
     ShiftedJacobian of(DEStateSource source) {
         int size = source.getStateSize();
-        boolean blocks = source instanceof JacobianStateSource known && (known.hasExactJacobian() || size > SMALL);
+        boolean blocks = source instanceof JacobianStateSource known
+                && (known.hasExactJacobian() || size > SMALL);
         if (size != n || blocks != form instanceof ReducedVelocitySystem) {
             form = blocks ? new ReducedVelocitySystem(work, size) : dense(source, size);
             n = size;
