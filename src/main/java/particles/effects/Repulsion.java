@@ -181,8 +181,6 @@ public final class Repulsion extends PairForce implements DivisibleEffect {
 
     /** Repulsion in scenes. */
     public static final class Keys extends EffectKind {
-        private static final Key<Double> RADIUS = NumberType.positive("m").required("radius",
-                "The radius of every ball without a radius of its own (m).");
         private static final Key<String> LAW = NameType.of("law", List.of("linear", "hertz"))
                 .withDefault("law", "linear",
                 "linear: the push is k times the overlap d; hertz: k d^1.5, as of elastic balls.");
@@ -194,19 +192,19 @@ public final class Repulsion extends PairForce implements DivisibleEffect {
 
         /** Called once, by {@link EffectCatalog}. */
         public Keys() {
-            super("repulsion", "Particles are soft balls that push each other apart where they overlap.", RADIUS, LAW,
-                    STIFFNESS, DAMPING);
+            super("repulsion", "Particles are soft balls that push each other apart where they overlap.",
+                    SharedKeys.BALL_RADIUS, LAW, STIFFNESS, DAMPING);
         }
 
         @Override
         public double ballRadius(Values values) {
-            return values.get(RADIUS);
+            return values.get(SharedKeys.BALL_RADIUS);
         }
 
         @Override
         public void build(Values values, EffectContext scene) {
-            Repulsion repulsion = new Repulsion(scene.particles(), values.get(RADIUS), values.get(LAW).equals("hertz"),
-                    values.get(STIFFNESS), values.get(DAMPING));
+            Repulsion repulsion = new Repulsion(scene.particles(), values.get(SharedKeys.BALL_RADIUS),
+                    values.get(LAW).equals("hertz"), values.get(STIFFNESS), values.get(DAMPING));
             for (int i = 0; i < scene.particles().count(); i++) {
                 int particle = i;
                 scene.ownRadius(i).ifPresent(own -> repulsion.setRadius(particle, own));

@@ -11,6 +11,9 @@ import particles.spec.WholeNumberType;
 
 /** Scene keys that several effects and rules have in common. */
 public final class SharedKeys {
+    /** For 'repulsion' and 'collisions'. */
+    public static final Key<Double> BALL_RADIUS = NumberType.positive("m").required("radius",
+            "The radius of every ball without a radius of its own (m).");
     /** The seed of random numbers. */
     public static final Key<Integer> SEED = new WholeNumberType(0, 1_000_000_000).withDefault("seed", 1,
             "The seed of the random numbers; the same seed gives the same run on every machine.");

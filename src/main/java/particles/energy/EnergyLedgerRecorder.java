@@ -17,6 +17,8 @@ import particles.view.ChartData.Series;
  */
 public final class EnergyLedgerRecorder extends StridedRecorder {
     private static final int BUCKETS = 1024;
+    /** Work below this part of the energy scale is round-off, such as that of elastic impacts. */
+    private static final double ROUNDING = 1e-12;
 
     private final EnergyLedger ledger = new EnergyLedger();
     private final MinMaxThinning error = new MinMaxThinning(BUCKETS);
@@ -98,13 +100,13 @@ public final class EnergyLedgerRecorder extends StridedRecorder {
     /**
      * @param scale the energy by which errors are divided (J); 0 if nothing moves
      * @param log   whether sizes are drawn on logarithmic axes, as in a run that blows up
-     * @return the work of each kind, if there was any, and below it the numerical error, over the same time
+     * @return the work of each kind, if it was more than round-off, and below it the numerical error, over the same time
      */
     public List<ChartData> charts(double scale, boolean log) {
         List<ChartData> charts = new ArrayList<>();
         List<Series> lines = new ArrayList<>();
         work.forEach((name, joules) -> {
-            if (joules.smallest() != 0 || joules.largest() != 0) {
+            if (joules.largestSize() > ROUNDING * scale) {
                 lines.add(joules.line("work: " + name, shown(1, log)));
             }
         });

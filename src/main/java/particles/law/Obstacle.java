@@ -34,4 +34,12 @@ public interface Obstacle {
      * @return the number of coefficients
      */
     int separation(double[] points, double[] coefficients);
+
+    /**
+     * @param height the radius of a ball that touches the surface (m)
+     * @return what to add to the coefficients of {@link #separation}, so that they bound the ball's distance
+     */
+    default double raise(double height) {
+        return -height;
+    }
 }

@@ -46,6 +46,12 @@ public record Sphere(Vector3 centre, double radius, boolean hollow) implements O
         return false;
     }
 
+    /** {@inheritDoc} It turns R&sup2; into (R + height)&sup2;, for a hollow into (R - height)&sup2;. */
+    @Override
+    public double raise(double height) {
+        return -height * (hollow ? 2 * radius - height : 2 * radius + height);
+    }
+
     /**
      * {@inheritDoc} |r|&sup2; - R&sup2; along a cubic is a polynomial of degree 6; for a hollow it is R&sup2; -
      * |r|&sup2;.

@@ -49,6 +49,7 @@ final class AdviceRule {
     private final UnaryOperator<String> options;
     private final StepLimit limits;
     private final String failed;
+    private final boolean hardBalls;
     private final double deltaT;
     private final double steps;
     private final double particles;
@@ -62,6 +63,7 @@ final class AdviceRule {
         this.options = options;
         this.limits = limits;
         failed = scene.description().solver();
+        hardBalls = scene.description().hasHardBalls();
         deltaT = scene.simulation().getDeltaT();
         steps = Math.ceil(scene.simulation().getDuration() / deltaT);
         particles = Math.max(1, scene.system().getParticles().count());
@@ -127,6 +129,9 @@ final class AdviceRule {
 
     /** For contacts that open and close without end. Between exact impacts, pieces of steps were short enough. */
     String forContacts() {
+        if (hardBalls) {
+            return byHand("the effect 'repulsion', with soft balls, in place of 'collisions'");
+        }
         double step = SolverCatalog.find(failed).filter(solver -> !solver.adaptive() && !limits.alwaysGrows(solver))
                 .map(limits::stableStep).orElse(deltaT);
         return advice(Optional.empty(), Stream.concat(shorter(Math.min(deltaT, step)),

@@ -10,7 +10,8 @@ import particles.reactions.contact.ContactModes.Mode;
 
 /**
  * A block: the particles connected by rods and wires, or one particle without any, and the linear system of their
- * reaction forces. It has a row for each rod and each contact, and two for each particle on a wire. Column c of the
+ * reaction forces. It has a row for each rod and each contact, and two for each particle on a wire. Two balls in
+ * contact have the row of a rod that may only push. Column c of the
  * matrix is the acceleration of all rows if row c has a force of 1 N. The force of a sliding contact includes friction,
  * -S<sup>T</sup> lambda, so the matrix A = J W (J - S)<sup>T</sup> is not symmetric. It has entries only where two rows
  * share a movable particle. A particle's contacts come right after its first rod, so the envelope of a chain is narrow.
@@ -20,7 +21,7 @@ final class Block {
     private static final int STRIDE = Particles.STRIDE;
     /** No row, surface or particle. */
     static final int NONE = -1;
-    /** For {@link #solve}: all rows. */
+    /** For {@link #solve} and {@link #take}: all rows. */
     static final int ALL = -2;
 
     private final int[] members;                        // the rows of its rods and wires, neighbours near each other
@@ -77,7 +78,7 @@ final class Block {
      */
     void take(double[] state, boolean held) {
         if (gatheredAt != contacts.getModes().getChanges()) {
-            gather(held ? contacts.getModes()::isSticking : i -> false, NONE, NONE);
+            gather(held ? contacts.getModes()::isSticking : i -> false, NONE, NONE, ALL);
             gatheredAt = contacts.getModes().getChanges();
         }
         update(state);
@@ -88,14 +89,15 @@ final class Block {
      *
      * @param surface the surface that a particle strikes, which gets a row too; {@link #NONE} for no impact
      * @param struck  that particle
+     * @param pair    the two balls in contact that get a row; {@link #ALL} or {@link #NONE}
      */
-    void take(double[] state, IntPredicate isHeld, int surface, int struck) {
-        gather(isHeld, surface, struck);
+    void take(double[] state, IntPredicate isHeld, int surface, int struck, int pair) {
+        gather(isHeld, surface, struck, pair);
         update(state);
     }
 
     /** Finds the rows. */
-    private void gather(IntPredicate isHeld, int surface, int struck) {
+    private void gather(IntPredicate isHeld, int surface, int struck, int pair) {
         gatheredAt = NONE;
         assembled = false;
         size = 0;
@@ -104,7 +106,8 @@ final class Block {
         held.clear();
         Arrays.fill(firstRow, -1);
         Arrays.stream(particles).filter(isHeld).forEach(held::set);
-        for (int member : members) {
+        for (int member : Arrays.stream(members).filter(m -> pair == ALL || pair == m || !rows.isContact(m))
+                .toArray()) {
             int from = rows.first(member);
             int to = rows.second(member);
             boolean isFromNew = isNew(from);
@@ -113,8 +116,8 @@ final class Block {
             addContacts(isFromNew ? from : -1, surface, struck);
             addContacts(isToNew ? to : -1, surface, struck);
         }
-        if (!isJoined()) {
-            addContacts(particles[0], surface, struck);
+        for (int i : particles) {
+            addContacts(isNew(i) ? i : -1, surface, struck);
         }
     }
 
@@ -175,11 +178,7 @@ final class Block {
         }
     }
 
-    /** Whether a particle is held; it does not move. */
-    boolean isHeld(int particle) {
-        return held.get(particle);
-    }
-
+    /** The held particles; they do not move. */
     BitSet getHeld() {
         return held;
     }
@@ -191,6 +190,11 @@ final class Block {
     /** Whether a row is that of a rod or wire. */
     boolean isMember(int r) {
         return row[r] >= 0;
+    }
+
+    /** Whether a row is that of two balls in contact. */
+    boolean isPair(int r) {
+        return row[r] >= 0 && rows.isContact(row[r]);
     }
 
     /** The row of a rod or wire among all. */
@@ -261,7 +265,7 @@ final class Block {
             assembled = size == 1;
         }
         for (int r = 0; r < size; r++) {
-            mayOpen[r] = row[r] < 0 && r != holding && holding != ALL;
+            mayOpen[r] = (row[r] < 0 || isPair(r)) && r != holding && holding != ALL;
         }
         boolean solved = activeSet.solve(matrix, right, mayOpen, signed, solution, separation);
         left = activeSet.getLeft();

@@ -38,6 +38,7 @@ final class BlockForces {
     private final List<Block> singles = new ArrayList<>();
     private double[] accelerations = {};
     private double[] total = {};                        // forces including those of rods, wires and contacts
+    private boolean opening;                            // contacts that would pull open
     private int solutions;
     private double left;                                // the residual of the last solution, relative to accelerations
 
@@ -97,8 +98,26 @@ final class BlockForces {
      * @return the reason if there are none
      */
     Optional<String> solve(Block block, double[] state, double[] force, IntPredicate isHeld) {
-        block.take(state, isHeld, Block.NONE, Block.NONE);
+        block.take(state, isHeld, Block.NONE, Block.NONE, Block.ALL);
         return solve(block, state, force);
+    }
+
+    /** As the first {@link #solve}, but contacts that would pull open, also if rules locate the end of contact. */
+    void solveOpening(Block block, double[] state, double time, double[] force) {
+        opening = true;
+        try {
+            solve(block, state, time, force);
+        } finally {
+            opening = false;
+        }
+    }
+
+    /** As {@link RestingContacts#isPressed} for balls that touch. */
+    boolean isPressed(Block block, int surface, int particle, double[] state, double[] force) {
+        prepare(state, system.getTime());
+        solveOpening(block, state, system.getTime(), force);
+        int r = block.find(surface, particle);
+        return r >= 0 && BallContacts.pushes(block, r);
     }
 
     /** Counts solutions: the last one is still at hand if the number has not changed. */
@@ -143,7 +162,7 @@ final class BlockForces {
 
     private Optional<String> solveOnce(Block block, double[] force) {
         putRight(block, force);
-        if (!block.solve(Block.NONE, !contacts.isHolding())) {
+        if (!block.solve(Block.NONE, opening || !contacts.isHolding())) {
             return Optional.of("let no contact forces keep all particles out: friction jams");
         }
         left = block.getLeft() == 0 ? 0 : block.getLeft() / scale(block, force);
@@ -180,7 +199,7 @@ final class BlockForces {
     private void findAccelerations(Block block, double[] force) {
         fit(force);
         for (int i : block.getParticles()) {
-            double w = block.isHeld(i) ? 0 : block.weight(i);
+            double w = block.getHeld().get(i) ? 0 : block.weight(i);
             for (int f = STRIDE * i + 3; f < STRIDE * (i + 1); f++) {
                 accelerations[f] = w * force[f];
             }
@@ -246,46 +265,18 @@ final class BlockForces {
         return accelerations;
     }
 
-    /** As {@link RestingContacts#canPush}: some impulses of the block move the particle away from the surface. */
-    boolean canPush(Block block, int surface, int particle, double[] state) {
-        int struck = takeForImpact(block, surface, particle, state);
-        Arrays.fill(block.right, 0);
-        block.right[struck] = 1;
-        return block.solve(struck, true) && Math.abs(block.separation(struck)) < CONTRADICTION;
+    BlockImpacts impacts() {
+        return new BlockImpacts(system, rows, contacts, this);
     }
 
-    /** Returns the row of the impact. */
-    private int takeForImpact(Block block, int surface, int particle, double[] state) {
+    /** Evaluates all rows for another use of a block: the last solution is no longer at hand. */
+    void evaluate(double[] state) {
         solutions++;
         rows.evaluate(state);
-        block.take(state, i -> false, surface, particle);
-        return block.find(surface, particle);
-    }
-
-    /** As {@link RestingContacts#strike}. */
-    void strike(Block block, int surface, int particle, double leaving, double[] state) {
-        int struck = takeForImpact(block, surface, particle, state);
-        putRates(block, state, 3);
-        block.right[struck] += leaving;
-        double fast = leaving + Vector3.at(state, STRIDE * particle + 3).norm1();
-        if (!block.solve(struck, true) || Math.abs(block.separation(struck)) > CONTRADICTION * fast) {
-            throw failure(block, system.getTime(), "let no impulses keep all particles out");
-        }
-        block.move(state, 3);
-        for (int i : block.getParticles()) {
-            modes.setWhereTouching(i, Mode.SLIDING);
-        }
-        for (int r = 0; r < block.size(); r++) {
-            int k = block.contact(r);
-            if (r != struck && !block.isMember(r)
-                    && block.separation(r) > contacts.getSurfaces().get(block.touching.surface[k]).restSpeed()) {
-                modes.set(block.touching.surface[k], block.touching.particle[k], Mode.FREE);
-            }
-        }
     }
 
     /** b = -C, or -C' for velocities. */
-    private void putRates(Block block, double[] state, int place) {
+    void putRates(Block block, double[] state, int place) {
         for (int r = 0; r < block.size(); r++) {
             block.right[r] = block.isIdle(r) ? 0 : block.isMember(r)
                     ? -(place == 0 ? rows.value : rows.rate)[block.member(r)]
@@ -293,10 +284,15 @@ final class BlockForces {
         }
     }
 
-    /** Stops the velocities of a block that violate its rows; with mayOpen, particles may leave surfaces. */
-    void settle(Block block, double[] state, boolean mayOpen) {
-        rows.evaluate(state);
-        correct(block, state, 3, mayOpen);
+    /**
+     * Stops the velocities of a block that violate its rows; with mayOpen, particles may leave surfaces.
+     *
+     * @param pairs the pairs of balls in contact that are meant: {@link Block#ALL} or {@link Block#NONE}
+     */
+    void settle(Block block, double[] state, boolean mayOpen, int pairs) {
+        evaluate(state);
+        block.take(state, modes::isSticking, Block.NONE, Block.NONE, pairs);
+        correctTaken(block, state, 3, mayOpen);
     }
 
     /**
@@ -308,6 +304,11 @@ final class BlockForces {
     void correct(Block block, double[] state, int place, boolean mayOpen) {
         solutions++;
         block.take(state, true);
+        correctTaken(block, state, place, mayOpen);
+    }
+
+    /** As {@link #correct}, for the rows that were taken. */
+    void correctTaken(Block block, double[] state, int place, boolean mayOpen) {
         putRates(block, state, place);
         block.solve(mayOpen ? Block.NONE : Block.ALL, mayOpen);
         block.move(state, place);

@@ -10,12 +10,13 @@ import particles.reactions.wires.Curve;
  * derivative of C along the velocity), and the gradients that make up J. A row involves one particle or two.
  *
  * <p>For a rod C = (|d|&sup2; - l&sup2;) / (2 l) with d = x_to - x_from: like |d| - l to first order, and smooth at d =
- * 0.
+ * 0. Two balls that touch have the row of a rod between their centres, but it may only push.
  */
 final class ConstraintRows {
     private static final int STRIDE = Particles.STRIDE;
 
-    private int rods;
+    private int rods;                                   // and after them the contacts of balls
+    private int contacts;
     private int beads;
     private int[] from = new int[4];                    // by rod
     private int[] to = new int[4];
@@ -41,6 +42,31 @@ final class ConstraintRows {
         this.to[rods] = to;
         this.length[rods++] = length;
         fit();
+    }
+
+    /** Adds a contact of two balls, which are this far apart (m), after all rods and contacts. */
+    void addContact(int from, int to, double distance) {
+        addRod(from, to, distance);
+        contacts++;
+    }
+
+    void removeContact(int row) {
+        int later = --rods - row;
+        contacts--;
+        System.arraycopy(from, row + 1, from, row, later);
+        System.arraycopy(to, row + 1, to, row, later);
+        System.arraycopy(length, row + 1, length, row, later);
+        fit();
+    }
+
+    /** Whether a row is that of two balls in contact. */
+    boolean isContact(int row) {
+        return row >= getRods() && row < rods;
+    }
+
+    /** The index after the last rod or contact. */
+    int getBeadRows() {
+        return rods;
     }
 
     void addBead(int particle, Curve along) {
@@ -87,7 +113,7 @@ final class ConstraintRows {
     }
 
     int getRods() {
-        return rods;
+        return rods - contacts;
     }
 
     int getBeads() {

@@ -72,7 +72,7 @@ final class ContactRows {
         rate[k] = along;
         Arrays.fill(slip, 3 * k, 3 * k + 3, 0);
         if (withValue) {
-            value[k] = obstacle.distance(state[x], state[x + 1], state[x + 2]);
+            value[k] = contacts.getSurfaces().get(surface[k]).distance(state, particle[k]);
         }
         if (!obstacle.isFlat()) {
             double square = state[x + 3] * state[x + 3] + state[x + 4] * state[x + 4] + state[x + 5] * state[x + 5];

@@ -148,7 +148,7 @@ public final class RestingContacts implements Reaction {
      * @param state    the state, in which velocities are changed
      */
     public void strike(int surface, int particle, double leaving, double[] state) {
-        blocks.strike(block(particle), surface, particle, leaving, state);
+        blocks.impacts().strike(block(particle), surface, particle, leaving, state);
     }
 
     /**
@@ -162,7 +162,7 @@ public final class RestingContacts implements Reaction {
      * @return true for every particle without rods and wires
      */
     public boolean canPush(int surface, int particle, double[] state) {
-        return !isCoupled(particle) || blocks.canPush(block(particle), surface, particle, state);
+        return !isCoupled(particle) || blocks.impacts().canPush(block(particle), surface, particle, state);
     }
 
     /**
@@ -174,7 +174,7 @@ public final class RestingContacts implements Reaction {
      */
     public void settle(int particle, double[] state) {
         if (isCoupled(particle)) {
-            blocks.settle(block(particle), state, false);
+            blocks.settle(block(particle), state, false, Block.NONE);
         }
     }
 
@@ -395,6 +395,13 @@ public final class RestingContacts implements Reaction {
         return queries.pressure(block(particle), surface, particle, state, force);
     }
 
+    /** As {@link #pressure}, but tells only if it is positive; where balls touch, contacts that would pull are open. */
+    public boolean isPressed(int surface, int particle, double[] state, double[] force) {
+        return isCoupled(particle) && joints.get().balls().hasContacts()
+                ? blocks.isPressed(block(particle), surface, particle, state, force)
+                : pressure(surface, particle, state, force) > 0;
+    }
+
     /**
      * Removes the components of a particle's velocity into the surfaces that it touches, by the smallest impulses along
      * their normals. All surfaces are solved together, since the impulse of one may push the particle into another.
@@ -403,6 +410,6 @@ public final class RestingContacts implements Reaction {
      * @param state    the state, in which its velocity is changed
      */
     public void stopEntering(int particle, double[] state) {
-        blocks.settle(blocks.single(particle), state, true);
+        blocks.settle(blocks.single(particle), state, true, Block.NONE);
     }
 }

@@ -11,6 +11,7 @@ import particles.law.Particles;
 import particles.law.Reaction;
 import particles.law.Require;
 import particles.law.Violation;
+import particles.reactions.contact.ContactModes;
 import particles.reactions.wires.Curve;
 import particles.view.SpringView;
 
@@ -40,6 +41,8 @@ import particles.view.SpringView;
  * <p>Only moving anchors do work through these forces. Any other change of energy is numerical error; it is of the
  * order of C and C'. The derivatives of the forces are not known: implicit solvers multiply with them by
  * differences, one evaluation each, and need some 30 in a step of a long chain.
+ *
+ * <p>{@link BallContacts} are rows of the same system.
  */
 public final class RigidConstraints implements Reaction, SpringView {
     /** The default feedback rate alpha (1/s). */
@@ -50,6 +53,7 @@ public final class RigidConstraints implements Reaction, SpringView {
     private final double feedback;
     private final ConstraintRows rows = new ConstraintRows();
     private final List<Block> joined = new ArrayList<>();
+    private RestingContacts contacts;
     private BlockForces blocks;
     private Block[] blockOf = {};                       // by particle; null for none
     private boolean arranged;
@@ -63,7 +67,8 @@ public final class RigidConstraints implements Reaction, SpringView {
         this.system = system;
         this.particles = system.getParticles();
         this.feedback = Require.notNegative("the feedback rate", feedback);
-        blocks = new BlockForces(system, rows, new RestingContacts(system, List.of()), feedback);
+        contacts = new RestingContacts(system, List.of());
+        blocks = new BlockForces(system, rows, contacts, feedback);
     }
 
     /**
@@ -117,7 +122,10 @@ public final class RigidConstraints implements Reaction, SpringView {
 
     @Override
     public String getName() {
-        return rows.getBeads() == 0 ? "rods" : rows.getRods() == 0 ? "wires" : "rods and wires";
+        if (rows.getBeads() == 0) {
+            return rows.getRods() == 0 ? "collisions" : "rods";
+        }
+        return rows.getRods() == 0 ? "wires" : "rods and wires";
     }
 
     @Override
@@ -127,7 +135,12 @@ public final class RigidConstraints implements Reaction, SpringView {
 
     @Override
     public boolean dependsOnVelocity() {
-        return true;                                    // the centripetal force does
+        return isActive();                              // the centripetal force does
+    }
+
+    @Override
+    public boolean hasForceDerivatives() {
+        return !isActive();
     }
 
     @Override
@@ -168,9 +181,34 @@ public final class RigidConstraints implements Reaction, SpringView {
      * @param contacts a reaction of the same system
      */
     public void solveWith(RestingContacts contacts) {
+        this.contacts = contacts;
         blocks = new BlockForces(system, rows, contacts, feedback);
         arranged = false;
         contacts.joinTo(this, blocks, new ContactQueries(system, rows, contacts, blocks));
+    }
+
+    /** The contacts of balls, solved together with these constraints. */
+    public BallContacts balls() {
+        return new BallContacts(this, rows);
+    }
+
+    /** Finds the blocks again after a contact of balls began or ended. */
+    void noteChange() {
+        arranged = false;
+        contacts.getModes().noteChange();
+    }
+
+    ContactModes getModes() {
+        return contacts.getModes();
+    }
+
+    BlockForces getBlocks() {
+        return blocks;
+    }
+
+    List<Block> getJoined() {
+        arrange();
+        return joined;
     }
 
     /** The block of a particle on a rod or wire; none for others. */
@@ -197,17 +235,17 @@ public final class RigidConstraints implements Reaction, SpringView {
     @Override
     public Violation getViolation(double[] state, double since) {
         Violation worst = Violation.NONE;
-        for (int r = 0; r < rows.getRods(); r++) {
+        for (int r = 0; r < rows.getBeadRows(); r++) {
             double more = rows.distance(r, state) - rows.length(r);
             double part = Math.abs(more) / rows.length(r);
             if (part > worst.part()) {
-                worst = new Violation(part, "the rod from '" + particles.id(rows.first(r)) + "' to '"
-                        + particles.id(rows.second(r)) + "' is " + Digits.few(Math.abs(more)) + " m too "
-                        + (more > 0 ? "long" : "short"));
+                worst = new Violation(part, (rows.isContact(r) ? "the contact" : "the rod") + " from '"
+                        + particles.id(rows.first(r)) + "' to '" + particles.id(rows.second(r)) + "' is "
+                        + Digits.few(Math.abs(more)) + " m too " + (more > 0 ? "long" : "short"));
             }
         }
         rows.evaluate(state);
-        for (int r = rows.getRods(); r < rows.count(); r++) {
+        for (int r = rows.getBeadRows(); r < rows.count(); r++) {
             double off = Math.abs(rows.value[r]);
             if (off > worst.part()) {
                 worst = new Violation(off,

@@ -59,7 +59,7 @@ final class StaticFrictionFeasibility {
     /** Adds the load of a row that is best for the smallest margin: that of its own ends, as others do not feel it. */
     private void load(int row, double most, double[] state, double[] total) {
         double others = leastMargin(row, state, total);
-        double low = -most;
+        double low = rows.isContact(row) ? 0 : -most;
         double high = most;
         double x = high - GOLDEN * (high - low);
         double y = low + GOLDEN * (high - low);

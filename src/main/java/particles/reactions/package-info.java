@@ -1,5 +1,6 @@
 /**
- * Forces that depend on the sum of all others: contact, friction, rods and wires. They are added after all effects.
+ * Forces that depend on the sum of all others: contact, friction, rods, wires and balls on balls. They are added after
+ * all effects.
  * This page is their theory.
  *
  * <p><b>Unknowns.</b> A constraint r is a function C<sub>r</sub>(x): the length of a rod, the distance from a wire, or
@@ -40,6 +41,14 @@
  * is a located event, a contact holds until then: lambda may become negative within a step, and the contact ends where
  * it does. Otherwise lambda &ge; 0 holds at each evaluation. On a curved surface the next step of a method of order 1
  * may end below it by O(deltaT&sup2;) although v<sub>n</sub> points outwards: that is truncation error, not an impact.
+ *
+ * <p><b>Balls on balls.</b> With the rule {@code collisions}, particles are hard spheres. Two that touch have the row
+ * of a rod between their centres, C = |x<sub>j</sub> - x<sub>i</sub>| - r<sub>i</sub> - r<sub>j</sub>, with lambda
+ * &ge; 0. It has no friction; impacts have, by an impulse of at most mu times the normal one. An impact is solved with
+ * the rods, wires and surfaces of its two balls, but with no other contact of balls: of several at the same time, one
+ * follows the other, as in Newton's cradle, until none is left or all that remain are slow. These stop together. After
+ * each such event, and where a lambda becomes negative, the complementarity problem tells which contacts last. In a
+ * dense packing with small errors it may have no solution; contacts are then elastic by 1e-6 of a row's diagonal.
  *
  * <p>At about 200 steps and at the end of each run the largest violation of a rod, wire or contact is noted, and the
  * difference between the work that is reported for moving anchors and that of the forces on them. If one of them is

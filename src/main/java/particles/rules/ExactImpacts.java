@@ -19,7 +19,7 @@ import particles.reactions.contact.ContactSurface;
  */
 public final class ExactImpacts extends Impacts implements EventRule {
     /** Relative to the size of the motion: 32 round-offs, for a solver's stages, a spring's force and a distance. */
-    private static final double DEEP = 0x1p-48;
+    static final double DEEP = 0x1p-48;
 
     /** @param contacts the surfaces and the particles in contact with them */
     public ExactImpacts(RestingContacts contacts) {
@@ -28,7 +28,7 @@ public final class ExactImpacts extends Impacts implements EventRule {
     }
 
     /** An event of one particle: its function, positive until it happens, and its action. */
-    private record Change(double time, boolean happensAfter, ToDoubleFunction<ParticleSystem> function,
+    record Change(double time, boolean happensAfter, ToDoubleFunction<ParticleSystem> function,
             Consumer<ParticleSystem> deed) implements Event {
         @Override
         public double value(ParticleSystem system) {
@@ -161,7 +161,7 @@ public final class ExactImpacts extends Impacts implements EventRule {
      * The largest coordinate of any particle, or the path in this motion if that is longer (m): round-off in a spring's
      * force is relative to its length and, in a stable step, moves its ends by a few round-offs of that.
      */
-    private static double size(Motion motion) {
+    static double size(Motion motion) {
         double h = motion.getEndTime() - motion.getStartTime();
         double size = 0;
         for (double[] state : List.of(motion.getStartState(), motion.getEndState())) {
@@ -200,7 +200,7 @@ public final class ExactImpacts extends Impacts implements EventRule {
 
     private boolean isPressedOn(ParticleSystem system, int p, int i) {
         modes.set(p, i, Mode.SLIDING);
-        boolean pressed = pressure(system, p, i) > 0;
+        boolean pressed = isPressed(system, p, i);
         modes.set(p, i, Mode.FREE);
         return pressed;
     }

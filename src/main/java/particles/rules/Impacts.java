@@ -92,6 +92,11 @@ abstract class Impacts implements Rule {
         return contacts.pressure(p, i, system.getOwnState(), forces(system));
     }
 
+    /** Whether a surface pushes a particle that touches it. */
+    final boolean isPressed(ParticleSystem system, int p, int i) {
+        return contacts.isPressed(p, i, system.getOwnState(), forces(system));
+    }
+
     final double holdMargin(ParticleSystem system, int i) {
         return contacts.holdMargin(i, system.getOwnState(), forces(system));
     }
@@ -121,7 +126,7 @@ abstract class Impacts implements Rule {
             stopAlong(surfaces.get(p).normal(system.getOwnState(), i), system.getOwnState(), i);
             modes.set(p, i, Mode.SLIDING);
             modes.setWhereTouching(i, Mode.SLIDING);
-            if (contacts.isHolding() && pressure(system, p, i) <= 0) {
+            if (contacts.isHolding() && !isPressed(system, p, i)) {
                 modes.set(p, i, Mode.FREE);
             }
         }
@@ -227,6 +232,7 @@ abstract class Impacts implements Rule {
         int count = surface.obstacle().separation(points, coefficients);
         // a sphere's coefficients are those of r^2 - R^2 = (r - R) (r + R)
         double more = surface.obstacle().isFlat() ? below : 2 / surface.curvature(begin, i) * below;
+        more += surface.obstacle().raise(surface.radius().applyAsDouble(i));
         for (int k = 0; k < count; k++) {
             coefficients[k] += more;
         }

@@ -1,16 +1,20 @@
 package particles.scene;
 
+import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import particles.EnergyLimit;
 import particles.ParticleSystem;
+import particles.Rule;
 import particles.Simulation;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
 import particles.effects.springs.SpringForce;
+import particles.law.Violation;
 import particles.reactions.RestingContacts;
 import particles.rules.ClampedImpacts;
+import particles.rules.Collisions;
 import particles.rules.ExactImpacts;
 import particles.scene.checks.MemoryEstimate;
 import particles.scene.checks.RunLimits;
@@ -21,6 +25,7 @@ import particles.scene.parts.Lattice;
 import particles.scene.parts.LatticeSurface;
 import particles.scene.parts.ParticleDescription;
 import particles.scene.parts.ParticleIndex;
+import particles.scene.parts.RuleKind;
 import particles.scene.parts.SceneAssembly;
 import particles.scene.parts.ShapeDescription;
 import particles.scene.parts.SpringDescription;
@@ -101,17 +106,29 @@ public final class SceneBuilder {
         double estimate = EnergyEstimate.of(system, springs, assembly, Math.max(scene.duration(), scene.deltaT()));
         Simulation simulation = new Simulation(system, scene.solving()::create, scene.deltaT(),
                 scene.duration());
-        if (!assembly.getSurfaces().isEmpty()) {               // the ground and others to collide with
+        if (!assembly.getSurfaces().isEmpty() || scene.hasHardBalls()) {       // the ground and others to collide with
             RestingContacts contacts = new RestingContacts(system, assembly.getSurfaces());
             system.addReaction(contacts);
             simulation.addRule(scene.exactImpacts() ? new ExactImpacts(contacts)
                     : new ClampedImpacts(contacts));
         }
         contents.constraints().build(system, index, simulation, assembly);     // rods take over contacts
+        if (scene.hasHardBalls()) {
+            simulation.getRules().forEach(rule -> checkOverlap(rule, contents, system));
+        }
         assembly.rules().forEach(simulation::addRule);
         Scene built = new Scene(scene, simulation, springs, assembly.scenery(cloths), estimate);
         simulation.addRule(new EnergyLimit(built.energyLimit()));
         return built;
+    }
+
+    private static void checkOverlap(Rule rule, Contents contents, ParticleSystem system) {
+        Violation overlap = rule instanceof Collisions balls ? balls.findOverlap(system) : Violation.NONE;
+        if (overlap.part() > 0) {
+            throw new SceneException(contents.rules().stream().filter(RuleKind::hasBalls).findFirst().orElseThrow()
+                    .place() + ": " + overlap.what() + " begin with an overlap of " + Digits.few(overlap.part())
+                    + " m; hard balls have to begin apart");
+        }
     }
 
     /** Effects are built in the order of the catalogue, students' own ones last. */

@@ -37,12 +37,13 @@ class BrokenScenesTest {
             x.yaml:8:1: unknown key 'efects'; did you mean 'effects'? known in the scene: {keys}
 
             friction: 0.5
-            x.yaml:8:1: unknown key 'friction'; it is a key of 'ground', 'plane', 'sphere'; known in the scene: \
-            {keys}
+            x.yaml:8:1: unknown key 'friction'; it is a key of 'ground', 'plane', 'sphere', 'collisions'; known in \
+            the scene: {keys}
 
             effects:
               - friction: 0.5
-            x.yaml:9:5: unknown effect 'friction'; it is a key of 'ground', 'plane', 'sphere'; known: {effects}
+            x.yaml:9:5: unknown effect 'friction'; it is a key of 'ground', 'plane', 'sphere', 'collisions'; known: \
+            {effects}
 
             output:
               phase: {particle: bob, axis: X}

@@ -31,6 +31,8 @@ record Summary(String name, String hash, Scene scene, EnergyRecorder recorder, d
     private static final double LARGE_ERROR = 0.1;
     /** A larger violation of a rod, wire or contact, relative to its scale, gives a warning. */
     private static final double VIOLATION = 1e-3;
+    /** Events per simulated second beyond which soft balls are cheaper. */
+    private static final double MANY_EVENTS = 3000;
     /** Energies below this part of the energy scale are round-off. */
     private static final double ROUND_OFF = 1e-15;
 
@@ -122,6 +124,10 @@ record Summary(String name, String hash, Scene scene, EnergyRecorder recorder, d
         Violation violation = simulation().getViolation();
         if (violation.part() > VIOLATION && !failed) {
             lines.add("warning: " + violation.what() + "; a smaller deltaT or another solver keeps it better.");
+        }
+        if (scene.description().hasHardBalls() && simulation().getEvents() > MANY_EVENTS * time) {
+            lines.add("warning: " + simulation().getEvents() + " impacts, each located by steps of its own; the effect"
+                    + " 'repulsion', with soft balls, costs no more for many impacts than for few.");
         }
         return lines;
     }

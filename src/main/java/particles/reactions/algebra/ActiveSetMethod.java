@@ -4,12 +4,14 @@ package particles.reactions.algebra;
  * Active-set solver of a mixed linear complementarity problem: A lambda - b = w with w = 0 in the rows of rods and
  * wires, and lambda &ge; 0, w &ge; 0, lambda w = 0 in those of contacts: a contact either pushes or separates. The
  * search starts with all contacts active, that is w = 0; for each active set one linear system is solved, in the
- * envelope of A. A contact is wrong if it is active with lambda &lt; 0, or inactive with w &lt; 0. If fewer are wrong
+ * envelope of A. A contact is wrong if it is active with lambda &lt; 0, or inactive with w &lt; 0, but for the error of
+ * active rows that contradict each other. If fewer are wrong
  * than ever before, all of them change sides (J. J&uacute;dice, F. Pires 1994), otherwise only the one with the least
  * index (K. Murty 1974). If A is positive definite, the search always ends.
  *
  * <p>If rows are linearly dependent, as in a square with both diagonals, many solutions give the same motion; the one
- * with the least sum of squares is taken, the load of equal, slightly elastic rods.
+ * with the least sum of squares is taken, the load of equal, slightly elastic rods. Where balls are packed so that no
+ * motion keeps all of them apart exactly, but for a small error, contacts are slightly elastic too.
  */
 public final class ActiveSetMethod {
     private static final double ROUNDING = 1e-10;
@@ -19,6 +21,9 @@ public final class ActiveSetMethod {
     private static final double SINGULAR = 1e-11;
     /** The residual of good factors, relative to the largest entry of b. */
     private static final double ACCURATE = 1e-12;
+
+    /** How much the diagonal of contacts grows where the search does not end; the motion changes by as much. */
+    private static final double SOFT = 1e-6;
 
     private final MinimumNormSolution dense = new MinimumNormSolution();
     private boolean[] wrong = {};
@@ -44,6 +49,17 @@ public final class ActiveSetMethod {
      * @return false if the search does not end: no forces satisfy all conditions
      */
     public boolean solve(EnvelopeMatrix a, double[] b, boolean[] contact, boolean signed, double[] lambda,
+            double[] w) {
+        if (search(a, b, contact, signed, lambda, w)) {
+            return true;
+        }
+        for (int r = 0; r < a.size(); r++) {
+            a.set(r, r, a.get(r, r) * (contact[r] ? 1 + SOFT : 1), 0);
+        }
+        return search(a, b, contact, signed, lambda, w);
+    }
+
+    private boolean search(EnvelopeMatrix a, double[] b, boolean[] contact, boolean signed, double[] lambda,
             double[] w) {
         int n = a.size();
         if (active.length < n) {
@@ -93,7 +109,8 @@ public final class ActiveSetMethod {
         }
         int count = 0;
         for (int r = 0; r < n; r++) {
-            wrong[r] = contact[r] && (active[r] ? lambda[r] < -ROUNDING * force : w[r] < -ROUNDING * largest);
+            wrong[r] = contact[r] && (active[r] ? lambda[r] < -ROUNDING * force
+                    : w[r] < -ROUNDING * largest - left);
             count += wrong[r] ? 1 : 0;
         }
         return count;

@@ -1,5 +1,6 @@
 package particles.reactions.contact;
 
+import java.util.function.IntToDoubleFunction;
 import particles.law.Obstacle;
 import particles.law.Particles;
 import particles.law.Require;
@@ -13,8 +14,10 @@ import particles.law.Vector3;
  * @param restitution r: the normal component of the velocity is multiplied by -r at an impact; 0 ... 1
  * @param friction    its friction
  * @param restSpeed   a particle that would leave the surface slower than this stays in contact (m/s), 0 or more
+ * @param radius      the radius of each particle, which touches with its own surface (m); 0 for a point
  */
-public record ContactSurface(String name, Obstacle obstacle, double restitution, Friction friction, double restSpeed) {
+public record ContactSurface(String name, Obstacle obstacle, double restitution, Friction friction, double restSpeed,
+        IntToDoubleFunction radius) {
     /** @throws IllegalArgumentException if a number is out of its range */
     public ContactSurface {
         if (!(restitution >= 0 && restitution <= 1)) {
@@ -24,10 +27,15 @@ public record ContactSurface(String name, Obstacle obstacle, double restitution,
         Require.notNegative("the rest speed of '" + name + "'", restSpeed);
     }
 
-    /** @return the distance of a particle from the surface (m), negative inside */
+    /** A surface that particles touch as points. */
+    public ContactSurface(String name, Obstacle obstacle, double restitution, Friction friction, double restSpeed) {
+        this(name, obstacle, restitution, friction, restSpeed, i -> 0);
+    }
+
+    /** @return the distance of a particle's own surface from the surface (m), negative inside */
     public double distance(double[] state, int particle) {
         int x = Particles.STRIDE * particle;
-        return obstacle.distance(state[x], state[x + 1], state[x + 2]);
+        return obstacle.distance(state[x], state[x + 1], state[x + 2]) - radius.applyAsDouble(particle);
     }
 
     /** @return the normal at a particle, of length 1 */

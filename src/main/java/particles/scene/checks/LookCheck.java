@@ -13,6 +13,7 @@ import particles.scene.format.MarkFormat;
 import particles.scene.format.RenderFormat;
 import particles.scene.format.SceneFormat;
 import particles.scene.parts.ParticleDescription;
+import particles.scene.parts.RuleKind;
 import particles.scene.parts.ShapeDescription;
 import particles.spec.Chosen;
 import particles.spec.Key;
@@ -38,6 +39,9 @@ final class LookCheck {
         double radius = look.particleRadius();
         for (Chosen<EffectKind> effect : scene.list(SceneFormat.EFFECTS)) {
             radius = radius > 0 ? radius : effect.kind().ballRadius(effect.values());
+        }
+        for (Chosen<RuleKind> rule : scene.list(SceneFormat.RULES)) {
+            radius = radius > 0 ? radius : rule.kind().ballRadius(rule.values());
         }
         Map<String, ParticleMark> marks = new LinkedHashMap<>();
         particles.forEach(particle -> mark(particle.radius(), Stream.of(particle.id()), marks));

@@ -30,31 +30,41 @@ final class OutsideCheck {
                     + MOST_RULES);
             return;
         }
+        double all = rules.stream().filter(RuleKind::hasBalls).filter(rule -> rule.values().isSound())
+                .mapToDouble(rule -> rule.kind().ballRadius(rule.values())).findFirst().orElse(Double.NaN);
         for (Chosen<RuleKind> rule : rules) {
             Optional<Obstacle> plane = Optional.of(rule.values()).filter(Values::isSound)
                     .flatMap(rule.kind()::obstacle);
             if (plane.isPresent()) {
                 for (ParticleDescription particle : particles) {
-                    double distance = distance(plane.get(), particle.position());
+                    double distance = distance(plane.get(), particle.position(),
+                            radius(particle.radius(), all));
                     if (distance < 0 && !particle.fixed()) {
                         problems.add(particle.place(), inside(particle.id(), rule, plane.get(), distance));
                     }
                 }
-                shapes.forEach(shape -> check(shape, plane.get(), rule, problems));
+                shapes.forEach(shape -> check(shape, plane.get(), rule,
+                        radius(shape.radius(), all), problems));
             }
         }
     }
 
-    private static void check(ShapeDescription shape, Obstacle plane, Chosen<RuleKind> rule, Problems problems) {
+    /** The radius with which a particle touches solids: 0 if particles are not hard balls, which all may be. */
+    private static double radius(Optional<Double> own, double all) {
+        return Double.isNaN(all) ? 0 : own.orElse(all);
+    }
+
+    private static void check(ShapeDescription shape, Obstacle plane, Chosen<RuleKind> rule, double radius,
+            Problems problems) {
         Lattice lattice = shape.lattice();
         if (problems.isFull() || plane.isFlat() && lattice.corners().stream().allMatch(n -> distance(plane,
-                lattice.position(n)) >= 0)) {
+                lattice.position(n), radius) >= 0)) {
             return;                                     // if all corners are outside a plane, so are all particles
         }
         int lowest = -1;
         double least = 0;
         for (int n = 0; n < lattice.size(); n++) {
-            double distance = shape.fixed().get(n) ? 0 : distance(plane, lattice.position(n));
+            double distance = shape.fixed().get(n) ? 0 : distance(plane, lattice.position(n), radius);
             if (distance < least) {
                 lowest = n;
                 least = distance;
@@ -73,8 +83,8 @@ final class OutsideCheck {
     }
 
     /** Distance from a solid; round-off counts as 0. */
-    private static double distance(Obstacle plane, Vector3 at) {
-        double distance = plane.distance(at.x(), at.y(), at.z());
+    private static double distance(Obstacle plane, Vector3 at, double radius) {
+        double distance = plane.distance(at.x(), at.y(), at.z()) - radius;
         return Math.abs(distance) <= 1e-9 * (1 + at.length()) ? 0 : distance;
     }
 }

@@ -3,6 +3,7 @@ package particles.scene.checks;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.BiPredicate;
 import particles.scene.format.SceneFormat;
@@ -17,6 +18,7 @@ import particles.spec.messages.Wording;
 
 /** Checks rules against the particles and springs that they name or act on. */
 final class RuleChecks {
+    private final Values scene;
     private final List<Chosen<RuleKind>> rules;
     private final Problems problems;
     private final ParticleIndex index;
@@ -25,6 +27,7 @@ final class RuleChecks {
 
     /** @param isKnown tests whether a key names an existing particle, and adds a problem if not */
     RuleChecks(Values scene, Problems problems, ParticleIndex index, BiPredicate<Values, Key<String>> isKnown) {
+        this.scene = scene;
         rules = scene.list(SceneFormat.RULES);
         this.problems = problems;
         this.index = index;
@@ -45,8 +48,29 @@ final class RuleChecks {
         return scene.list(SceneFormat.RULES).stream().anyMatch(rule -> rule.kind().alive(rule.values(), 1, 1) > 0);
     }
 
+    /** Hard balls are named once, located at their impacts and as many as at the start. */
+    private void checkBalls(Values scene) {
+        List<Chosen<RuleKind>> balls = rules.stream().filter(RuleKind::hasBalls).toList();
+        if (balls.isEmpty()) {
+            return;
+        }
+        Place place = balls.get(0).place();
+        if (balls.size() > 1) {
+            problems.add(balls.get(1).place(), "'collisions' is already named at line " + place.line());
+        }
+        if (scene.isGiven(SceneFormat.IMPACT) && scene.find(SceneFormat.IMPACT).equals(Optional.of("clamp"))) {
+            problems.add(scene.place(SceneFormat.IMPACT), "'collisions' needs 'impact: exact'");
+        }
+        scene.list(SceneFormat.EFFECTS).stream().filter(e -> e.kind().getName().equals("repulsion")).forEach(effect ->
+                problems.add(effect.place(), "'repulsion' and 'collisions' cannot be combined; keep one of them"));
+        rules.stream().filter(rule -> rule.kind().newIds().isPresent() || rule.kind().removes()).forEach(rule ->
+                problems.add(rule.place(), "'" + rule.kind().getName() + "' and 'collisions' cannot be combined:"
+                        + " hard balls are neither born nor removed"));
+    }
+
     /** @param springs whether the scene has springs */
     void check(boolean springs) {
+        checkBalls(scene);
         for (Chosen<RuleKind> rule : rules) {
             rule.kind().anchor().filter(key -> isKnown.test(rule.values(), key))
                     .ifPresent(key -> checkAnchor(rule.values().get(key), rule.values().place(key)));

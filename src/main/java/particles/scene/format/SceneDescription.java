@@ -73,7 +73,12 @@ public record SceneDescription(Values values, SolverDescription solving, Content
 
     /** @return whether steps are split at impacts */
     public boolean exactImpacts() {
-        return values.get(SceneFormat.IMPACT).equals("exact");
+        return values.get(SceneFormat.IMPACT).equals("exact") || hasHardBalls();
+    }
+
+    /** @return whether particles are hard balls */
+    public boolean hasHardBalls() {
+        return contents.rules().stream().anyMatch(RuleKind::hasBalls);
     }
 
     /**

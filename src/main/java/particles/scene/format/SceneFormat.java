@@ -38,7 +38,8 @@ public final class SceneFormat {
             + " The result is the same with any number, bit for bit.");
     public static final Key<List<Values>> PARTICLES = ListType.of("a particle", ParticleDescription.TYPE)
             .withDefault("particles", List.of(),
-            "Single particles. They collide with each other only if the scene names the effect 'repulsion'.");
+            "Single particles. They collide with each other only if the scene names"
+            + " 'repulsion' or 'collisions'.");
     public static final Key<List<Chosen<ShapeKind>>> SHAPES = ListType.of("a shape", new KindType<>("shape",
             ShapeKind.ALL)).withDefault("shapes", List.of(),
             "Ropes, cloths and blocks: many particles and springs at once.");

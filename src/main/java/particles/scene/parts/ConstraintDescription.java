@@ -7,6 +7,7 @@ import particles.law.Reaction;
 import particles.reactions.RestingContacts;
 import particles.reactions.RigidConstraints;
 import particles.reactions.wires.Curve;
+import particles.rules.Collisions;
 import particles.rules.ConstraintProjection;
 import particles.spec.Chosen;
 import particles.spec.FlagType;
@@ -39,9 +40,9 @@ public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireK
                 values.get(PROJECTION));
     }
 
-    /** Adds the scene's rods and wires to a system, if there are any. */
+    /** Adds the scene's rods, wires and collisions of balls to a system, if there are any. */
     public void build(ParticleSystem system, ParticleIndex index, Simulation simulation, SceneAssembly assembly) {
-        if (rods.isEmpty() && wires.isEmpty()) {
+        if (rods.isEmpty() && wires.isEmpty() && assembly.getBalls().isEmpty()) {
             return;
         }
         RigidConstraints constraints = new RigidConstraints(system, feedback);
@@ -58,6 +59,8 @@ public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireK
         for (Reaction reaction : List.copyOf(system.getReactions())) {
             if (reaction instanceof RestingContacts contacts) {
                 constraints.solveWith(contacts);
+                assembly.getBalls().ifPresent(balls -> simulation.addRule(new Collisions(contacts, constraints,
+                        balls)));
             }
         }
         system.addReaction(constraints);

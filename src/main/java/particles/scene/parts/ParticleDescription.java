@@ -40,7 +40,7 @@ public record ParticleDescription(String id, Vector3 position, Vector3 velocity,
             "true: forces do not move it. A rule such as 'circle' still can.");
 
     static final Key<Double> RADIUS = NumberType.positive("m").optional("radius",
-            "The radius of a ball (m), drawn and used by 'repulsion'; by default that of all others.");
+            "The radius of a ball (m), drawn and used by 'repulsion' and 'collisions'; by default that of all others.");
 
     public static final MappingType TYPE = MappingType.of("a particle", ID, POSITION, VELOCITY, MASS, FIXED, RADIUS);
 

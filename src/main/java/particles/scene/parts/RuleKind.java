@@ -1,5 +1,6 @@
 package particles.scene.parts;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -10,6 +11,8 @@ import particles.law.Plane;
 import particles.law.Vector3;
 import particles.reactions.contact.ContactSurface;
 import particles.reactions.contact.Friction;
+import particles.rules.Collisions;
+import particles.spec.Chosen;
 import particles.spec.Key;
 import particles.spec.Kind;
 import particles.spec.MappingType;
@@ -75,6 +78,16 @@ public abstract class RuleKind extends Kind {
         return 0;
     }
 
+    /** @return the radius of balls that meet each other unless they have their own (m); 0 if the rule makes none */
+    public double ballRadius(Values values) {
+        return 0;
+    }
+
+    /** @return whether this rule of a scene makes hard balls of particles */
+    public static boolean hasBalls(Chosen<RuleKind> rule) {
+        return rule.kind() == COLLISIONS;
+    }
+
     /** @return whether it removes particles of any origin */
     public boolean removes() {
         return false;
@@ -102,7 +115,8 @@ public abstract class RuleKind extends Kind {
         @Override
         public void build(Values values, SceneAssembly assembly) {
             assembly.add(new ContactSurface(getName(), solid.apply(values), values.get(RESTITUTION),
-                    values.find(FRICTION).map(RuleKind::friction).orElse(Friction.NONE), values.get(REST_SPEED)));
+                    values.find(FRICTION).map(RuleKind::friction).orElse(Friction.NONE), values.get(REST_SPEED),
+                    assembly::radius));
         }
     }
 
@@ -133,8 +147,28 @@ public abstract class RuleKind extends Kind {
             SharedKeys::sphere, SharedKeys.CENTRE, SharedKeys.RADIUS, SharedKeys.HOLLOW, RESTITUTION, FRICTION,
             REST_SPEED);
 
+    private static final Key<Double> IMPACT_FRICTION = NumberType.notNegative("").withDefault("friction", 0.0,
+            "mu: an impact changes the velocity along the surfaces by at most mu times that across them.");
+
+    private static final RuleKind COLLISIONS = new RuleKind("collisions",
+            "Particles are hard balls that bounce off each other, and touch solids with their surface.",
+            SharedKeys.BALL_RADIUS, RESTITUTION, IMPACT_FRICTION, REST_SPEED) {
+        @Override
+        public double ballRadius(Values values) {
+            return values.get(SharedKeys.BALL_RADIUS);
+        }
+
+        @Override
+        public void build(Values values, SceneAssembly assembly) {
+            double[] radii = new double[assembly.particles().count()];
+            Arrays.setAll(radii, i -> assembly.ownRadius(i).orElse(ballRadius(values)));
+            assembly.set(new Collisions.Balls(radii, values.get(RESTITUTION), values.get(IMPACT_FRICTION),
+                    values.get(REST_SPEED)));
+        }
+    };
+
     /** All rules. */
-    public static final List<RuleKind> ALL = List.of(GROUND, PLANE, SPHERE, BirthAndDeath.TEAR, MotionKinds.SHAKE,
-            MotionKinds.CIRCLE,
-            MotionKinds.GLIDE, BirthAndDeath.EMITTER, BirthAndDeath.KILL, BirthAndDeath.SAMPLES);
+    public static final List<RuleKind> ALL = List.of(GROUND, PLANE, SPHERE, COLLISIONS, BirthAndDeath.TEAR,
+            MotionKinds.SHAKE, MotionKinds.CIRCLE, MotionKinds.GLIDE, BirthAndDeath.EMITTER, BirthAndDeath.KILL,
+            BirthAndDeath.SAMPLES);
 }

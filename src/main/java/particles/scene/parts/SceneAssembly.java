@@ -16,6 +16,7 @@ import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.reactions.contact.ContactSurface;
+import particles.rules.Collisions;
 import particles.rules.Lifetimes;
 import particles.view.CurveView;
 import particles.view.Scenery;
@@ -32,6 +33,7 @@ public final class SceneAssembly implements EffectContext {
     private final List<ContactSurface> surfaces = new ArrayList<>();
     private final List<Obstacle> solids = new ArrayList<>();
     private final List<CurveView> wires = new ArrayList<>();
+    private Optional<Collisions.Balls> balls = Optional.empty();
     private Wind wind = Wind.STILL;
     private Vector3 acceleration = Vector3.ZERO;
     private double speed;
@@ -99,6 +101,20 @@ public final class SceneAssembly implements EffectContext {
     @Override
     public void add(Effect effect) {
         system.addEffect(effect);
+    }
+
+    void set(Collisions.Balls balls) {
+        this.balls = Optional.of(balls);
+    }
+
+    /** @return the law of impact, if particles are hard balls */
+    public Optional<Collisions.Balls> getBalls() {
+        return balls;
+    }
+
+    /** @return the radius with which a particle touches solids (m); 0 for a point */
+    double radius(int particle) {
+        return balls.isPresent() ? balls.get().radii()[particle] : 0;
     }
 
     void add(ContactSurface surface) {

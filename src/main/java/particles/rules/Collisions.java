@@ -1,0 +1,268 @@
+package particles.rules;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+import particles.EventRule;
+import particles.Motion;
+import particles.ParticleSystem;
+import particles.effects.NeighbourGrid;
+import particles.law.Particles;
+import particles.law.Sphere;
+import particles.law.Vector3;
+import particles.law.Violation;
+import particles.reactions.BallContacts;
+import particles.reactions.RestingContacts;
+import particles.reactions.RigidConstraints;
+
+/**
+ * Hard spheres: particles are balls that bounce off each other. Impacts are located like those with surfaces, see
+ * {@link ExactImpacts}. With the unit vector N along the line of centres, the speed of approach v becomes the speed of
+ * separation r v, and friction is an impulse across N: at most mu times the normal impulse, and at most what stops the
+ * sliding. Balls do not spin.
+ *
+ * <p>Simultaneous impacts happen one after the other, in the order in which the balls met, until none is left. So in a
+ * row of equal balls the impact passes from ball to ball. Balls that approach no faster than the rest speed, or that
+ * still approach each other after many impacts, stop together, without a bounce.
+ *
+ * <p>Balls that are pressed on each other then stay in contact: {@link RigidConstraints} has their forces, without
+ * friction. Such a contact ends where its force would become negative.
+ */
+public final class Collisions implements EventRule {
+    private static final int STRIDE = Particles.STRIDE;
+    /** The largest gap of balls that begin in contact, relative to 1 m plus the distance from the origin. */
+    private static final double TOUCHING = 1e-9;
+    /** The largest number of simultaneous impacts for each contact; with r = 0.5, speeds fall to a millionth in 20. */
+    private static final int MOST_IMPACTS = 100;
+
+    private final RestingContacts contacts;
+    private final BallContacts touching;
+    private final Balls balls;
+    private final double largest;
+    private final NeighbourGrid grid = new NeighbourGrid();
+    private final FirstCrossing crossing = new FirstCrossing();
+    private final double[] points = new double[12];
+    private final double[] coefficients = new double[FirstCrossing.MOST_COEFFICIENTS];
+    private double[] moves = {};                        // the farthest that each particle may get in a motion
+    private int[] near = {};
+    private double[] force = {};
+
+    /**
+     * The law of impact.
+     *
+     * @param radii       the radius of each particle (m), positive
+     * @param restitution r, 0 ... 1
+     * @param friction    mu, 0 or more
+     * @param restSpeed   balls that would separate more slowly than this stay in contact (m/s), 0 or more
+     */
+    public record Balls(double[] radii, double restitution, double friction, double restSpeed) {
+    }
+
+    /** A pair of balls. */
+    private interface Pair {
+        void take(int i, int j);
+    }
+
+    /**
+     * @param contacts    the surfaces, which an {@link ExactImpacts} handles
+     * @param constraints the rods and wires, solved with these contacts; also holds the contacts of balls
+     * @param balls       the law of impact
+     */
+    public Collisions(RestingContacts contacts, RigidConstraints constraints, Balls balls) {
+        this.contacts = contacts;
+        touching = constraints.balls();
+        this.balls = balls;
+        largest = Arrays.stream(balls.radii).max().orElse(0);
+    }
+
+    @Override
+    public String getName() {
+        return "collisions";
+    }
+
+    /**
+     * @param system the system at the start
+     * @return the two balls that overlap most, and by how much (m)
+     */
+    public Violation findOverlap(ParticleSystem system) {
+        double[] state = system.getOwnState();
+        Violation[] worst = {Violation.NONE};
+        findPairs(system, state, new double[system.getParticles().count()], (i, j) -> {
+            double depth = -gap(state, i, j);
+            worst[0] = depth <= slack(state, i) ? worst[0] : worst[0].or(new Violation(depth, "'"
+                    + system.getParticles().id(i) + "' and '" + system.getParticles().id(j) + "'"));
+        });
+        return worst[0];
+    }
+
+    /** Balls that begin in contact, and are pressed on each other, stay in contact from the start. */
+    @Override
+    public void start(ParticleSystem system) {
+        double[] state = system.getOwnState();
+        findPairs(system, state, new double[system.getParticles().count()], (i, j) -> {
+            if (gap(state, i, j) <= slack(state, i) && Math.abs(rate(state, i, j)) <= balls.restSpeed) {
+                touching.touch(i, j, reach(i, j));
+            }
+        });
+        settle(system);
+    }
+
+    /** {@inheritDoc} Removes the solver's error that would let balls in contact drift, as {@link ExactImpacts} does. */
+    @Override
+    public boolean afterStep(ParticleSystem system, double deltaT) {
+        touching.putTogether(system.getOwnState());
+        return false;
+    }
+
+    @Override
+    public void findEvents(Motion motion, List<Event> found) {
+        ParticleSystem system = motion.getSystem();
+        double[] begin = motion.getStartState();
+        if (touching.hasContacts()) {
+            if (findImpact(begin) >= 0) {               // a surface has struck a ball
+                found.add(new ExactImpacts.Change(motion.getStartTime(), false, s -> 0, this::settle));
+                return;
+            }
+            if (push(system) < 0) {
+                // just before the end: surfaces are only asked once the balls have parted
+                found.add(new ExactImpacts.Change(Math.nextDown(motion.getEndTime()), true, this::push, this::settle));
+            }
+        }
+        double h = motion.getEndTime() - motion.getStartTime();
+        moves = moves.length < system.getParticles().count() ? new double[system.getParticles().count()] : moves;
+        for (int i = 0; i < system.getParticles().count(); i++) {
+            putPath(motion, i, 1, h);
+            moves[i] = 0;
+            for (int k = 3; k < 12; k += 3) {
+                moves[i] = Math.max(moves[i], Vector3.at(points, k).minus(Vector3.at(points, 0)).length());
+            }
+        }
+        double size = ExactImpacts.DEEP * ExactImpacts.size(motion);
+        findPairs(system, begin, moves, (i, j) -> findMeeting(motion, i, j, size, found));
+    }
+
+    /** Adds the B&eacute;zier points of a particle's path, times a factor, after clearing them for the factor 1. */
+    private void putPath(Motion motion, int i, int factor, double h) {
+        double[] begin = motion.getStartState();
+        double[] end = motion.getEndState();
+        for (int c = 0, x = STRIDE * i; c < 3; c++, x++) {
+            double[] path = {begin[x], begin[x] + h * begin[x + 3] / 3, end[x] - h * end[x + 3] / 3, end[x]};
+            for (int k = 0; k < 4; k++) {
+                points[3 * k + c] = (factor > 0 ? 0 : points[3 * k + c]) + factor * path[k];
+            }
+        }
+    }
+
+    /** Finds all pairs that are in reach, may move relative to each other and are not in contact. */
+    private void findPairs(ParticleSystem system, double[] state, double[] moves, Pair pair) {
+        Particles particles = system.getParticles();
+        int n = particles.count();
+        near = near.length < n ? new int[n] : near;
+        double farthest = Arrays.stream(moves).max().orElse(0);
+        grid.build(state, n, (2 * largest + 2 * farthest) * (1 + TOUCHING) + TOUCHING);
+        for (int i = 0; i < n; i++) {
+            for (int k = grid.findLater(i, near) - 1; k >= 0; k--) {
+                int j = near[k];
+                if (gap(state, i, j) <= moves[i] + moves[j] + slack(state, i)
+                        && !(particles.isFixed(i) && particles.isFixed(j)) && !touching.areLinked(i, j)) {
+                    pair.take(i, j);
+                }
+            }
+        }
+    }
+
+    /** Finds when two balls meet; as for surfaces, those that begin in contact have to go deeper than round-off. */
+    private void findMeeting(Motion motion, int i, int j, double rounding, List<Event> found) {
+        double[] begin = motion.getStartState();
+        double start = motion.getStartTime();
+        double h = motion.getEndTime() - start;
+        double gap = gap(begin, i, j);
+        boolean begins = gap <= slack(begin, i);
+        double below = begins ? Math.max(0, rounding + ExactImpacts.DEEP * reach(i, j) - gap) : 0;
+        putPath(motion, i, 1, h);
+        putPath(motion, j, -1, h);
+        int count = new Sphere(Vector3.ZERO, reach(i, j), false).separation(points, coefficients);
+        for (int k = 0; k < count; k++) {
+            coefficients[k] += below * (2 * reach(i, j) - below);
+        }
+        double u = crossing.of(coefficients, count);
+        if (!Double.isNaN(u)) {
+            ToDoubleFunction<ParticleSystem> function = s -> {
+                double above = gap(s.getOwnState(), i, j) + below;
+                return begins ? Math.max(above, rate(s.getOwnState(), i, j)) : above;
+            };
+            found.add(new ExactImpacts.Change(begins ? Math.max(start + u * h, Math.nextUp(start)) : start + u * h,
+                    false, function, s -> {
+                        touching.touch(i, j, reach(i, j));
+                        settle(s);
+                    }));
+        }
+    }
+
+    /** Applies the impacts of balls in contact; contacts that do not push end. */
+    private void settle(ParticleSystem system) {
+        double[] state = system.getOwnState();
+        for (int left = MOST_IMPACTS * touching.end(); left > 0; left--) {
+            int r = findImpact(state);
+            if (r < 0) {
+                break;
+            }
+            double leaving = -balls.restitution * touching.separation(r, state);
+            touching.strike(r, leaving > balls.restSpeed ? leaving : 0, balls.friction, state);
+        }
+        touching.stop(state, true);
+        for (int r = touching.end() - 1; r >= touching.begin(); r--) {
+            if (touching.separation(r, state) > slow(r, state)) {
+                touching.part(r);
+            }
+        }
+        contacts.beginStep(system);                     // the direction of friction, on which the forces depend
+        touching.partWhereFree(state, system.getTime(), forces(system));
+        touching.stop(state, false);
+    }
+
+    /** The first contact whose balls approach each other faster than the rest speed; -1 for none. */
+    private int findImpact(double[] state) {
+        for (int r = touching.begin(); r < touching.end(); r++) {
+            if (-touching.separation(r, state) > slow(r, state)) {
+                return r;
+            }
+        }
+        return -1;
+    }
+
+    private double slow(int r, double[] state) {
+        return Math.max(balls.restSpeed, Impacts.ROUNDING * (Impacts.velocity(state, touching.first(r)).norm1()
+                + Impacts.velocity(state, touching.second(r)).norm1()));
+    }
+
+    private double push(ParticleSystem system) {
+        return touching.leastPush(system.getOwnState(), system.getTime(), forces(system));
+    }
+
+    private double[] forces(ParticleSystem system) {
+        force = force.length == system.getStateSize() ? force : new double[system.getStateSize()];
+        system.addUpEffects(system.getOwnState(), system.getTime(), force);
+        return force;
+    }
+
+    private double reach(int i, int j) {
+        return balls.radii[i] + balls.radii[j];
+    }
+
+    private double gap(double[] state, int i, int j) {
+        return apart(state, i, j, 0).length() - reach(i, j);
+    }
+
+    private static double rate(double[] state, int i, int j) {
+        return apart(state, i, j, 0).normalized().dot(apart(state, i, j, 3));
+    }
+
+    private static Vector3 apart(double[] state, int i, int j, int place) {
+        return Vector3.at(state, STRIDE * j + place).minus(Vector3.at(state, STRIDE * i + place));
+    }
+
+    private static double slack(double[] state, int i) {
+        return TOUCHING * (1 + Vector3.at(state, STRIDE * i).norm1());
+    }
+}
