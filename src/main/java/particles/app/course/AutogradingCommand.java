@@ -11,6 +11,9 @@ public final class AutogradingCommand extends ResultsCommand {
     private static final String WORKFLOW = """
             # Put this into .github/workflows/ of the assignment's template. grade.json is what the reporter reads.
             name: Autograding Tests
+            # The numbers come from the login: repositories have to be called homework-login, or change it here.
+            env:
+              ASSIGNMENT: homework
             on: [push, workflow_dispatch]
             permissions:
               checks: write
@@ -28,8 +31,10 @@ public final class AutogradingCommand extends ResultsCommand {
                       java-version: '21'
                   - id: grade
                     env:
-                      STUDENT: ${{ github.actor }}          # the id from which the numbers come
+                      REPOSITORY: ${{ github.event.repository.name }}
                     run: |
+                      STUDENT=${REPOSITORY#"$ASSIGNMENT"-}
+                      if [ "$STUDENT" = "$REPOSITORY" ]; then echo "$REPOSITORY: not $ASSIGNMENT-login"; exit 1; fi
                       gradle grade "-Pstudent=$STUDENT" || true
                       echo "result=$(base64 -w0 build/out/grade/grade.json)" >> "$GITHUB_OUTPUT"
                   - uses: classroom-resources/autograding-grading-reporter@v1

@@ -115,8 +115,8 @@ final class ClassTables {
         DataTable talk = DataTable.of("talk", "Who to talk to", toTalkTo(), DataTable.column("student",
                 Map.Entry::getKey), DataTable.column("why", Map.Entry::getValue));
         List<String> text = new ArrayList<>(problems);
-        text.add("Nobody lost a mark for a class that is like another or uses a solver of the project: look at it."
-                + " JPlag compares more closely.");
+        text.add("Nobody lost a mark for a class that is like another or uses a solver of the project: compare these"
+                + " classes yourself. JPlag compares more closely.");
         ResultPage page = new ResultPage("class", number(results.stream().mapToDouble(Result::points).sum())
                 + " points for " + results.size() + " students", text, List.of(), List.of(each, talk, common, all));
         ResultPageWriter.write(files, page, ChartFormat.PAGE);

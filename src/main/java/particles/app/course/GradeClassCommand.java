@@ -123,8 +123,10 @@ public final class GradeClassCommand extends ResultsCommand {
                 problems.add(path.getFileName() + " cannot be read: " + e.getMessage());
                 continue;
             }
-            List<String> ids = words.keySet().stream().filter(id -> words.get(id).stream().anyMatch(read::isOf))
-                    .toList();
+            // of ann and mary-ann, hw1-mary-ann belongs to the longer one
+            int longest = words.values().stream().mapToInt(read::longestOf).max().orElse(0);
+            List<String> ids = words.keySet().stream().filter(id -> longest > 0
+                    && read.longestOf(words.get(id)) == longest).toList();
             if (ids.size() != 1 && !words.isEmpty()) {
                 problems.add(read.name() + " belongs to " + (ids.isEmpty() ? "nobody" : "more than one") + " in "
                         + students.getFileName());

@@ -66,10 +66,12 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
         assignment.exercises().forEach((number, weight) -> {
             Exercise exercise = Exercises.all().get(number - 1);
             Optional<String> answer = Optional.ofNullable(read.answers().get(number));      // null: no answer
-            Mark mark = answer.isEmpty() ? Mark.wrong(NO_ANSWER) : numbers.isEmpty() ? Mark.wrong(
-                    "Its numbers are on your handout: the lecturer marks it.") : mark(exercise, number, answer.get());
-            items.add(new Item(number + ". " + exercise.title(), answer.isPresent(), mark.right() ? Status.PASS
-                    : Status.FAIL, weight, withoutFolder(mark.lines())));
+            boolean undecided = answer.isPresent() && numbers.isEmpty();
+            Mark mark = answer.isEmpty() ? Mark.wrong(NO_ANSWER) : undecided ? Mark.wrong(
+                    "Its numbers are on your handout: it is marked with the lecturer's key file.")
+                    : mark(exercise, number, answer.get());
+            items.add(new Item(number + ". " + exercise.title(), answer.isPresent(), undecided ? Status.ERROR
+                    : mark.right() ? Status.PASS : Status.FAIL, weight, withoutFolder(mark.lines())));
         });
         return items;
     }

@@ -31,7 +31,12 @@ record Submission(String name, Map<String, byte[]> files, Instant newest) {
     private static final int MOST_FILES = 1000;
     private static final int LARGEST = 1 << 20;
     private static final String ANSWERS = "answers.yaml";
+    private static final Comparator<String> DEPTH = Comparator.comparingLong(path ->
+            path.chars().filter(c -> c == '/').count());
     private static final Pattern MOODLE = Pattern.compile("(.*)_(\\d+)_assignsubmission_file.*");
+    /** What is not the student's: hidden files, what a Mac adds to a zip, and this project. */
+    private static final Pattern NOT_HANDED_IN = Pattern.compile(
+            "(?:^|/)(?:[.][^/]+|__MACOSX|src/test|src/main/java/(?:particles|deSolvers))(?:/|$)");
     private static final Pattern OTHER_PACKAGE = Pattern.compile("(?m)^\\s*package\\s+(?!exercises\\s*;)");
 
     /**
@@ -62,11 +67,15 @@ record Submission(String name, Map<String, byte[]> files, Instant newest) {
         }
         Submission all = this;
         for (Path file : paths) {
+            String place = root.relativize(file).toString().replace('\\', '/');
+            if (NOT_HANDED_IN.matcher(place).find()) {
+                continue;
+            }
             if (zips && isZip(file)) {
                 all = all.withZip(file);
-            } else if (file.toString().matches(".*[.](java|yaml)") && files.size() < MOST_FILES) {
+            } else if (place.matches(".*[.](java|ya?ml)") && files.size() < MOST_FILES) {
                 try (InputStream bytes = Files.newInputStream(file)) {
-                    files.put(root.relativize(file).toString().replace('\\', '/'), bytes.readNBytes(LARGEST));
+                    files.put(place, bytes.readNBytes(LARGEST));
                 }
                 Instant date = Files.getLastModifiedTime(file).toInstant();
                 all = new Submission(name, files, date.isAfter(all.newest) ? date : all.newest);
@@ -81,25 +90,31 @@ record Submission(String name, Map<String, byte[]> files, Instant newest) {
         return moodle.matches() ? moodle.group(2) : name;
     }
 
-    /** @return whether a word from a list of students means this one: name, number, or the end of assignment-login */
-    boolean isOf(String word) {
+    /**
+     * @param words names and numbers from a list of students
+     * @return the length of the longest that means this hand-in, by name, number, or the end of assignment-login; or 0
+     */
+    int longestOf(List<String> words) {
         Matcher moodle = MOODLE.matcher(name);
-        return !word.isBlank() && (moodle.matches() && word.equalsIgnoreCase(moodle.group(1))
+        return words.stream().filter(word -> moodle.matches() && word.equalsIgnoreCase(moodle.group(1))
                 || word.equalsIgnoreCase(id()) || name.toLowerCase(Locale.ROOT).endsWith("-" + word
-                .toLowerCase(Locale.ROOT)));
+                .toLowerCase(Locale.ROOT))).mapToInt(String::length).max().orElse(0);
     }
 
-    /** @return the text of each class in a folder exercises; without one, of each class of no other package */
+    /**
+     * @return the text of each class in a folder exercises; without one, of each class of no other package; of several
+     *         with one name, the one that is fewest folders deep
+     */
     Map<String, String> sources() {
         Map<String, String> named = new TreeMap<>();
         Map<String, String> others = new TreeMap<>();
-        files.forEach((path, bytes) -> {
-            String text = new String(bytes, StandardCharsets.UTF_8);
+        files.keySet().stream().sorted(DEPTH).forEach(path -> {
+            String text = new String(files.get(path), StandardCharsets.UTF_8);
             String simple = path.replaceFirst(".*/", "").replaceFirst("[.]java$", "");
             if (path.endsWith(".java") && ("/" + path).contains("/exercises/")) {
-                named.put(simple, text);
+                named.putIfAbsent(simple, text);
             } else if (path.endsWith(".java") && !OTHER_PACKAGE.matcher(text).find()) {
-                others.put(simple, text);
+                others.putIfAbsent(simple, text);
             }
         });
         return named.isEmpty() ? others : named;
@@ -114,12 +129,12 @@ record Submission(String name, Map<String, byte[]> files, Instant newest) {
      */
     Path copyAnswers(Path folder) throws IOException {
         Optional<String> answers = files.keySet().stream().filter(path -> path.matches("(.*/)?" + ANSWERS))
-                .min(Comparator.comparingLong(path -> path.chars().filter(c -> c == '/').count()));
+                .min(DEPTH);
         String base = answers.map(path -> path.substring(0, path.length() - ANSWERS.length())).orElse("/");
         for (Map.Entry<String, byte[]> file : files.entrySet()) {
             Path copy = folder.resolve(file.getKey().substring(file.getKey().startsWith(base) ? base.length() : 0))
                     .normalize();
-            if (file.getKey().startsWith(base) && file.getKey().endsWith(".yaml") && copy.startsWith(folder)) {
+            if (file.getKey().startsWith(base) && !file.getKey().endsWith(".java") && copy.startsWith(folder)) {
                 Files.createDirectories(copy.getParent());
                 Files.write(copy, file.getValue());
             }

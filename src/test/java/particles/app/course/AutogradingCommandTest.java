@@ -115,9 +115,9 @@ class AutogradingCommandTest {
         Map<?, ?> reporter = (Map<?, ?>) ((List<?>) job.get("steps")).get(3);
         assertEquals(Map.of("GRADE_RESULTS", "${{ steps.grade.outputs.result }}"), reporter.get("env"));
         assertEquals(Map.of("runners", step.get("id")), reporter.get("with"));
-        assertEquals(List.of("STUDENT"), List.copyOf(((Map<?, ?>) step.get("env")).keySet()));
-        bash((String) step.get("run"), Map.of("STUDENT", "ann", "GITHUB_OUTPUT", folder.resolve("output").toString(),
-                "PATH", folder + ":" + System.getenv("PATH")));
+        assertEquals(List.of("REPOSITORY"), List.copyOf(((Map<?, ?>) step.get("env")).keySet()));
+        bash((String) step.get("run"), Map.of("REPOSITORY", "homework-ann", "ASSIGNMENT", "homework",
+                "GITHUB_OUTPUT", folder.resolve("output").toString(), "PATH", folder + ":" + System.getenv("PATH")));
         String output = Files.readString(folder.resolve("output"));
         assertTrue(output.startsWith("result=") && output.strip().lines().count() == 1, output);
         Map<?, ?> result = (Map<?, ?>) load(new String(Base64.getDecoder().decode(output.strip().substring(7)),

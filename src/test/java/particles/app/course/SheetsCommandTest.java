@@ -72,7 +72,7 @@ class SheetsCommandTest {
         Files.writeString(folder.resolve("answers.yaml"), "2: " + question(mine, 2).answer());
         Files.writeString(folder.resolve("assignment.yaml"), "numbers: sheet\nexercises: {2: 1}\n");
         String[][] rows = {{"S1", "key.csv", "mark      2."}, {"s0", "key.csv", "no mark   2."},
-            {"nobody", "key.csv", "lecturer marks it"}, {"s1", "", "lecturer marks it"}};
+            {"nobody", "key.csv", "undecided 2."}, {"s1", "", "undecided 2."}};
         for (String[] row : rows) {
             String screen = run(row[2].startsWith("mark") ? ExitCode.DONE : ExitCode.BAD_INPUT, "grade", "--student="
                     + row[0], "--answers=" + folder.resolve("answers.yaml"), "--assignment="
