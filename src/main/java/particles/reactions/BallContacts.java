@@ -149,9 +149,10 @@ public final class BallContacts {
             constraints.getBlocks().prepare(state, time);
             constraints.getBlocks().solveOpening(block, state, time, force);
             for (int r = 0; r < block.size(); r++) {
-                if (!pushes(block, r) && block.isPair(r)) {
+                boolean free = !block.isIdle(r) && !pushes(block, r);
+                if (free && block.isPair(r)) {
                     ending.set(block.member(r));
-                } else if (!pushes(block, r) && !block.isMember(r)) {
+                } else if (free && !block.isMember(r)) {
                     int k = block.contact(r);
                     constraints.getModes().set(block.touching.surface[k], block.touching.particle[k], Mode.FREE);
                 }

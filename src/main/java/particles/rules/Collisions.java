@@ -22,8 +22,8 @@ import particles.reactions.RigidConstraints;
  * sliding. Balls do not spin.
  *
  * <p>Simultaneous impacts happen one after the other, in the order in which the balls met, until none is left. So in a
- * row of equal balls the impact passes from ball to ball. Balls that approach no faster than the rest speed, or that
- * still approach each other after many impacts, stop together, without a bounce.
+ * row of equal balls the impact passes from ball to ball. Balls that would separate no faster than the rest
+ * speed do not bounce. Slow balls, and balls that still approach after many impacts, are stopped together.
  *
  * <p>Balls that are pressed on each other then stay in contact: {@link RigidConstraints} has their forces, without
  * friction. Such a contact ends where its force would become negative.

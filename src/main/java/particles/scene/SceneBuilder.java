@@ -127,7 +127,7 @@ public final class SceneBuilder {
         if (overlap.part() > 0) {
             throw new SceneException(contents.rules().stream().filter(RuleKind::hasBalls).findFirst().orElseThrow()
                     .place() + ": " + overlap.what() + " begin with an overlap of " + Digits.few(overlap.part())
-                    + " m; hard balls have to begin apart");
+                    + " m; hard balls may touch at the start, but not overlap");
         }
     }
 

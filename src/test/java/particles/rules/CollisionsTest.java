@@ -19,6 +19,7 @@ import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
+import particles.SimulationException;
 import particles.law.SeededRandom;
 import particles.law.Vector3;
 import particles.reactions.RigidConstraints;
@@ -338,6 +339,22 @@ class CollisionsTest {
         double[] errors = {0, 5, 0.03, 5e-4};           // J of some 20 J; measured: 4, 2e-2, 2e-4
         assertEquals(0, run.getLedger().getNumericalError(), errors[Math.min(3, solver.order())]);
         assertTrue(run.work("collisions") < 0 || text.contains("period") || text.contains("duration"), "a loss");
+    }
+
+    /** A ball between a wall and a ball that glides towards it: no force, however large, keeps it out of both. */
+    @Test
+    void aJamEndsTheRun() {
+        SimulationException e = assertThrows(SimulationException.class, () -> ShortRun.of("rk4 exact 0.01 1", """
+                particles:
+                  - {id: a, position: [0.1, 0, 0]}
+                  - {id: hand, position: [-0.5, 0, 0], fixed: true}
+                rules:
+                  - plane: {normal: [-1, 0, 0], point: [0.2, 0, 0]}
+                  - glide: {particle: hand, to: [0.5, 0, 0], duration: 1}
+                  - collisions: {radius: 0.1, restitution: 0}
+                effects: []
+                """));
+        assertEquals(0.4, e.getTime(), 0.2);            // the hand is there at about 0.4 s
     }
 
     /** What cannot be is refused in one line. */

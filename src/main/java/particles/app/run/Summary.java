@@ -126,8 +126,8 @@ record Summary(String name, String hash, Scene scene, EnergyRecorder recorder, d
             lines.add("warning: " + violation.what() + "; a smaller deltaT or another solver keeps it better.");
         }
         if (scene.description().hasHardBalls() && simulation().getEvents() > MANY_EVENTS * time) {
-            lines.add("warning: " + simulation().getEvents() + " impacts, each located by steps of its own; the effect"
-                    + " 'repulsion', with soft balls, costs no more for many impacts than for few.");
+            lines.add("warning: " + simulation().getEvents() + " impacts and changes of contact, each located by extra"
+                    + " steps; for so many contacts the effect 'repulsion' (soft balls) is cheaper.");
         }
         return lines;
     }

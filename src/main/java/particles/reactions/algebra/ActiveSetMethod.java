@@ -24,6 +24,8 @@ public final class ActiveSetMethod {
 
     /** How much the diagonal of contacts grows where the search does not end; the motion changes by as much. */
     private static final double SOFT = 1e-6;
+    /** The largest error of an elastic contact, relative to the largest entry of b. */
+    private static final double YIELDING = 1e-4;
 
     private final MinimumNormSolution dense = new MinimumNormSolution();
     private boolean[] wrong = {};
@@ -46,7 +48,8 @@ public final class ActiveSetMethod {
      *                rows are linearly dependent: then the search runs as if true
      * @param lambda  receives the solution
      * @param w       receives A lambda - b
-     * @return false if the search does not end: no forces satisfy all conditions
+     * @return false if the search does not end, even with contacts that are elastic by a millionth: no forces satisfy
+     *         all conditions
      */
     public boolean solve(EnvelopeMatrix a, double[] b, boolean[] contact, boolean signed, double[] lambda,
             double[] w) {
@@ -56,7 +59,16 @@ public final class ActiveSetMethod {
         for (int r = 0; r < a.size(); r++) {
             a.set(r, r, a.get(r, r) * (contact[r] ? 1 + SOFT : 1), 0);
         }
-        return search(a, b, contact, signed, lambda, w);
+        if (!search(a, b, contact, signed, lambda, w)) {
+            return false;
+        }
+        for (int r = 0; r < a.size(); r++) {
+            w[r] -= contact[r] ? a.get(r, r) * SOFT / (1 + SOFT) * lambda[r] : 0;
+            if (w[r] < -YIELDING * largest) {           // huge forces: the elastic contacts give way to a jam
+                return false;
+            }
+        }
+        return true;
     }
 
     private boolean search(EnvelopeMatrix a, double[] b, boolean[] contact, boolean signed, double[] lambda,

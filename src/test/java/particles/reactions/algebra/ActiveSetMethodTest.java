@@ -1,6 +1,7 @@
 package particles.reactions.algebra;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
@@ -64,5 +65,18 @@ class ActiveSetMethodTest {
         assertEquals(10 / Math.sqrt(2), push[1], 1e-13);
         push = pushes(groove, new Vector3(0, 10, 0));
         assertEquals(0, push[0] + push[1], "no force on a particle that is pulled out");
+    }
+
+    /** A rod that has to lengthen against a wall: elastic contacts would yield to 1e6 times the force. */
+    @Test
+    void aJamHasNoForces() {
+        EnvelopeMatrix a = new EnvelopeMatrix();
+        a.add(0);
+        a.set(0, 0, 1, 1);
+        a.add(0);
+        a.set(1, 0, -1, -1);
+        a.set(1, 1, 1, 1);
+        assertFalse(new ActiveSetMethod().solve(a, new double[] {1, 0}, new boolean[] {false, true}, true,
+                new double[2], new double[2]));
     }
 }
