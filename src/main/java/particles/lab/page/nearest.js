@@ -1,5 +1,5 @@
 // How far each run is from a reference: the first run's scene, computed as exactly as the page can. It is computed with
-// two tolerances: by how much the two differ, the reference itself is uncertain.
+// two tolerances: their difference is the uncertainty of the reference.
 import {$, few} from './dom.js';
 import {referenceOf} from './phase.js';
 
@@ -25,7 +25,7 @@ export class Nearest {
     }
     this.names = this.runs();
     this.plot.start(this.names);
-    Object.assign(this, {known: new Map(), origin: null, size: 0, waiting: 0, ids: structure.ids.join()});
+    Object.assign(this, {known: new Map(), latest: -1, origin: null, size: 0, waiting: 0, ids: structure.ids.join()});
     this.workers = openings.map((opening, i) => {
       const worker = new Worker(this.engine);
       worker.onmessage = ({data}) => data.type === 'sample' && this.take(data, 'reference' + i);
@@ -34,7 +34,7 @@ export class Nearest {
     });
   }
 
-  /** Somebody drags a particle, and nobody that of the reference. */
+  /** A particle is dragged; the reference has no such pull. */
   pulled() {
     if (this.workers.length) {
       this.close();
@@ -51,7 +51,8 @@ export class Nearest {
     if (!this.workers.length || structure?.ids.join() !== this.ids) {
       return;
     }
-    if (run === 0 && !frame.looking && this.waiting < MOST_WAITING && !this.known.has(key(frame.time))) {
+    if (run === 0 && !frame.looking && this.waiting < MOST_WAITING && frame.time > this.latest) {
+      this.latest = frame.time;                     // the reference cannot go back
       this.known.set(key(frame.time), {time: frame.time});
       this.waiting++;
       if (this.known.size > MOST_KNOWN) {
