@@ -31,6 +31,13 @@ final class FrameRecorder implements Observer {
     }
 
     @Override
+    public void finished(ParticleSystem system) {
+        if (history.last().time() < system.getTime()) {
+            history.add(frame(system.getOwnState(), system.getTime(), structure));
+        }
+    }
+
+    @Override
     public void changed(ParticleSystem system, Rule rule) {
         if (!structure.isOf(system)) {
             structure = Structure.of(system);

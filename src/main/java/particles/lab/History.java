@@ -31,7 +31,7 @@ final class History {
         }
     }
 
-    /** Drops every second moment, if there are more than two. @return whether there were */
+    /** Drops every second moment but the last, if there are more than two. @return whether there were */
     boolean thin() {
         if (frames.size() <= 2) {
             return false;
@@ -39,6 +39,9 @@ final class History {
         List<Frame> kept = new ArrayList<>();
         for (int i = 0; i < frames.size(); i += 2) {
             kept.add(frames.get(i));
+        }
+        if (frames.size() % 2 == 0) {
+            kept.add(last());
         }
         double span = last().time() - frames.get(0).time();
         frames.clear();

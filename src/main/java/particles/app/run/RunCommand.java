@@ -187,7 +187,7 @@ public final class RunCommand extends ResultsCommand {
             Summary summary = new Summary(name, hash, scene, observers.getEnergy(), progress.seconds());
             folder.write(Summary.FILE, summary.json());
             observers.drawCharts(charts.format());
-            observers.writeReplay(wanted, text, early.orElse("")).ifPresent(out::println);
+            observers.writeReplay(name, text, early.orElse("")).ifPresent(out::println);
             summary.lines(early.isPresent()).forEach(out::println);
             out.println("files in " + getFolder() + ": " + String.join(", ", files));
             if (scene.description().output().phase().isEmpty()) {
