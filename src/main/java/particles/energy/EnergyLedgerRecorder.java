@@ -100,7 +100,7 @@ public final class EnergyLedgerRecorder extends StridedRecorder {
     /**
      * @param scale the energy by which errors are divided (J); 0 if nothing moves
      * @param log   whether sizes are drawn on logarithmic axes, as in a run that blows up
-     * @return the work of each kind, if it was more than round-off, and below it the numerical error, over the same time
+     * @return the work of each kind, if it is more than round-off, and below it the numerical error, at the same times
      */
     public List<ChartData> charts(double scale, boolean log) {
         List<ChartData> charts = new ArrayList<>();
