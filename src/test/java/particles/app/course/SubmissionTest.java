@@ -1,0 +1,34 @@
+package particles.app.course;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Of a hand-in, only the student's own files count. */
+class SubmissionTest {
+    private static final List<String> FILES = List.of("__MACOSX/exercises/._HeunSolver.java", ".git/Other.java",
+            "src/test/java/exercises/Other.java", "src/main/java/particles/teaching/exercises/Other.java",
+            "exercises/backup/HeunSolver.java", "exercises/HeunSolver.java", "answers.yaml", "swing.yml");
+
+    @Test
+    void filesOfTheProjectAndOfTheSystemAreLeftOut(@TempDir Path folder) throws Exception {
+        Path handIn = folder.resolve("hw1-mary-ann");
+        for (String name : FILES) {
+            Files.createDirectories(handIn.resolve(name).getParent());
+            Files.writeString(handIn.resolve(name), name);
+        }
+        Submission read = Submission.read(handIn);
+        assertEquals(Set.copyOf(FILES.subList(4, 8)), read.files().keySet());
+        assertEquals(Map.of("HeunSolver", "exercises/HeunSolver.java"), read.sources());
+        read.copyAnswers(folder.resolve("copy"));
+        assertEquals("swing.yml", Files.readString(folder.resolve("copy/swing.yml")));
+        assertEquals(List.of(0, 3, 8), List.of(read.longestOf(List.of("bob", "")), read.longestOf(List.of("ann")),
+                read.longestOf(List.of("ann", "mary-ann"))));
+    }
+}
