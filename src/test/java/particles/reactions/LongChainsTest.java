@@ -8,6 +8,7 @@ import deSolvers.catalog.SolverCatalog;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -48,6 +49,7 @@ class LongChainsTest {
      * times the evaluations of rk4, and not one for each of the 246 entries of the state. Measured: 8.7, 8.2, 1.3 and
      * 54.5 times.
      */
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"backward-euler, 10", "implicit-midpoint, 10", "linearised-euler, 2", "radau, 60"})
     void anImplicitStepTakesFewEvaluations(String solver, double most) {
