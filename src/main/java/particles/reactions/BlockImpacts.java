@@ -84,9 +84,13 @@ final class BlockImpacts {
         if (!block.solve(struck, true) || Math.abs(block.separation(struck)) > CONTRADICTION * fast) {
             throw blocks.failure(block, system.getTime(), "let no impulses keep all particles out");
         }
+        double[] before = state.clone();
         block.move(state, 3);
-        for (int i : block.getParticles()) {
-            modes.setWhereTouching(i, Mode.SLIDING);
+        for (int i : block.getParticles()) {            // an impact on one ball leaves the rest of a pile at rest
+            int v = STRIDE * i + 3;
+            if (Vector3.at(state, v).minus(Vector3.at(before, v)).norm1() != 0) {
+                modes.setWhereTouching(i, Mode.SLIDING);
+            }
         }
         for (int r = 0; r < block.size(); r++) {
             int k = block.contact(r);

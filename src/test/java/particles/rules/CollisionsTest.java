@@ -357,6 +357,23 @@ class CollisionsTest {
         assertEquals(0.4, e.getTime(), 0.2);            // the hand is there at about 0.4 s
     }
 
+    /** An impact on one ball leaves its neighbour where static friction holds it on the slope. */
+    @Test
+    void anImpactLeavesStuckNeighboursWhereTheyAre() {
+        ShortRun run = ShortRun.of("rk4 exact 0.005 0.6", """
+                particles:
+                  - {id: a, position: [0, 0.1, 0]}
+                  - {id: b, position: [0, 0.1, 0.2]}
+                  - {id: c, position: [0, 1, 0.19], velocity: [0, -5, 0]}
+                rules:
+                  - ground: {friction: {law: coulomb, coefficient: 0.3, static: 0.6}}
+                  - collisions: {radius: 0.1}
+                effects: [gravity: {acceleration: [4, -9.81, 0]}]
+                """);
+        assertTrue(Math.abs(run.at(6)) > 1e-3, "the third hits the second");
+        assertEquals(0, run.at(0));
+    }
+
     /** What cannot be is refused in one line. */
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
