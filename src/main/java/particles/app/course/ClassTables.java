@@ -112,7 +112,7 @@ final class ClassTables {
         DataTable common = DataTable.of("mistakes", "The commonest mistakes", counts.entrySet().stream()
                 .sorted(Map.Entry.<String, Long>comparingByValue().reversed()).limit(MOST_COMMON).toList(),
                 DataTable.column("students", Map.Entry::getValue), DataTable.column("mistake", Map.Entry::getKey));
-        DataTable talk = DataTable.of("talk", "Who to talk to", toTalkTo(), DataTable.column("student",
+        DataTable talk = DataTable.of("talk", "Students to talk to", toTalkTo(), DataTable.column("student",
                 Map.Entry::getKey), DataTable.column("why", Map.Entry::getValue));
         List<String> text = new ArrayList<>(problems);
         text.add("Nobody lost a mark for a class that is like another or uses a solver of the project: compare these"

@@ -11,9 +11,9 @@
  * cloning. With {@code -Pstudents=list.csv}, each line has an id, from which the numbers come, and then the names by
  * which hand-ins are known: the name or number in {@code Name_123_assignsubmission_file_}, or the login in {@code
  * assignment-login}. Without it, the id is Moodle's number or the folder's name. It writes class.csv, class.html
- * (points, who to talk to, the commonest mistakes) and for each student a folder with grade.md and grade.json. Classes
- * that are the same but for names, comments and layout, and those that use the project's solvers, are listed; nobody
- * loses a mark for it. After a stop, the same command marks only those who have no result yet, or whose hand-in,
+ * (points, students to talk to, the commonest mistakes) and for each student a folder with grade.md and grade.json.
+ * Classes that are the same but for names, comments and layout, and those that use the project's solvers, are listed;
+ * nobody loses a mark for it. After a stop, the same command marks only those who have no result yet, or whose hand-in,
  * numbers or assignment changed.
  *
  * <p>For practice, a student's numbers come from the id, so anyone who knows an id can work out that student's numbers.
