@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
@@ -425,18 +426,19 @@ class BrokenScenesTest {
             'particles', such as {id: source, position: [0, 0, 0], fixed: true}
             """;
 
-    static Stream<String> brokenScenes() {
-        return Stream.concat(Arrays.stream(ADDED.split("\n\n")).map(HEAD::concat), Arrays.stream(WHOLE.split("\n\n")));
+    /** Each broken scene with its messages; the page of the lab has to give the same ones. */
+    static Stream<Arguments> brokenScenes() {
+        return Stream.concat(Arrays.stream(ADDED.split("\n\n")).map(HEAD::concat), Arrays.stream(WHOLE.split("\n\n")))
+                .map(both -> Arguments.of(both.lines().filter(line -> !isMessage(line)).map(line -> line + "\n")
+                        .collect(Collectors.joining()),
+                        both.lines().filter(BrokenScenesTest::isMessage).map(BrokenScenesTest::withNames).toList()));
     }
 
     @ParameterizedTest
     @MethodSource("brokenScenes")
-    void everyMistakeIsReported(String both) {
-        String scene = both.lines().filter(line -> !isMessage(line)).map(line -> line + "\n")
-                .collect(Collectors.joining());
-        assertEquals(both.lines().filter(BrokenScenesTest::isMessage).map(BrokenScenesTest::withNames).toList(),
-                assertThrows(SceneException.class,
-                        () -> SceneReader.read("x.yaml", scene.getBytes(StandardCharsets.UTF_8))).getLines());
+    void everyMistakeIsReported(String scene, List<String> messages) {
+        assertEquals(messages, assertThrows(SceneException.class,
+                () -> SceneReader.read("x.yaml", scene.getBytes(StandardCharsets.UTF_8))).getLines());
     }
 
     private static boolean isMessage(String line) {
