@@ -69,8 +69,8 @@ record Assignment(String text, Optional<OffsetDateTime> deadline, String shows, 
             .mapToObj(n -> POINTS.optional(Integer.toString(n), "The weight of this exercise.")).toList();
     private static final Key<Values> COUNTED = MappingType.of("exercises", EXERCISES.toArray(new Key<?>[0]))
             .optional("exercises", "The weight of each exercise that counts.");
-    private static final Key<String> METHOD = NameType.of("method", AskedMethods.names()).withDefault("method",
-            AskedMethods.ANY, "The method that it has to be.");
+    private static final Key<String> METHOD = NameType.of("method", AskedMethods.withCatalogue())
+            .withDefault("method", AskedMethods.ANY, "The method that it has to be.");
     private static final Key<Double> WEIGHT = POINTS.withDefault("weight", 1.0, "What it counts.");
     private static final Key<Map<String, Values>> SOLVERS = MapType.of(CLASS, MappingType.of("a solver", METHOD, WEIGHT)
             .shortFor(METHOD)).optional("solvers", "The solvers that count.");
@@ -109,6 +109,9 @@ record Assignment(String text, Optional<OffsetDateTime> deadline, String shows, 
                         + " and its distance from UTC, such as 2026-03-14T23:59:00+13:00");
             }
         }));
+        values.flatMap(all -> all.find(SOLVERS)).stream().flatMap(asked -> asked.values().stream()).forEach(solver ->
+                solver.find(METHOD).filter(method -> !AskedMethods.names().contains(method)).ifPresent(method ->
+                problems.add(solver.place(METHOD), AskedMethods.refusal(method))));
         if (problems.count() > 0) {
             throw new Failure(ExitCode.BAD_INPUT, problems.lines());
         }

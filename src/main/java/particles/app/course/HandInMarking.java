@@ -55,10 +55,12 @@ final class HandInMarking {
                 : copy.resolve("answers.yaml"), sources, results);
         AnswersFile read = AnswersFile.read(marking.answers());
         List<Item> items = new ArrayList<>(marking.exercises(read));
+        List<String> problems = new ArrayList<>(handIn.map(Submission::problems).orElse(List.of()));
+        problems.addAll(marking.withoutFolder(read.problems()));
         return () -> {
             items.addAll(marking.classes());
             return new Result(student, handIn.map(Submission::name).orElse(""), handIn.map(Submission::newest)
-                    .orElse(Instant.EPOCH), Version.CURRENT, digest, marking.withoutFolder(read.problems()),
+                    .orElse(Instant.EPOCH), Version.CURRENT, digest, problems,
                     Copies.of(sources), items);
         };
     }

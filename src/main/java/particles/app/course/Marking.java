@@ -157,8 +157,7 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
      * @return how many points there are, in words
      */
     static String write(Path folder, Result result) {
-        String title = ClassTables.number(result.points()) + " of " + ClassTables.number(result.most())
-                + " points for " + result.student();
+        String title = result.summary() + " for " + result.student();
         DataTable table = DataTable.of("marks", "Marks", result.items(),
                 DataTable.column("student", item -> result.student()), DataTable.column("exercise", Item::name),
                 DataTable.column("points", item -> ClassTables.number(item.points())),

@@ -77,6 +77,13 @@ record Result(String student, String handedIn, Instant date, String program, Str
         return items.stream().mapToDouble(Item::weight).sum();
     }
 
+    /** @return the points in words; where none are given, as before a deadline, how much was handed in */
+    String summary() {
+        return most() > 0 ? ClassTables.number(points()) + " of " + ClassTables.number(most()) + " points"
+                : items.stream().filter(Item::answered).count() + " of " + items.size()
+                + " handed in, and no points yet";
+    }
+
     boolean isDecided() {
         return items.stream().noneMatch(item -> item.status == Status.ERROR);
     }

@@ -73,7 +73,7 @@ record Submission(String name, Map<String, byte[]> files, Instant newest) {
             }
             if (zips && isZip(file)) {
                 all = all.withZip(file);
-            } else if (place.matches(".*[.](java|ya?ml)") && files.size() < MOST_FILES) {
+            } else if (place.matches(".*[.](java|ya?ml)") && files.size() <= MOST_FILES) {
                 try (InputStream bytes = Files.newInputStream(file)) {
                     files.put(place, bytes.readNBytes(LARGEST));
                 }
@@ -82,6 +82,12 @@ record Submission(String name, Map<String, byte[]> files, Instant newest) {
             }
         }
         return all;
+    }
+
+    /** @return what was not read, in a line */
+    List<String> problems() {
+        return files.size() <= MOST_FILES ? List.of() : List.of("there are more than " + MOST_FILES
+                + " YAML and Java files; the others were not read");
     }
 
     /** @return the number that Moodle gave the participant; otherwise the name */

@@ -46,7 +46,8 @@
  * it likes or call {@code System.exit}. Only a verdict that is signed with a secret of this run counts; it is written
  * once, and the process ends at once. Control characters in messages are replaced.
  * <li>A right solver is run once more in a scene, with nothing of the check on the stack and after a random number
- * of further calls, in the thousands: it has to make the same steps there, bit for bit.
+ * of further calls, in the thousands: it has to make the same steps there, bit for bit. The forces of a right effect
+ * are asked for once more in this way, too.
  * <li>A check that the machine was too busy for, or that was stopped, is not decided; it is never a wrong answer.
  * </ul>
  *

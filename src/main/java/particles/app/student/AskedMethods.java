@@ -1,14 +1,15 @@
 package particles.app.student;
 
 import deSolvers.DESolver;
+import deSolvers.catalog.SolverCatalog;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
+import particles.teaching.Finding;
 import particles.teaching.solvers.SolverCheck;
 import particles.teaching.solvers.SolverVerdict;
 
@@ -31,6 +32,7 @@ public final class AskedMethods {
             backward-euler = backward Euler
             implicit-midpoint = the implicit midpoint method
             trapezoidal = the implicit trapezoidal rule
+            multistep = a method that uses earlier steps
             """.split("\n")).map(line -> line.split(" = ")).collect(Collectors.toUnmodifiableMap(
             row -> row[0], row -> row[1]));
 
@@ -40,6 +42,17 @@ public final class AskedMethods {
     /** @return the names; the last one is {@link #ANY} */
     public static List<String> names() {
         return Stream.concat(METHODS.keySet().stream().sorted(), Stream.of(ANY)).toList();
+    }
+
+    /** @return the names, and those of the solvers of the catalogue that cannot be asked for */
+    public static List<String> withCatalogue() {
+        return Stream.concat(names().stream(), SolverCatalog.names().stream()).distinct().toList();
+    }
+
+    /** @return why a solver of the catalogue cannot be asked for, in a line */
+    public static String refusal(String name) {
+        return "'" + name + "' cannot be asked for: the check sees whether such a method is right, but cannot tell it"
+                + " from others of its kind; write " + (name.equals("adams") ? "multistep" : ANY);
     }
 
     /**

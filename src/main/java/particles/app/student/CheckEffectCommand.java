@@ -46,6 +46,14 @@ public final class CheckEffectCommand extends CheckCommand {
             Function<Particles, Effect> law = particles -> EffectSample.create(effect, particles, new StudentClasses());
             Effect made = law.apply(EffectSample.system().getParticles());
             findings = EffectCheck.check(law);
+            boolean right = findings.stream().noneMatch(Finding::isWrong);
+            if (right && PlainRuns.differ(run -> EffectCheck.check(particles -> {
+                run.run();
+                return law.apply(particles);
+            }), () -> PlainRuns.forces(law))) {
+                findings = List.of(new Finding(Kind.FAILURE, "in a scene, or after many calls, its forces are others"
+                        + " than in this check"));
+            }
             Optional<String> other = EffectSample.checkedThrough(effect);
             subject = other.isPresent() ? effect : made.getClass().getSimpleName();
             identity = other.map(name -> "It acts through '" + name + "', which then")

@@ -13,10 +13,11 @@ import particles.output.charts.ChartFormat;
 import particles.output.charts.Panel;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
-import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
+import particles.teaching.Finding;
 import particles.teaching.StudentFailure;
 import particles.teaching.figures.SolverFigures;
+import particles.teaching.solvers.SolverCheck;
 import particles.teaching.solvers.SolverVerdict;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -44,7 +45,8 @@ public final class CheckSolverCommand extends CheckCommand {
     protected void read(Mistakes mistakes) {
         mistakes.check(() -> {
             if (!AskedMethods.names().contains(method)) {
-                throw wrong("method", "no method that can be asked for is called '" + method + "'; known: "
+                throw wrong("method", SolverCatalog.names().contains(method) ? AskedMethods.refusal(method)
+                        : "no method that can be asked for is called '" + method + "'; known: "
                         + String.join(", ", AskedMethods.names()));
             }
         });
@@ -78,7 +80,10 @@ public final class CheckSolverCommand extends CheckCommand {
                             List.of(String.valueOf(e.getMessage())), List.of(), List.of()));
         }
         SolverVerdict verdict = AskedMethods.check(maker, name, method);
-        if (verdict.wrong().isEmpty() && PlainRuns.differ(full)) {
+        if (verdict.wrong().isEmpty() && PlainRuns.differ(run -> SolverCheck.check(() -> {
+            run.run();
+            throw new IllegalStateException("the check itself is not wanted");
+        }, name), () -> PlainRuns.end(full))) {
             verdict = new SolverVerdict(verdict.identity(), List.of(new Finding(Kind.FAILURE,
                     "in a scene, or after many calls, it makes other steps than in this check")), verdict.multistep());
         }

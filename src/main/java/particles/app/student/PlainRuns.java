@@ -1,19 +1,24 @@
 package particles.app.student;
 
-import deSolvers.DESolver;
 import java.nio.charset.StandardCharsets;
 import java.security.SecureRandom;
 import java.util.Arrays;
+import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Supplier;
+import particles.law.Effect;
+import particles.law.Particles;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
-import particles.teaching.solvers.SolverCheck;
+import particles.teaching.effects.EffectSample;
 
-/** Runs a solver in a scene, to see whether it makes other steps there, or after many calls, than in the check. */
+/** Runs a class once more, to see whether it computes the same outside of the check, and after many calls. */
 final class PlainRuns {
     private static final int FEWEST = 50;
     private static final int MOST = 100;
+    private static final int STEPS = 200;
+    private static final double DELTA_T = 0.01;
     private static final String SCENE = """
             title: A block on a spring
             teaches: Nothing.
@@ -27,21 +32,37 @@ final class PlainRuns {
     private PlainRuns() {
     }
 
+    /** @return the state after 200 steps of a solver in a scene */
+    static double[] end(String solver) {
+        Scene scene = SceneBuilder.build(SceneReader.read("the check's scene", SCENE.formatted(solver)
+                .getBytes(StandardCharsets.UTF_8)));
+        scene.simulation().run();
+        return scene.system().getOwnState();
+    }
+
+    /** @return the sum of an effect's forces at 200 times */
+    static double[] forces(Function<Particles, Effect> law) {
+        double[] state = EffectSample.system().getOwnState();
+        Effect effect = law.apply(EffectSample.system().getParticles());
+        double[] force = new double[state.length];
+        for (int call = 0; call < STEPS; call++) {
+            effect.addForces(state, call * DELTA_T, force);
+        }
+        return force;
+    }
+
     /**
-     * @param solver the full name of its class, which the check has found to be right
-     * @return whether the same run ends at other bits once nothing of the check is on the stack, and after 10,000 to
-     *         20,000 further steps, a number that nobody knows before
+     * @param check calls what it is given with the check on the stack
+     * @param run   what the class computes, with 200 calls of it or more
+     * @return whether it ends at other bits once nothing of the check is on the stack, and after 10,000 to 20,000
+     *         further calls, a number that nobody knows before
      */
-    static boolean differ(String solver) {
+    static boolean differ(Consumer<Runnable> check, Supplier<double[]> run) {
         double[][] ends = new double[2][];
-        Supplier<DESolver> inTheCheck = () -> {
-            ends[0] = end(solver);
-            throw new IllegalStateException("the check itself is not wanted");
-        };
-        SolverCheck.check(inTheCheck, "Solver");
+        check.accept(() -> ends[0] = run.get());
         Thread plain = new Thread(() -> {
-            for (int run = new SecureRandom().nextInt(FEWEST, MOST); run > 0; run--) {
-                ends[1] = end(solver);
+            for (int more = new SecureRandom().nextInt(FEWEST, MOST); more > 0; more--) {
+                ends[1] = run.get();
             }
         });
         plain.setDaemon(true);
@@ -50,12 +71,5 @@ final class PlainRuns {
             Thread.onSpinWait();        // a thread that waits is taken for one that waits for ever
         }
         return !Arrays.equals(ends[0], ends[1]);
-    }
-
-    private static double[] end(String solver) {
-        Scene scene = SceneBuilder.build(SceneReader.read("the check's scene", SCENE.formatted(solver)
-                .getBytes(StandardCharsets.UTF_8)));
-        scene.simulation().run();
-        return scene.system().getOwnState();
     }
 }

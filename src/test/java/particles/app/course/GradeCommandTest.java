@@ -269,7 +269,12 @@ class GradeCommandTest {
         Files.writeString(classes.resolve("RightForce.java"), law);
         Files.writeString(classes.resolve("WrongForce.java"), law.replace("RightForce", "WrongForce")
                 .replace("return mass * ", "return -mass * "));
-        String screen = grade(ExitCode.BAD_INPUT, assignment("effects: {RightForce: 1, WrongForce: 1, NoForce: 1}"));
+        Files.writeString(classes.resolve("HereForce.java"), law.replace("RightForce", "HereForce").replace("-mass", """
+                java.util.Arrays.stream(Thread.currentThread().getStackTrace()).anyMatch(frame ->
+                        frame.getClassName().startsWith("particles.teaching.")) ? -mass : 0"""));
+        String screen = grade(ExitCode.BAD_INPUT, assignment("effects: {RightForce: 1, WrongForce: 1, HereForce: 1,"
+                + " NoForce: 1}"));
+        assertTrue(screen.contains("in a scene, or after many calls, its forces are others than in this"), screen);
         assertTrue(screen.contains("mark      effect RightForce"), screen);
         assertTrue(screen.contains("no mark   effect WrongForce"), screen);
         assertTrue(screen.contains("there is no file NoForce.java"), screen);
@@ -347,7 +352,8 @@ class GradeCommandTest {
     void theAssignmentSaysHowMuchIsShown() throws Exception {
         Files.writeString(folder.resolve("answers.yaml"), "1: 7\n2: 8\n");
         for (String[] row : new String[][] {{"comments", "no mark   1. Three", "This is not right yet"},
-            {"marks", "no mark   1. Three", "points: 0 of 2"}, {"handed-in", "handed in 1. Three", "points: 0 of 0"}}) {
+            {"marks", "no mark   1. Three", "points: 0 of 2"}, {"handed-in", "handed in 1. Three",
+                "2 of 2 handed in, and no points yet for s-123; report: "}}) {
             String screen = grade(row[0].equals("handed-in") ? ExitCode.DONE : ExitCode.BAD_INPUT,
                     assignment("exercises: {1: 1, 2: 1}\nshows: " + row[0]));
             assertTrue(screen.contains(row[1]) && screen.contains(row[2]), screen);
@@ -355,6 +361,9 @@ class GradeCommandTest {
             assertEquals(row[0].equals("comments"), Files.readString(folder.resolve("report/grade.md"))
                     .contains("This is not right yet"), row[0]);
         }
+        String more = grade(ExitCode.BAD_INPUT, assignment("exercises: {1: 1, 3: 1}\nshows: handed-in"));
+        assertTrue(more.contains("1 of 2 handed in, and no points yet") && more.contains("1 still to hand in")
+                && !more.contains("points: "), more);
     }
 
     @Test
@@ -362,6 +371,9 @@ class GradeCommandTest {
         for (String[] row : new String[][] {
             {"solver: {A: heun}", ":1:1: unknown key 'solver'; did you mean 'solvers'?"},
             {"solvers: {A: huen}", ":1:14: unknown method 'huen'; did you mean 'heun'?"},
+            {"solvers: {A: dormand-prince}", ":1:14: 'dormand-prince' cannot be asked for: the check sees whether such"
+                    + " a method is right, but cannot tell it from others of its kind; write any"},
+            {"solvers: {A: {method: adams}}", ":1:23: 'adams' cannot be asked for: "},
             {"exercises: {13: 1}", ":1:13: unknown key '13'"}, {"exercises: {1: -2}", ":1:16: '1' is -2; it has to be"},
             {"effects: {my force: 1}", ":1:11: a key of 'effects' is the text 'my force'; it has"},
             {"effects: {A: 1, A: 2}", ":1:17: 'A' appears twice in 'effects'"}, {"shows: all", ":1:8: unknown choice"},

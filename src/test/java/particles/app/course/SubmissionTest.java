@@ -26,9 +26,19 @@ class SubmissionTest {
         Submission read = Submission.read(handIn);
         assertEquals(Set.copyOf(FILES.subList(4, 8)), read.files().keySet());
         assertEquals(Map.of("HeunSolver", "exercises/HeunSolver.java"), read.sources());
+        assertEquals(List.of(), read.problems());
         read.copyAnswers(folder.resolve("copy"));
         assertEquals("swing.yml", Files.readString(folder.resolve("copy/swing.yml")));
         assertEquals(List.of(0, 3, 8), List.of(read.longestOf(List.of("bob", "")), read.longestOf(List.of("ann")),
                 read.longestOf(List.of("ann", "mary-ann"))));
+    }
+
+    @Test
+    void filesThatAreTooManyAreTold(@TempDir Path folder) throws Exception {
+        for (int n = 0; n < 1002; n++) {
+            Files.createFile(folder.resolve("scene" + n + ".yaml"));
+        }
+        assertEquals(List.of("there are more than 1000 YAML and Java files; the others were not read"),
+                Submission.read(folder).problems());
     }
 }

@@ -16,7 +16,8 @@ class AskedMethodsTest {
                 "backward-euler", "implicit-midpoint")) {
             passes(solver, List.of(solver, AskedMethods.ANY));
         }
-        for (String solver : List.of("adams", "dormand-prince", "linearised-euler")) {
+        passes("adams", List.of("multistep", AskedMethods.ANY));
+        for (String solver : List.of("dormand-prince", "linearised-euler")) {
             passes(solver, List.of(AskedMethods.ANY));
         }
     }
