@@ -10,7 +10,6 @@ import particles.spec.ClassNames;
 import particles.spec.Reading;
 import particles.spec.SourceText;
 import particles.spec.Values;
-import particles.spec.YamlText;
 import particles.spec.messages.Problems;
 
 /** Reads and checks scene files; reports all mistakes together, each with its line and column. */
@@ -86,6 +85,6 @@ public final class SceneReader {
 
     /** Reads the values and checks each by itself, as the schema does; conditions between parts are checked later. */
     static Optional<Values> readValues(byte[] bytes, Reading in) {
-        return YamlText.compose(bytes, in).map(root -> SceneFormat.SCENE.readRoot(root, in));
+        return SceneFormat.SCENE.read(bytes, in);
     }
 }

@@ -7,15 +7,11 @@ import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
 
 /** The type of a value that is true or false. */
-public final class FlagType extends Type<Boolean> {
-    /** The only instance. */
-    public static final FlagType FLAG = new FlagType();
-
-    private FlagType() {
-    }
+public enum FlagType implements Type<Boolean> {
+    FLAG;
 
     @Override
-    Optional<Boolean> read(Node node, String what, Reading in) {
+    public Optional<Boolean> read(Node node, String what, Reading in) {
         if (!node.getTag().equals(Tag.BOOL)) {
             return wrong(node, what, in);               // in YAML 1.2 "yes" and "no" are texts
         }
@@ -23,7 +19,7 @@ public final class FlagType extends Type<Boolean> {
     }
 
     @Override
-    Optional<Boolean> sample() {
+    public Optional<Boolean> sample() {
         return Optional.of(false);
     }
 

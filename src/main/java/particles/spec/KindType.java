@@ -8,41 +8,43 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.NodeTuple;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
-import particles.spec.messages.Place;
 import particles.spec.messages.Wording;
 
 /**
  * The type of an entry that names a kind: {@code gravity: {acceleration: [0, -9.81, 0]}}, or just {@code gravity} if it
  * needs no keys.
  *
- * @param <K> the common class of the kinds
+ * @param what      the common name of the kinds, such as {@code effect}
+ * @param kinds     the kinds, with different names
+ * @param byClass   kinds that are named by their class, if there may be any
+ * @param elsewhere kinds that belong to another list
+ * @param <K>       the common class of the kinds
  */
-public final class KindType<K extends Kind> extends Type<Chosen<K>> {
-    private final String what;
-    private final List<K> kinds;
-    final Optional<ByClass<K>> byClass;
-    private final Optional<Elsewhere> elsewhere;
+public record KindType<K extends Kind>(String what, List<K> kinds, Optional<ByClass<K>> byClass,
+        Optional<Elsewhere> elsewhere) implements Type<Chosen<K>> {
 
-    /** Kinds of another list, to recognise mistakes such as an effect among the rules. */
-    private record Elsewhere(String what, String key, List<? extends Kind> kinds) {
-    }
-
-    record ByClass<K extends Kind>(Class<K> type, TextType form) {
+    /**
+     * Kinds of another list, to recognise mistakes such as an effect among the rules.
+     *
+     * @param what  their common name, such as {@code effect}
+     * @param key   the key of their list, such as {@code effects}
+     * @param kinds the kinds, with other names
+     */
+    record Elsewhere(String what, String key, List<? extends Kind> kinds) {
     }
 
     /**
-     * @param what  the common name of the kinds, such as {@code effect}
-     * @param kinds the kinds, with different names
+     * Kinds that {@link ClassNames} finds.
+     *
+     * @param type their sort
+     * @param form the type of their names
      */
-    public KindType(String what, List<K> kinds) {
-        this(what, kinds, Optional.empty(), Optional.empty());
+    record ByClass<K extends Kind>(Class<K> type, TextType form) {
     }
 
-    private KindType(String what, List<K> kinds, Optional<ByClass<K>> byClass, Optional<Elsewhere> elsewhere) {
-        this.elsewhere = elsewhere;
-        this.what = what;
-        this.kinds = List.copyOf(kinds);
-        this.byClass = byClass;
+    /** Kinds with different names, without others. */
+    public KindType(String what, List<K> kinds) {
+        this(what, kinds, Optional.empty(), Optional.empty());
     }
 
     /**
@@ -65,77 +67,67 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
     }
 
     @Override
-    Optional<Chosen<K>> read(Node node, String label, Reading in) {
-        if (node instanceof ScalarNode && node.getTag().equals(Tag.STR)) {
-            return find(node, in).flatMap(kind -> bare(kind, node, in));
+    public Optional<Chosen<K>> read(Node node, String label, Reading in) {
+        if (node instanceof ScalarNode name && node.getTag().equals(Tag.STR)) {
+            return find(name, in).flatMap(kind -> kind.mayBeEmpty()
+                    ? Optional.of(new Chosen<>(kind, new Values(in.place(node)), in.place(node)))
+                    : in.problem(node, kind.getLabel() + " needs a value for at least one key: write '- "
+                            + kind.getName() + ": " + kind.example() + "'"));
         }
-        if (!(node instanceof MappingNode) || ((MappingNode) node).getValue().isEmpty()) {
+        if (!(node instanceof MappingNode mapping) || mapping.getValue().isEmpty()) {
             return wrong(node, label, in);
         }
-        List<NodeTuple> entries = ((MappingNode) node).getValue();
-        Node nameNode = entries.get(0).getKeyNode();
-        if (!(nameNode instanceof ScalarNode)) {
-            return wrong(nameNode, label, in);
-        }
-        Optional<K> kind = find(nameNode, in);
-        if (kind.isEmpty()) {
-            return Optional.empty();
-        }
-        if (entries.size() > 1) {
-            return in.problem(entries.get(1).getKeyNode(), "an entry names one " + what + ", here '"
-                    + kind.get().getName() + "'; the next line is either one of its keys, indented further, or another "
-                    + what
-                    + ", which needs its own dash");
-        }
-        Node valueNode = entries.get(0).getValueNode();
-        if (valueNode.getTag().equals(Tag.NULL)) {
-            return in.problem(nameNode,
-                    "'" + kind.get().getName() + "' has no value; it has to be " + kind.get().describe()
-                    + (kind.get().mayBeEmpty() ? "; or write '- " + kind.get().getName()
-                    + "', without the colon" : ""));
-        }
-        Place place = in.place(nameNode);
-        return kind.get().read(valueNode, "'" + kind.get().getName() + "'",
-                in).map(values -> new Chosen<>(kind.get(),
-                values, place));
+        return mapping.getValue().get(0).getKeyNode() instanceof ScalarNode name
+                ? find(name, in).flatMap(kind -> readKeys(kind, mapping.getValue(), in))
+                : wrong(mapping.getValue().get(0).getKeyNode(), label, in);
     }
 
-    private Optional<K> find(Node nameNode, Reading in) {
-        String name = ((ScalarNode) nameNode).getValue();
+    private Optional<Chosen<K>> readKeys(K kind, List<NodeTuple> entries, Reading in) {
+        Node name = entries.get(0).getKeyNode();
+        Node value = entries.get(0).getValueNode();
+        if (entries.size() > 1) {
+            return in.problem(entries.get(1).getKeyNode(), "an entry names one " + what + ", here " + kind.getLabel()
+                    + "; the next line is either one of its keys, indented further, or another " + what
+                    + ", which needs its own dash");
+        }
+        if (value.getTag().equals(Tag.NULL)) {
+            return in.problem(name, kind.getLabel() + " has no value; it has to be " + kind.describe()
+                    + (kind.mayBeEmpty() ? "; or write '- " + kind.getName() + "', without the colon" : ""));
+        }
+        return kind.read(value, kind.getLabel(), in).map(values -> new Chosen<>(kind, values, in.place(name)));
+    }
+
+    private Optional<K> find(ScalarNode node, Reading in) {
+        String name = node.getValue();
         if (byClass.isPresent() && byClass.get().form().matches(name)) {
             try {
                 return Optional.of(in.classes().find(name, byClass.get().type()));
             } catch (IllegalArgumentException e) {
-                return in.problem(nameNode, e.getMessage());
+                return in.problem(node, e.getMessage());
             }
         }
-        Optional<K> found = kinds.stream().filter(kind -> kind.getName().equals(name)).findFirst();
-        if (found.isEmpty()) {
-            in.problem(nameNode, elsewhere
-                    .filter(other -> other.kinds().stream().anyMatch(kind -> kind.getName().equals(name)))
-                    .map(other -> "'" + name + "' is " + article(other.what()) + ", not " + article(what)
-                            + "; move it to '" + other.key() + "'")
-                    .orElseGet(() -> Wording.unknown(what, name, kinds.stream().map(Kind::getName).toList(),
-                            in.owners(name))));
-        }
-        return found;
+        return named(name, kinds).or(() -> in.problem(node, elsewhere
+                .filter(other -> named(name, other.kinds()).isPresent())
+                .map(other -> "'" + name + "' is " + article(other.what()) + ", not " + article(what)
+                        + "; move it to '" + other.key() + "'")
+                .orElseGet(() -> Wording.unknown(what, name, names(), in.owners(name)))));
+    }
+
+    private static <N extends Kind> Optional<N> named(String name, List<N> kinds) {
+        return kinds.stream().filter(kind -> kind.getName().equals(name)).findFirst();
+    }
+
+    private List<String> names() {
+        return kinds.stream().map(Kind::getName).toList();
     }
 
     private static String article(String what) {
         return ("aeiou".indexOf(what.charAt(0)) < 0 ? "a " : "an ") + what;
     }
 
-    private Optional<Chosen<K>> bare(K kind, Node node, Reading in) {
-        if (!kind.mayBeEmpty()) {
-            return in.problem(node, "'" + kind.getName() + "' needs a value for at least one key: write '- "
-                    + kind.getName() + ": " + kind.example() + "'");
-        }
-        return Optional.of(new Chosen<>(kind, new Values(in.place(node)), in.place(node)));
-    }
-
     @Override
     public String describe() {
-        return "one of " + String.join(", ", kinds.stream().map(Kind::getName).toList()) + orClass()
+        return "one of " + String.join(", ", names()) + orClass()
                 + ", with its keys below it";
     }
 
@@ -147,10 +139,5 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
     @Override
     public Stream<MappingType> mappings() {
         return kinds.stream().flatMap(Kind::mappings);
-    }
-
-    /** @return all kinds */
-    public List<K> getKinds() {
-        return kinds;
     }
 }

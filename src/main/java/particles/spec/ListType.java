@@ -10,19 +10,12 @@ import org.snakeyaml.engine.v2.nodes.SequenceNode;
 /**
  * The type of a list of values; some lists of one may be written without brackets.
  *
- * @param <T> the Java class of an element
+ * @param elementName the name of an element in messages
+ * @param element     the type of an element
+ * @param bareAllowed whether one element may stand without brackets
+ * @param <T>         the Java class of an element
  */
-public final class ListType<T> extends Type<List<T>> {
-    private final String elementName;
-    private final Type<T> element;
-    final boolean bareAllowed;
-
-    private ListType(String elementName, Type<T> element, boolean bareAllowed) {
-        this.elementName = elementName;
-        this.element = element;
-        this.bareAllowed = bareAllowed;
-    }
-
+public record ListType<T>(String elementName, Type<T> element, boolean bareAllowed) implements Type<List<T>> {
     /** @return the type of a list of elements, with the name of an element in messages */
     public static <T> ListType<T> of(String elementName, Type<T> element) {
         return new ListType<>(elementName, element, false);
@@ -38,10 +31,10 @@ public final class ListType<T> extends Type<List<T>> {
      * checked.
      */
     @Override
-    Optional<List<T>> read(Node node, String what, Reading in) {
+    public Optional<List<T>> read(Node node, String what, Reading in) {
         List<T> elements = new ArrayList<>();
-        if (node instanceof SequenceNode) {
-            for (Node item : ((SequenceNode) node).getValue()) {
+        if (node instanceof SequenceNode sequence) {
+            for (Node item : sequence.getValue()) {
                 if (!in.problems().isFull()) {
                     element.read(item, elementName, in).ifPresent(elements::add);
                 }
@@ -65,13 +58,8 @@ public final class ListType<T> extends Type<List<T>> {
         return element.mappings();
     }
 
-    /** @return the type of the elements */
-    public Type<T> getElement() {
-        return element;
-    }
-
     @Override
-    Object toJson(List<T> value) {
+    public Object toJson(List<T> value) {
         return value.stream().map(element::toJson).toList();
     }
 }

@@ -10,29 +10,18 @@ import org.snakeyaml.engine.v2.nodes.NodeTuple;
 /**
  * The type of a mapping whose keys the file chooses, such as names of classes.
  *
- * @param <T> the Java class of a value
+ * @param key   the type of a key
+ * @param value the type of a value
+ * @param <T>   the Java class of a value
  */
-public final class MapType<T> extends Type<Map<String, T>> {
-    private final Type<String> key;
-    private final Type<T> value;
-
-    private MapType(Type<String> key, Type<T> value) {
-        this.key = key;
-        this.value = value;
-    }
-
-    /** @return the type of a mapping with such keys and values */
-    public static <T> MapType<T> of(Type<String> key, Type<T> value) {
-        return new MapType<>(key, value);
-    }
-
+public record MapType<T>(Type<String> key, Type<T> value) implements Type<Map<String, T>> {
     @Override
-    Optional<Map<String, T>> read(Node node, String what, Reading in) {
-        if (!(node instanceof MappingNode)) {
+    public Optional<Map<String, T>> read(Node node, String what, Reading in) {
+        if (!(node instanceof MappingNode mapping)) {
             return wrong(node, what, in);
         }
         Map<String, T> map = new LinkedHashMap<>();
-        for (NodeTuple tuple : ((MappingNode) node).getValue()) {
+        for (NodeTuple tuple : mapping.getValue()) {
             key.read(tuple.getKeyNode(), "a key of " + what, in).ifPresent(name ->
                     value.read(tuple.getValueNode(), "'" + name + "'", in).ifPresent(found -> {
                         if (map.put(name, found) != null) {     // null where it was not there

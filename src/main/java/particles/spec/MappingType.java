@@ -17,7 +17,7 @@ import particles.spec.messages.Place;
 import particles.spec.messages.Wording;
 
 /** The type of a mapping with known keys. */
-public class MappingType extends Type<Values> {
+public class MappingType implements Type<Values> {
     private final String label;
     private final String sentence;
     private final List<Key<?>> keys;
@@ -51,35 +51,35 @@ public class MappingType extends Type<Values> {
     /**
      * Reads a whole file.
      *
-     * @param root its root
-     * @param in   its name, and the list that receives problems
-     * @return all values without mistakes
+     * @param bytes its contents
+     * @param in    its name, and the list that receives problems
+     * @return all values without mistakes; empty if the file is not valid YAML
      */
-    public Values readRoot(Node root, Reading in) {
-        Reading inFormat = new Reading(in.source(), in.problems(), in.classes(), in.numbers(),
-                Optional.of(this));
-        return read(root, label, inFormat).orElseThrow();
+    public Optional<Values> read(byte[] bytes, Reading in) {
+        return YamlText.compose(bytes, in).flatMap(root -> read(root, label, in.inFormat(this)));
     }
 
     /** {@inheritDoc} Always returns the values that are right; {@link Values#isSound()} says whether all are. */
     @Override
-    Optional<Values> read(Node node, String what, Reading in) {
+    public Optional<Values> read(Node node, String what, Reading in) {
         Values values = new Values(in.place(node));
         int before = in.problems().count();
-        if (!(node instanceof MappingNode)) {
-            if (shortFor.isEmpty() || node.getTag().equals(Tag.NULL)) {
-                wrong(node, what, in);
-                values.markUnsound();
-            } else if (!readValue(shortFor.get(), node, what, values, in)) {
-                values.markUnsound();
-            }
-            return Optional.of(values);
+        if (node instanceof MappingNode mapping) {
+            readEntries(mapping, values, in);
+        } else if (shortFor.isEmpty() || node.getTag().equals(Tag.NULL)) {
+            wrong(node, what, in);
+        } else {
+            readValue(shortFor.get(), node, what, values, in);
         }
-        Set<String> seen = new HashSet<>();
+        values.setSound(in.problems().count() == before);
+        return Optional.of(values);
+    }
+
+    private void readEntries(MappingNode node, Values values, Reading in) {
         Set<String> misspelt = new HashSet<>();
-        for (NodeTuple tuple : ((MappingNode) node).getValue()) {
+        for (NodeTuple tuple : node.getValue()) {
             if (!in.problems().isFull()) {
-                readEntry(tuple.getKeyNode(), tuple.getValueNode(), seen, misspelt, values, in);
+                readEntry(tuple.getKeyNode(), tuple.getValueNode(), misspelt, values, in);
             }
         }
         for (Key<?> key : keys) {
@@ -90,20 +90,15 @@ public class MappingType extends Type<Values> {
         if (!exactlyOneOf.isEmpty() && exactlyOneOf.stream().filter(values::isGiven).count() != 1) {
             in.problem(node, label + " needs exactly one of " + names(exactlyOneOf));
         }
-        if (in.problems().count() > before) {
-            values.markUnsound();
-        }
-        return Optional.of(values);
     }
 
-    private void readEntry(Node keyNode, Node valueNode, Set<String> seen, Set<String> misspelt, Values values,
-                           Reading in) {
-        if (!(keyNode instanceof ScalarNode)) {
+    private void readEntry(Node keyNode, Node valueNode, Set<String> misspelt, Values values, Reading in) {
+        if (!(keyNode instanceof ScalarNode scalar)) {
             in.problem(keyNode, "a key of " + label + " is " + Wording.describe(keyNode) + "; it has to be one of "
                     + names(keys));
             return;
         }
-        String text = ((ScalarNode) keyNode).getValue();
+        String text = scalar.getValue();
         Optional<Key<?>> key = keys.stream().filter(k -> k.name().equals(text)).findFirst();
         if (key.isEmpty()) {
             List<String> known = keys.stream().map(Key::name).toList();
@@ -113,7 +108,7 @@ public class MappingType extends Type<Values> {
                     + " should be; numbers have a decimal point, not a comma, and several of them stand in [ ]"
                     : Wording.unknown("key", text, known, in.owners(text))
                             .replaceFirst("known:", "known in " + label + ":"));
-        } else if (!seen.add(text)) {
+        } else if (values.isGiven(key.get())) {
             in.problem(keyNode, "'" + text + "' appears twice in " + label);
         } else if (valueNode.getTag().equals(Tag.NULL)) {
             values.put(key.get(), Optional.empty(), in.place(keyNode), false);
@@ -127,11 +122,10 @@ public class MappingType extends Type<Values> {
         return Character.isLetter(key.charAt(0));
     }
 
-    private static <T> boolean readValue(Key<T> key, Node node, String what, Values values, Reading in) {
+    private static <T> void readValue(Key<T> key, Node node, String what, Values values, Reading in) {
         int before = in.problems().count();
         Optional<T> value = key.type().read(node, what, in);
         values.put(key, value, in.place(node), in.problems().count() == before);
-        return value.isPresent();
     }
 
     private static String names(List<Key<?>> keys) {
@@ -144,17 +138,11 @@ public class MappingType extends Type<Values> {
      */
     public Values samples() {
         Values values = new Values(Place.of("a sample"));
-        keys.stream().filter(Key::required).forEach(key -> putSample(key, values));
-        return values;
-    }
-
-    private static <T> void putSample(Key<T> key, Values values) {
-        Optional<T> sample = key.type().sample();
-        if (sample.isEmpty()) {
+        keys.stream().filter(Key::required).forEach(key -> values.put(key, key.type().sample().or(() -> {
             throw new IllegalArgumentException("no value for the key '" + key.name()
                     + "' can be made up; give it a default");
-        }
-        values.put(key, sample, values.getPlace(), true);
+        }), values.getPlace(), true));
+        return values;
     }
 
     @Override

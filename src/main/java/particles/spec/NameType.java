@@ -13,21 +13,14 @@ import particles.spec.messages.Wording;
 /**
  * The type of a name from a list, or optionally a text of another form.
  *
- * @param <T> what the names stand for: themselves, or the constants of an enum
+ * @param what  the kind of thing that has these names, such as {@code solver}
+ * @param names the names
+ * @param parse what a name stands for
+ * @param other the type of other texts allowed; no name may have their form
+ * @param <T>   what the names stand for: themselves, or the constants of an enum
  */
-public final class NameType<T> extends Type<T> {
-    private final String what;
-    final List<String> names;
-    private final Function<String, T> parse;
-    final Optional<TextType> other;
-
-    private NameType(String what, List<String> names, Function<String, T> parse, Optional<TextType> other) {
-        this.what = what;
-        this.names = List.copyOf(names);
-        this.parse = parse;
-        this.other = other;
-    }
-
+public record NameType<T>(String what, List<String> names, Function<String, T> parse, Optional<TextType> other)
+        implements Type<T> {
     /**
      * @param what  the kind of thing that has these names, such as {@code solver}
      * @param names the names
@@ -62,11 +55,11 @@ public final class NameType<T> extends Type<T> {
     }
 
     @Override
-    Optional<T> read(Node node, String label, Reading in) {
-        if (!(node instanceof ScalarNode)) {
+    public Optional<T> read(Node node, String label, Reading in) {
+        if (!(node instanceof ScalarNode scalar)) {
             return wrong(node, label, in);
         }
-        String text = ((ScalarNode) node).getValue();
+        String text = scalar.getValue();
         if (node.getTag().equals(Tag.STR)
                 && (names.contains(text) || other.filter(form -> form.matches(text)).isPresent())) {
             return Optional.of(parse.apply(text));
@@ -76,7 +69,7 @@ public final class NameType<T> extends Type<T> {
     }
 
     @Override
-    Optional<T> sample() {
+    public Optional<T> sample() {
         return names.stream().findFirst().map(parse);
     }
 
@@ -86,7 +79,7 @@ public final class NameType<T> extends Type<T> {
     }
 
     @Override
-    Object toJson(T value) {
+    public Object toJson(T value) {
         return value instanceof Enum<?> constant ? nameOf(constant) : value;
     }
 }

@@ -40,13 +40,12 @@ final class NumberMistake {
      * @return the mistake and its remedy, as text to follow a semicolon; empty if it is no known mistake
      */
     static Optional<String> of(Node node, String unit) {
-        if (!(node instanceof ScalarNode)) {
+        if (!(node instanceof ScalarNode scalar)) {
             return Optional.empty();
         }
-        String typed = ((ScalarNode) node).getValue();
-        String text = ordinary(typed).strip();
+        String text = ordinary(scalar.getValue()).strip();
         if (PLAIN.matcher(text).matches()) {
-            return Optional.of((((ScalarNode) node).getScalarStyle() == ScalarStyle.PLAIN
+            return Optional.of((scalar.getScalarStyle() == ScalarStyle.PLAIN
                     ? "a character of it only looks like an ordinary digit, sign or space" : "a number has no quotes")
                     + "; write " + text);
         }

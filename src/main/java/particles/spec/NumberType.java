@@ -7,26 +7,21 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
 
-/** The type of a finite number in a range. */
-public final class NumberType extends Type<Double> {
+/**
+ * The type of a finite number in a range.
+ *
+ * @param least the smallest number allowed
+ * @param most  the largest number allowed
+ * @param unit  its unit; empty for pure numbers
+ * @param range the numbers allowed, in words
+ */
+public record NumberType(double least, double most, String unit, String range) implements Type<Double> {
     /** The largest number allowed in a scene; products of a few such numbers are still finite. */
     private static final double HUGE = 1e30;
     /** The smallest positive number allowed, far below an electron's mass in kg; its inverse is finite. */
     public static final double TINY = 1e-40;
     /** A number over 0, however small; Java reads 1e-400 as 0. */
     private static final Pattern OVER_ZERO = Pattern.compile("[+]?[0.]*[1-9].*");
-
-    final double least;
-    final double most;
-    private final String unit;
-    private final String range;
-
-    private NumberType(double least, double most, String unit, String range) {
-        this.least = least;
-        this.most = most;
-        this.unit = unit;
-        this.range = range;
-    }
 
     /** @return the type of numbers over 0; the unit is empty for pure numbers */
     public static NumberType positive(String unit) {
@@ -50,7 +45,7 @@ public final class NumberType extends Type<Double> {
     }
 
     @Override
-    Optional<Double> read(Node node, String what, Reading in) {
+    public Optional<Double> read(Node node, String what, Reading in) {
         Optional<Double> number = parse(node);
         if (number.isEmpty()) {
             Optional<String> mistake = NumberMistake.of(node, unit);
@@ -91,7 +86,7 @@ public final class NumberType extends Type<Double> {
     }
 
     @Override
-    Optional<Double> sample() {
+    public Optional<Double> sample() {
         return Optional.of(least <= 2 && 2 <= most ? 2 : (least + most) / 2);
     }
 

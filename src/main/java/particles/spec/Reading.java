@@ -47,6 +47,11 @@ public record Reading(String source, Problems problems, ClassNames classes, List
         this(source, problems, ClassNames.none());
     }
 
+    /** @return the same, once the format is known */
+    Reading inFormat(MappingType type) {
+        return new Reading(source, problems, classes, numbers, Optional.of(type));
+    }
+
     /** @return the names of all mappings of the format that have this key */
     List<String> owners(String key) {
         return format.stream().flatMap(MappingType::mappings).filter(mapping -> mapping.getKeys().stream()

@@ -6,25 +6,19 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
 
-/** The type of a text, optionally of a certain form. */
-public final class TextType extends Type<String> {
+/**
+ * The type of a text, optionally of a certain form.
+ *
+ * @param describe    the text's meaning and allowed form
+ * @param pattern     has to be found in the text
+ * @param alsoNumbers whether it may be a number, true or false; the value is what was typed
+ */
+public record TextType(String describe, Pattern pattern, boolean alsoNumbers) implements Type<String> {
     static final int LONGEST = 2000;
-
-    private final String description;
-    final String pattern;
-    private final Pattern compiled;
-    private final boolean alsoNumbers;
-
-    private TextType(String description, String pattern, boolean alsoNumbers) {
-        this.description = description;
-        this.pattern = pattern;
-        this.compiled = Pattern.compile(pattern);
-        this.alsoNumbers = alsoNumbers;
-    }
 
     /** @return the type of any text that is not empty */
     public static TextType prose() {
-        return new TextType("a text that is not empty", "\\S", false);
+        return new TextType("a text that is not empty", Pattern.compile("\\S"), false);
     }
 
     /**
@@ -34,32 +28,27 @@ public final class TextType extends Type<String> {
      * @return the type of texts of that form
      */
     public static TextType of(String description, String pattern) {
-        return new TextType(description, pattern, false);
+        return new TextType(description, Pattern.compile(pattern), false);
     }
 
     /** @return the type of a text, a number or true or false; its value is what was typed */
     public static TextType typed(String description) {
-        return new TextType(description, "", true);
+        return new TextType(description, Pattern.compile(""), true);
     }
 
     boolean matches(String text) {
-        return text.codePointCount(0, text.length()) <= LONGEST && compiled.matcher(text).find();
+        return text.codePointCount(0, text.length()) <= LONGEST && pattern.matcher(text).find();
     }
 
     @Override
-    Optional<String> read(Node node, String what, Reading in) {
-        if (!(node instanceof ScalarNode)) {
+    public Optional<String> read(Node node, String what, Reading in) {
+        if (!(node instanceof ScalarNode scalar)) {
             return wrong(node, what, in);
         }
-        String text = ((ScalarNode) node).getValue();
+        String text = scalar.getValue();
         if (!alsoNumbers && !node.getTag().equals(Tag.STR)) {
             return wrong(node, what, "it has to be " + describe() + ": put quotes around it, '" + text + "'", in);
         }
         return matches(text) ? Optional.of(text) : wrong(node, what, in);
-    }
-
-    @Override
-    public String describe() {
-        return description;
     }
 }

@@ -14,7 +14,7 @@ import particles.spec.messages.Wording;
  *
  * @param <T> the Java class of a value
  */
-public abstract class Type<T> {
+public interface Type<T> {
 
     /**
      * Reads a value.
@@ -24,7 +24,7 @@ public abstract class Type<T> {
      * @param in   receives the problems
      * @return the value, or empty if a problem was reported
      */
-    abstract Optional<T> read(Node node, String what, Reading in);
+    Optional<T> read(Node node, String what, Reading in);
 
     /**
      * Reads a value that was given as an option; it is checked as in a file.
@@ -34,36 +34,36 @@ public abstract class Type<T> {
      * @param problems receives the problems
      * @return the value, or empty if a problem was reported
      */
-    public final Optional<T> readOption(String text, String option, Problems problems) {
+    default Optional<T> readOption(String text, String option, Problems problems) {
         Node node = new ScalarNode(new CoreSchema().getScalarResolver().resolve(text, true), text, ScalarStyle.PLAIN);
         return read(node, "the value", new Reading(option, problems));
     }
 
     /** @return a key that must be given */
-    public final Key<T> required(String name, String sentence) {
+    default Key<T> required(String name, String sentence) {
         return new Key<>(name, this, true, Optional.empty(), sentence);
     }
 
     /** @return a key with a default */
-    public final Key<T> withDefault(String name, T defaultValue, String sentence) {
+    default Key<T> withDefault(String name, T defaultValue, String sentence) {
         return new Key<>(name, this, false, Optional.of(defaultValue), sentence);
     }
 
     /** @return a key that may be absent; its sentence explains the default */
-    public final Key<T> optional(String name, String sentence) {
+    default Key<T> optional(String name, String sentence) {
         return new Key<>(name, this, false, Optional.empty(), sentence);
     }
 
     /** @return the values allowed, as text that follows "it has to be": {@code a number over 0 (kg)} */
-    public abstract String describe();
+    String describe();
 
     /** @return a sample value of this type for trials; empty if there is none */
-    Optional<T> sample() {
+    default Optional<T> sample() {
         return Optional.empty();
     }
 
     /** @return all mappings that a value of this type may contain, itself included */
-    public Stream<MappingType> mappings() {
+    default Stream<MappingType> mappings() {
         return Stream.empty();
     }
 
@@ -71,16 +71,17 @@ public abstract class Type<T> {
      * @param value a value of this type
      * @return the value as JSON: a number, text, boolean or list
      */
-    Object toJson(T value) {
+    default Object toJson(T value) {
         return value;
     }
 
-    final Optional<T> wrong(Node node, String what, Reading in) {
+    /** Adds the problem that a value is not one of those allowed. */
+    default Optional<T> wrong(Node node, String what, Reading in) {
         return wrong(node, what, "it has to be " + describe(), in);
     }
 
     /** As {@link #wrong(Node, String, Reading)}, with another hint. */
-    final Optional<T> wrong(Node node, String what, String hint, Reading in) {
+    default Optional<T> wrong(Node node, String what, String hint, Reading in) {
         return in.problem(node, what + " is " + Wording.describe(node) + "; " + hint);
     }
 }

@@ -13,8 +13,8 @@ public final class Values {
     }
 
     private final Place place;
-    private final Map<Key<?>, Found> found = new HashMap<>();
-
+    /** By the names of the keys, which differ in a mapping. */
+    private final Map<String, Found> found = new HashMap<>();
     private boolean sound = true;
 
     Values(Place place) {
@@ -26,8 +26,8 @@ public final class Values {
         return new Values(place);
     }
 
-    void markUnsound() {
-        sound = false;
+    void setSound(boolean sound) {
+        this.sound = sound;
     }
 
     /** @return whether the mapping has no mistake, so that {@link #get} works */
@@ -43,17 +43,17 @@ public final class Values {
         return changed;
     }
 
-    <T> void put(Key<T> key, Optional<T> value, Place at, boolean intact) {
-        found.put(key, new Found(value, at, intact));
+    void put(Key<?> key, Optional<?> value, Place at, boolean intact) {
+        found.put(key.name(), new Found(value, at, intact));
     }
 
     /**
      * @param key a key of the mapping
      * @return its value, or its default; empty if it has neither or its value is wrong
      */
-    @SuppressWarnings("unchecked")                      // put() ties each key to a value of its type
+    @SuppressWarnings("unchecked")                      // a key's value was read by its type
     public <T> Optional<T> find(Key<T> key) {
-        Found given = found.get(key);
+        Found given = found.get(key.name());
         return given == null ? key.defaultValue() : (Optional<T>) given.value();
     }
 
@@ -72,17 +72,17 @@ public final class Values {
 
     /** @return whether the key is in the file, with a right or wrong value */
     public boolean isGiven(Key<?> key) {
-        return found.containsKey(key);
+        return found.containsKey(key.name());
     }
 
     /** @return whether neither the key's value nor anything in it has a mistake */
     public boolean isIntact(Key<?> key) {
-        return !found.containsKey(key) || found.get(key).intact();
+        return !found.containsKey(key.name()) || found.get(key.name()).intact();
     }
 
     /** @return the place of the key's value, or of the mapping if the key is not given */
     public Place place(Key<?> key) {
-        return found.containsKey(key) ? found.get(key).place() : place;
+        return found.containsKey(key.name()) ? found.get(key.name()).place() : place;
     }
 
     /** @return the place of the mapping's beginning */

@@ -6,18 +6,14 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
 import particles.law.Vector3;
 
-/** The type of a vector, written [x, y, z]. */
-public final class VectorType extends Type<Vector3> {
-    final NumberType component;
-    private final String description;
-    final boolean zeroAllowed;
-
-    private VectorType(NumberType component, String description, boolean zeroAllowed) {
-        this.component = component;
-        this.description = description;
-        this.zeroAllowed = zeroAllowed;
-    }
-
+/**
+ * The type of a vector, written [x, y, z].
+ *
+ * @param component   the type of x, y and z
+ * @param describe    the vectors allowed, in words
+ * @param zeroAllowed whether it may be [0, 0, 0]
+ */
+public record VectorType(NumberType component, String describe, boolean zeroAllowed) implements Type<Vector3> {
     /** @return the type of any vector; the unit is that of its components */
     public static VectorType of(String unit) {
         return new VectorType(NumberType.any(unit), "three numbers [x, y, z]" + inUnit(unit), true);
@@ -38,15 +34,14 @@ public final class VectorType extends Type<Vector3> {
     }
 
     @Override
-    Optional<Vector3> read(Node node, String what, Reading in) {
-        if (!(node instanceof SequenceNode)) {
+    public Optional<Vector3> read(Node node, String what, Reading in) {
+        if (!(node instanceof SequenceNode sequence)) {
             return wrong(node, what, in);
         }
-        List<Node> nodes = ((SequenceNode) node).getValue();
+        List<Node> nodes = sequence.getValue();
         if (nodes.size() != 3) {
             return in.problem(node, what + " has " + nodes.size() + (nodes.size() == 1 ? " entry" : " entries")
-                    + "; it has to be "
-                    + describe());
+                    + "; it has to be " + describe);
         }
         double[] values = new double[3];
         boolean right = true;
@@ -55,24 +50,20 @@ public final class VectorType extends Type<Vector3> {
             right &= value.isPresent();
             values[i] = value.orElse(0.0);
         }
-        if (right && !zeroAllowed && values[0] == 0 && values[1] == 0 && values[2] == 0) {
-            return wrong(node, what, in);
+        if (!right) {
+            return Optional.empty();
         }
-        return right ? Optional.of(Vector3.at(values, 0)) : Optional.empty();
+        Vector3 vector = Vector3.at(values, 0);
+        return zeroAllowed || !vector.isZero() ? Optional.of(vector) : wrong(node, what, in);
     }
 
     @Override
-    Optional<Vector3> sample() {
+    public Optional<Vector3> sample() {
         return Optional.of(new Vector3(1, 0.5, 0.8));
     }
 
     @Override
-    public String describe() {
-        return description;
-    }
-
-    @Override
-    Object toJson(Vector3 value) {
+    public Object toJson(Vector3 value) {
         return List.of(value.x(), value.y(), value.z());
     }
 }

@@ -3,22 +3,15 @@ package particles.spec;
 import java.util.Optional;
 import org.snakeyaml.engine.v2.nodes.Node;
 
-/** The type of a whole number in a range; 20.0 and 2e1 count as 20. */
-public final class WholeNumberType extends Type<Integer> {
-    final int least;
-    final int most;
-
-    /**
-     * @param least the smallest number allowed
-     * @param most  the largest number allowed
-     */
-    public WholeNumberType(int least, int most) {
-        this.least = least;
-        this.most = most;
-    }
-
+/**
+ * The type of a whole number in a range; 20.0 and 2e1 count as 20.
+ *
+ * @param least the smallest number allowed
+ * @param most  the largest number allowed
+ */
+public record WholeNumberType(int least, int most) implements Type<Integer> {
     @Override
-    Optional<Integer> read(Node node, String what, Reading in) {
+    public Optional<Integer> read(Node node, String what, Reading in) {
         Optional<Double> number = NumberType.parse(node);
         if (number.isEmpty() || number.get() != StrictMath.rint(number.get()) || !(number.get() >= least)
                 || !(number.get() <= most)) {
@@ -28,7 +21,7 @@ public final class WholeNumberType extends Type<Integer> {
     }
 
     @Override
-    Optional<Integer> sample() {
+    public Optional<Integer> sample() {
         return Optional.of(Math.max(least, Math.min(2, most)));
     }
 

@@ -13,7 +13,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.scene.format.SceneFormat;
 import particles.spec.Reading;
-import particles.spec.YamlText;
 import particles.spec.messages.Problems;
 
 /** Common typing mistakes are named, with what to write instead. */
@@ -160,8 +159,7 @@ class TypingMistakesTest {
             StringBuilder text = new StringBuilder(mistake.startsWith("key") ? "" : "particles:\n");
             IntStream.range(0, 10_000).forEach(i -> text.append(mistake.formatted(i)));
             Reading in = new Reading("x.yaml", new Problems());
-            YamlText.compose(text.toString().getBytes(StandardCharsets.UTF_8), in)
-                    .map(root -> SceneFormat.SCENE.readRoot(root, in));
+            SceneFormat.SCENE.read(text.toString().getBytes(StandardCharsets.UTF_8), in);
             assertTrue(in.problems().count() < 60, in.problems().count() + " looked for");
             assertEquals(51, problems(text.toString()).size());
         }

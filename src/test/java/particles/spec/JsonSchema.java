@@ -21,24 +21,24 @@ public final class JsonSchema {
 
     private static Map<String, Object> of(Type<?> type) {
         if (type instanceof NumberType number) {
-            return Ordered.map("type", "number", "minimum", number.least, "maximum", number.most);
+            return Ordered.map("type", "number", "minimum", number.least(), "maximum", number.most());
         } else if (type instanceof WholeNumberType number) {
-            return Ordered.map("type", "integer", "minimum", number.least, "maximum", number.most);
+            return Ordered.map("type", "integer", "minimum", number.least(), "maximum", number.most());
         } else if (type instanceof TextType text) {
-            return Ordered.map("type", "string", "pattern", text.pattern, "maxLength", TextType.LONGEST);
+            return Ordered.map("type", "string", "pattern", text.pattern().pattern(), "maxLength", TextType.LONGEST);
         } else if (type instanceof NameType<?> names) {
-            Map<String, Object> choice = Ordered.map("enum", names.names);
-            return names.other.isEmpty() ? choice : anyOf(choice, of(names.other.get()));
+            Map<String, Object> choice = Ordered.map("enum", names.names());
+            return names.other().isEmpty() ? choice : anyOf(choice, of(names.other().get()));
         } else if (type instanceof VectorType vector) {
-            Map<String, Object> schema = Ordered.map("type", "array", "items", of(vector.component), "minItems", 3,
+            Map<String, Object> schema = Ordered.map("type", "array", "items", of(vector.component()), "minItems", 3,
                     "maxItems", 3);
-            if (!vector.zeroAllowed) {
+            if (!vector.zeroAllowed()) {
                 schema.put("contains", Map.of("not", Map.of("const", 0)));
             }
             return schema;
         } else if (type instanceof ListType<?> list) {
-            Map<String, Object> schema = Ordered.map("type", "array", "items", of(list.getElement()));
-            return list.bareAllowed ? anyOf(of(list.getElement()), schema) : schema;
+            Map<String, Object> schema = Ordered.map("type", "array", "items", of(list.element()));
+            return list.bareAllowed() ? anyOf(of(list.element()), schema) : schema;
         } else if (type instanceof MappingType mapping) {
             return ofMapping(mapping);
         }
@@ -77,17 +77,17 @@ public final class JsonSchema {
 
     private static Map<String, Object> ofKinds(KindType<?> kinds) {
         Map<String, Object> properties = Ordered.map();
-        kinds.getKinds().forEach(kind -> properties.put(kind.getName(), described(kind.getSentence(), kind)));
+        kinds.kinds().forEach(kind -> properties.put(kind.getName(), described(kind.getSentence(), kind)));
         Map<String, Object> mapping = Ordered.map("type", "object", "properties", properties);
-        kinds.byClass.ifPresent(other -> mapping.put("patternProperties",
-                Map.of(other.form().pattern, Map.of("type", "object"))));
+        kinds.byClass().ifPresent(other -> mapping.put("patternProperties",
+                Map.of(other.form().pattern().pattern(), Map.of("type", "object"))));
         mapping.putAll(Ordered.map("additionalProperties", false, "minProperties", 1, "maxProperties", 1));
-        List<String> bare = kinds.getKinds().stream().filter(Kind::mayBeEmpty).map(Kind::getName).toList();
+        List<String> bare = kinds.kinds().stream().filter(Kind::mayBeEmpty).map(Kind::getName).toList();
         if (bare.isEmpty()) {
             return mapping;
         }
         List<Object> choices = new ArrayList<>(List.of(Map.of("enum", bare), mapping));
-        kinds.byClass.ifPresent(other -> choices.add(of(other.form())));
+        kinds.byClass().ifPresent(other -> choices.add(of(other.form())));
         return anyOf(choices.toArray());
     }
 }

@@ -24,7 +24,6 @@ import particles.spec.SourceText;
 import particles.spec.TextType;
 import particles.spec.Type;
 import particles.spec.Values;
-import particles.spec.YamlText;
 import particles.spec.messages.Problems;
 import particles.teaching.exercises.Exercises;
 
@@ -72,10 +71,10 @@ record Assignment(String text, Optional<OffsetDateTime> deadline, String shows, 
     private static final Key<String> METHOD = NameType.of("method", AskedMethods.withCatalogue())
             .withDefault("method", AskedMethods.ANY, "The method that it has to be.");
     private static final Key<Double> WEIGHT = POINTS.withDefault("weight", 1.0, "What it counts.");
-    private static final Key<Map<String, Values>> SOLVERS = MapType.of(CLASS, MappingType.of("a solver", METHOD, WEIGHT)
-            .shortFor(METHOD)).optional("solvers", "The solvers that count.");
-    private static final Key<Map<String, Double>> EFFECTS = MapType.of(CLASS, POINTS).withDefault("effects", Map.of(),
-            "The effects that count.");
+    private static final Key<Map<String, Values>> SOLVERS = new MapType<>(CLASS,
+            MappingType.of("a solver", METHOD, WEIGHT).shortFor(METHOD)).optional("solvers", "The solvers that count.");
+    private static final Key<Map<String, Double>> EFFECTS = new MapType<>(CLASS, POINTS)
+            .withDefault("effects", Map.of(), "The effects that count.");
     private static final MappingType FORMAT = MappingType.of("the assignment", DEADLINE, SHOWS, NUMBERS, COUNTED,
             SOLVERS, EFFECTS);
 
@@ -99,8 +98,7 @@ record Assignment(String text, Optional<OffsetDateTime> deadline, String shows, 
         Reading in = new Reading(path.toString().replace('\\', '/'), problems);
         Optional<byte[]> bytes = file.isEmpty() && !Files.exists(path) ? Optional.of("{}".getBytes(
                 StandardCharsets.UTF_8)) : SourceText.read(path, in);
-        Optional<Values> values = bytes.flatMap(text -> YamlText.compose(text, in)).map(root ->
-                FORMAT.readRoot(root, in));
+        Optional<Values> values = bytes.flatMap(text -> FORMAT.read(text, in));
         Optional<OffsetDateTime> deadline = values.flatMap(all -> all.find(DEADLINE).flatMap(text -> {
             try {
                 return Optional.of(OffsetDateTime.parse(text));

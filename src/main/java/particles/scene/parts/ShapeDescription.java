@@ -57,9 +57,7 @@ public record ShapeDescription(Lattice lattice, double mass, Vector3 velocity, B
         double mass = values.find(ShapeKind.MASS).orElseGet(() -> values.get(ShapeKind.TOTAL_MASS) / lattice.size());
         List<SpringFamily> springs = new ArrayList<>();
         for (Sort sort : Sort.values()) {
-            if (kind.getKeys().contains(sort.key())) {
-                values.find(sort.key()).ifPresent(family -> springs.add(SpringFamily.of(sort, family)));
-            }
+            values.find(sort.key()).ifPresent(family -> springs.add(SpringFamily.of(sort, family)));
         }
         boolean surface = lattice.counts().size() > 1 && values.get(ShapeKind.SURFACE);
         return Optional.of(new ShapeDescription(lattice, mass, values.get(ShapeKind.VELOCITY), fixed, springs, surface,

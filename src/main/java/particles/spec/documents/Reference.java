@@ -63,12 +63,12 @@ public final class Reference {
             Optional<Key<?>> brief = mapping.getShortForm();
             return brief.map(key -> values(key.type()) + "; or with keys of its own, ").orElse("") + "see "
                     + link(mapping);
-        } else if (type instanceof ListType<?> list && list.getElement() instanceof MappingType mapping) {
+        } else if (type instanceof ListType<?> list && list.element() instanceof MappingType mapping) {
             return "a list, see " + link(mapping);
-        } else if (type instanceof ListType<?> list && !(list.getElement() instanceof NameType<?>)) {
-            return "a list of: " + values(list.getElement());
+        } else if (type instanceof ListType<?> list && !(list.element() instanceof NameType<?>)) {
+            return "a list of: " + values(list.element());
         } else if (type instanceof KindType<?> kinds) {
-            return String.join(", ", kinds.getKinds().stream().map(kind -> "`" + kind.getName() + "`").toList())
+            return String.join(", ", kinds.kinds().stream().map(kind -> "`" + kind.getName() + "`").toList())
                     + kinds.orClass();
         }
         return type.describe();

@@ -13,7 +13,6 @@ import particles.spec.MappingType;
 import particles.spec.Reading;
 import particles.spec.SourceText;
 import particles.spec.TextType;
-import particles.spec.YamlText;
 import particles.spec.messages.Problems;
 
 /**
@@ -60,8 +59,8 @@ public record AnswersFile(Map<Integer, String> answers, List<String> problems) {
     }
 
     private static void add(String text, Reading in, Map<Integer, String> answers) {
-        YamlText.compose(text.getBytes(StandardCharsets.ISO_8859_1), in).map(root -> FORMAT.readRoot(root, in))
-                .ifPresent(found -> KEYS.forEach(key -> found.find(key).ifPresent(answer -> {
+        FORMAT.read(text.getBytes(StandardCharsets.ISO_8859_1), in).ifPresent(found -> KEYS.forEach(key ->
+                found.find(key).ifPresent(answer -> {
                     if (answers.putIfAbsent(Integer.valueOf(key.name()), answer) != null) {     // null: the first one
                         in.problems().add(found.place(key), "'" + key.name() + "' appears twice; the first one counts");
                     }
