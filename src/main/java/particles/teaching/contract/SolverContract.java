@@ -3,7 +3,7 @@ package particles.teaching.contract;
 import deSolvers.DESolver;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import particles.teaching.EndlessLoop;
 import particles.teaching.Finding;
@@ -33,38 +33,25 @@ public final class SolverContract {
     }
 
     /**
-     * @param maker     makes a new solver
-     * @param remembers whether its steps differ from those of a new solver
-     * @param multistep whether it uses earlier steps as a method does
+     * @param memory its memory
      * @return its mistakes, and advice
      */
-    public static List<Finding> check(Supplier<DESolver> maker, boolean remembers, boolean multistep) {
-        SolverContract contract = new SolverContract(maker);
-        SolverMemory.mistake(maker, remembers, multistep)
-                .ifPresentOrElse(contract.findings::add, contract::checkMany);
-        if (contract.findings.isEmpty() && SolverMemory.ignoresTheClock(maker)) {
+    public static List<Finding> check(SolverMemory memory) {
+        SolverContract contract = new SolverContract(memory.maker());
+        memory.mistake().ifPresentOrElse(contract.findings::add, contract::checkMany);
+        if (contract.findings.isEmpty() && memory.ignoresTheClock()) {
             contract.note("what is remembered of earlier steps is used although the clock was set from outside: compare"
                     + " source.getTime() as well, since forces may depend on the time");
         }
         contract.checkNegative();
         contract.checkZero();
-        if (isForParticles(maker)) {
+        if (isForParticles(memory.maker())) {
             contract.note("it works on systems of positions and velocities only, such as particles,"
                     + " and refuses others");
         }
         contract.checkFailure();
         contract.checkNaN();
         return contract.findings;
-    }
-
-    /**
-     * @param maker     makes a new solver
-     * @param remembers whether its steps differ from those of a new solver
-     * @param multistep whether it uses earlier steps as a method does
-     * @return the mistake of memory that is used where it must not be
-     */
-    public static Optional<Finding> memory(Supplier<DESolver> maker, boolean remembers, boolean multistep) {
-        return SolverMemory.mistake(maker, remembers, multistep);
     }
 
     private void note(String text) {
@@ -108,45 +95,45 @@ public final class SolverContract {
         }
     }
 
-    /** Whether it steps backwards, or says that it does not. */
-    private void checkNegative() {
+    /** @return how far a step moves the state; empty for a refusal, which is noted */
+    private OptionalDouble moved(double deltaT, String refused, String more) {
         WindyOscillators source = new WindyOscillators(1);
         double[] before = source.getState();
         try {
-            maker.get().stepState(source, -H);
-        } catch (EndlessLoop e) {
-            findings.add(new Finding(Kind.FAILURE, "a step of negative deltaT does not come back, an endless loop: step"
-                    + " backwards, or throw an exception that says why not" + StudentFailure.place(e.getStackTrace())));
-            return;
-        } catch (RuntimeException e) {
-            note("it refuses a negative deltaT (" + e.getMessage() + ")");
-            return;
-        }
-        if (distance(before, source.getState()) == 0) {
-            wrong("a step of negative deltaT does nothing, and says nothing: step backwards, or throw an exception "
-                    + "that says why not");
-        }
-    }
-
-    private void checkZero() {
-        WindyOscillators source = new WindyOscillators(1);
-        double[] before = source.getState();
-        try {
-            maker.get().stepState(source, 0);
+            maker.get().stepState(source, deltaT);
+            return OptionalDouble.of(distance(before, source.getState()));
         } catch (RuntimeException e) {
             if (!StudentFailure.isRefusal(e)) {
                 throw e;
             }
-            note("it refuses deltaT = 0 (" + e.getMessage() + "); the built-in solvers change nothing then");
-            return;
+            note("it refuses " + refused + " (" + e.getMessage() + ")" + more);
+            return OptionalDouble.empty();
         }
-        double change = distance(before, source.getState());
-        if (change > 1e-12 && Double.isFinite(change)) {
-            wrong("a step of deltaT = 0 moves the state by " + Formula.number(change) + "; it has to change nothing");
-        } else if (!Double.isFinite(change)) {
-            wrong("a step of deltaT = 0 makes the state NaN or infinite; it has to change nothing. Is something "
-                    + "divided by deltaT?");
+    }
+
+    /** Whether it steps backwards, or says that it does not. */
+    private void checkNegative() {
+        String or = ": step backwards, or throw an exception that says why not";
+        try {
+            moved(-H, "a negative deltaT", "").ifPresent(distance -> {
+                if (distance == 0) {
+                    wrong("a step of negative deltaT does nothing, and says nothing" + or);
+                }
+            });
+        } catch (EndlessLoop e) {
+            findings.add(new Finding(Kind.FAILURE, "a step of negative deltaT does not come back, an endless loop" + or
+                    + StudentFailure.place(e.getStackTrace())));
         }
+    }
+
+    private void checkZero() {
+        moved(0, "deltaT = 0", "; the built-in solvers change nothing then").ifPresent(distance -> {
+            if (!(distance <= TINY)) {
+                wrong("a step of deltaT = 0 " + (Double.isFinite(distance) ? "moves the state by "
+                        + Formula.number(distance) + "; it has to change nothing" : "makes the state NaN or infinite; it"
+                        + " has to change nothing. Is something divided by deltaT?"));
+            }
+        });
     }
 
     /** @return whether a solver refuses sources without positions and velocities */

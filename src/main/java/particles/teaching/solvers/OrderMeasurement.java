@@ -7,9 +7,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Supplier;
-import java.util.stream.IntStream;
 import particles.teaching.StudentFailure;
-import particles.teaching.sources.NonlinearOscillators;
 import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 
@@ -41,7 +39,7 @@ public record OrderMeasurement(double order, List<double[]> points) {
     static OrderMeasurement lowest(Supplier<DESolver> maker) {
         OrderMeasurement linear = of(maker);
         OrderMeasurement other = of(maker, () -> {
-            NonlinearOscillators source = new NonlinearOscillators(1);
+            WindyOscillators source = WindyOscillators.nonlinear(1);
             source.startAt(START);                      // at 0 the field does not change, and the first step's clock
             return source;                              // hardly shows
         });

@@ -14,7 +14,7 @@ import java.util.stream.Stream;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
 import particles.teaching.contract.SolverContract;
-import particles.teaching.sources.NonlinearOscillators;
+import particles.teaching.sources.WindyOscillators;
 
 /**
  * The equation that a step solves: new = a1 s + a2 s(1 step before) + ... + deltaT (b1 f(one place and time) + ...). It
@@ -160,9 +160,9 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
      * @param steps  the number of steps
      * @param states the latest first; NaN if the solver gave up
      */
-    private record Made(NonlinearOscillators source, double h, int steps, List<double[]> states) {
+    private record Made(WindyOscillators source, double h, int steps, List<double[]> states) {
         static Made by(Supplier<DESolver> maker, double h, int steps, double amplitude) {
-            NonlinearOscillators source = new NonlinearOscillators(2);
+            WindyOscillators source = WindyOscillators.nonlinear(2);
             source.startAt(START);
             double[] s = source.getState();
             Arrays.setAll(s, k -> amplitude * (1 + k / 64.0) * s[k]);       // off the exact solution

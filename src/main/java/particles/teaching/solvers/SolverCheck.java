@@ -11,6 +11,7 @@ import java.util.function.Supplier;
 import particles.teaching.Finding;
 import particles.teaching.StudentFailure;
 import particles.teaching.contract.SolverContract;
+import particles.teaching.contract.SolverMemory;
 import particles.teaching.sources.Springs;
 import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
@@ -23,7 +24,6 @@ import particles.teaching.sources.WindyOscillators;
 public final class SolverCheck {
     private static final double SHORT = 1.0 / 16;
     private static final double LONG = 8;
-    private static final int LATER_STEPS = 6;
     /** Adaptive methods have an error that does not follow deltaT, and a small one. */
     private static final double SMALL_ERROR = 1e-4;
     /** Below this order the error does not go to 0; Euler measures 0.97 to 1.03. */
@@ -69,7 +69,7 @@ public final class SolverCheck {
         try {
             start().ifPresent(findings::add);
             if (findings.isEmpty()) {
-                boolean remembers = remembers();
+                boolean remembers = SolverMemory.isIn(maker);
                 multistep = remembers && unread.evaluations(1, SHORT) == unread.evaluations(1, LONG);
                 identity = judge(remembers, multistep);
             }
@@ -106,7 +106,7 @@ public final class SolverCheck {
         if (!isWrong()) {
             promised(diagnosis, remembers).ifPresent(findings::add);
         }
-        findings.addAll(SolverContract.check(maker, remembers, multistep));
+        findings.addAll(SolverContract.check(new SolverMemory(maker, remembers, multistep)));
         if (!isWrong()) {
             (remembers ? afterContract(multistep) : heldBy(diagnosis)).ifPresent(findings::add);
         }
@@ -136,28 +136,13 @@ public final class SolverCheck {
         return findings.stream().filter(finding -> !finding.isWrong() || finding == first.get()).distinct().toList();
     }
 
-    /** Whether a later step differs from the one that a new solver makes from the same place. */
-    private boolean remembers() {
-        DESolver solver = maker.get();
-        WindyOscillators source = new WindyOscillators(2);
-        for (int step = 0; step < LATER_STEPS; step++) {
-            WindyOscillators twin = source.copy();
-            maker.get().stepState(twin, SHORT);
-            solver.stepState(source, SHORT);
-            if (!(SolverContract.distance(twin.getState(), source.getState()) <= 1e-11)) {
-                return true;
-            }
-        }
-        return false;
-    }
-
     /** The diagnosis of a method whose steps use results of earlier ones. */
     private Diagnosis remembering(boolean multistep) {
         long once = StudentSource.after(new WindyOscillators(1), maker.get(), 1, SHORT).getEvaluations();
         long twice = StudentSource.after(new WindyOscillators(1), maker.get(), 2, SHORT).getEvaluations();
         boolean equation = SolvedEquation.of(maker, true).filter(found -> found.wrong().isEmpty()).isPresent();
         return new Diagnosis(multistep || equation ? MULTISTEP : UNREAD, twice == once ? Optional.of(Phrase.STALE.of())
-                : clock.isPresent() || !multistep ? clock : SolverContract.memory(maker, true, true).or(() ->
+                : clock.isPresent() || !multistep ? clock : new SolverMemory(maker, true, true).mistake().or(() ->
                 measurement().order() > wanted(true) - 0.5 ? Optional.empty() : SolvedEquation.ofEarlierSteps(maker)
                 .flatMap(SolvedEquation::wrongWeights)));
     }

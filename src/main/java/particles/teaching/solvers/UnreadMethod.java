@@ -12,7 +12,6 @@ import java.util.stream.Stream;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
 import particles.teaching.contract.SolverContract;
-import particles.teaching.sources.NonlinearOscillators;
 import particles.teaching.sources.Probe;
 import particles.teaching.sources.Springs;
 import particles.teaching.sources.StiffDecay;
@@ -191,7 +190,7 @@ record UnreadMethod(Supplier<DESolver> maker) {
     /** @return the number of evaluations in a step; -1 if it is too long for the solver */
     long evaluations(int particles, double deltaT) {
         try {
-            return after(new NonlinearOscillators(particles), deltaT).getEvaluations();
+            return after(WindyOscillators.nonlinear(particles), deltaT).getEvaluations();
         } catch (RuntimeException e) {
             return -1;
         }

@@ -1,6 +1,5 @@
 package particles.teaching.sources;
 
-import deSolvers.SecondOrderStateSource;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -115,7 +114,7 @@ public class Probe extends StudentSource {
     }
 
     /** A probe of particles: three positions and three velocities for each in turn. */
-    public static final class OfParticles extends Probe implements SecondOrderStateSource {
+    public static final class OfParticles extends Probe implements SecondOrderSource {
         private static final double ROUNDING = 1e-14;
         private final boolean moving;
 
@@ -156,16 +155,6 @@ public class Probe extends StudentSource {
                 }
             }
             return true;
-        }
-
-        @Override
-        public int getDimension() {
-            return 3;
-        }
-
-        @Override
-        public boolean accelerationDependsOnVelocity() {
-            return false;
         }
     }
 }

@@ -1,10 +1,9 @@
 package particles.teaching.sources;
 
-import deSolvers.SecondOrderStateSource;
 import deSolvers.problems.StepMatrix;
 
 /** One particle on a spring, x'' = -x in each of three coordinates: the slides' example. */
-public final class Springs extends StudentSource implements SecondOrderStateSource {
+public final class Springs extends StudentSource implements SecondOrderSource {
     /**
      * The first coordinate starts at (1, 0), the second at (0, 1): one step shows the whole 2 x 2 matrix of the method.
      */
@@ -29,16 +28,6 @@ public final class Springs extends StudentSource implements SecondOrderStateSour
         double cos = StrictMath.cos(t);
         double sin = StrictMath.sin(t);
         return new double[] {cos, sin, 0, -sin, cos, 0};
-    }
-
-    @Override
-    public int getDimension() {
-        return 3;
-    }
-
-    @Override
-    public boolean accelerationDependsOnVelocity() {
-        return false;
     }
 
     @Override

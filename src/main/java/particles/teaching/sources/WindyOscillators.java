@@ -1,14 +1,16 @@
 package particles.teaching.sources;
 
-import deSolvers.SecondOrderStateSource;
 import java.util.Arrays;
 import particles.teaching.EndlessLoop;
 
 /**
- * Particles on springs in a field that changes with time: in each coordinate x'' = -4 x + 3 cos t, from x = 1.5 at rest
- * at t = 0. Exact: x = cos t + 0.5 cos 2t. As the law depends on time, it shows a clock that is wrong within a step.
+ * Particles on springs in a field that changes with time: in each coordinate x'' = -4 x + f(t), so that a clock that is
+ * wrong within a step shows. The field is chosen so that x = cos t + 0.5 cos 2t is the exact solution. The springs of a
+ * nonlinear one harden, and each particle is coupled to the next: x'' = -4 x - x^3 + (y - x)/2 + f(t), y the same
+ * coordinate of the next particle, where x is the same multiplied by q, another number for each coordinate of each
+ * particle. A loose iteration, which solves a linear law in one go, shows there.
  */
-public final class WindyOscillators extends StudentSource implements SecondOrderStateSource {
+public final class WindyOscillators extends StudentSource implements SecondOrderSource {
     /** The exception that the source throws on request. */
     public static final class Failure extends RuntimeException {
         private static final long serialVersionUID = 1L;
@@ -18,6 +20,9 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
         }
     }
 
+    private static final double COUPLING = 0.5;
+
+    private final int bend;
     private int failFrom = Integer.MAX_VALUE;
     private boolean failed;
     private boolean spoilt;
@@ -25,35 +30,46 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
 
     /** @param particles the number of particles; six numbers each */
     public WindyOscillators(int particles) {
-        super(start(6 * particles));
+        this(particles, 0);
     }
 
-    private static double[] start(int size) {
-        double[] start = new double[size];
-        Arrays.setAll(start, k -> k % 6 < 3 ? 1.5 : 0);
-        return start;
+    /** With 1 in place of 0, a nonlinear source. */
+    private WindyOscillators(int particles, int bend) {
+        super(exact(6 * particles, bend, 0));
+        this.bend = bend;
+    }
+
+    /** @return a nonlinear source of this number of particles */
+    public static WindyOscillators nonlinear(int particles) {
+        return new WindyOscillators(particles, 1);
     }
 
     /** @return a copy in the same state and time */
     public WindyOscillators copy() {
-        WindyOscillators copy = new WindyOscillators(getStateSize() / 6);
+        WindyOscillators copy = new WindyOscillators(getStateSize() / 6, bend);
         copy.setState(getState());
         copy.incTime(getTime());
         return copy;
     }
 
-    @Override
-    public double[] exactState(double t) {
-        double[] exact = new double[getStateSize()];
-        double x = StrictMath.cos(t) + 0.5 * StrictMath.cos(2 * t);
+    private static double amplitude(int k, int bend) {
+        return 1 + bend * (0.1 * (k % 3) + 0.07 * (k / 6));
+    }
+
+    private static double shape(double t) {
+        return StrictMath.cos(t) + 0.5 * StrictMath.cos(2 * t);
+    }
+
+    private static double[] exact(int size, int bend, double t) {
+        double[] exact = new double[size];
         double v = -StrictMath.sin(t) - StrictMath.sin(2 * t);
-        Arrays.setAll(exact, k -> k % 6 < 3 ? x : v);
+        Arrays.setAll(exact, k -> amplitude(k, bend) * (k % 6 < 3 ? shape(t) : v));
         return exact;
     }
 
-    /** @return the length of the first array that was not as long as the state, or -1 */
-    public int wrongLength() {
-        return wrongLengths().isEmpty() ? -1 : wrongLengths().get(0);
+    @Override
+    public double[] exactState(double t) {
+        return exact(getStateSize(), bend, t);
     }
 
     /** @param evaluation the number of the first evaluation, from 0, that is to fail */
@@ -77,16 +93,6 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
     }
 
     @Override
-    public int getDimension() {
-        return 3;
-    }
-
-    @Override
-    public boolean accelerationDependsOnVelocity() {
-        return false;
-    }
-
-    @Override
     protected void rates(double t, double[] s, double[] dSdt) {
         if (getEvaluations() - 1 >= failFrom) {
             failed = true;
@@ -95,9 +101,20 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
         if (spoilt && getEvaluations() > endFrom) {
             throw new EndlessLoop("the derivative was evaluated " + endFrom + " times");
         }
-        double field = 3 * StrictMath.cos(t);
+        double shape = shape(t);
+        double accelerated = -StrictMath.cos(t) - 2 * StrictMath.cos(2 * t);
         for (int k = 0; k < Math.min(s.length, dSdt.length); k++) {
-            dSdt[k] = spoilt ? Double.NaN : k % 6 < 3 ? s[k + 3] : -4 * s[k - 3] + field;
+            if (k % 6 < 3) {
+                dSdt[k] = s[k + 3];
+            } else {
+                double q = amplitude(k, bend);
+                double x = s[k - 3];
+                int next = (k + 3) % s.length;
+                double off = q * shape - x;
+                dSdt[k] = q * accelerated + 4 * off + bend * (q * q * q * shape * shape * shape - x * x * x
+                        + COUPLING * (s[next] - amplitude(next, bend) * shape + off));
+            }
+            dSdt[k] = spoilt ? Double.NaN : dSdt[k];
         }
     }
 }
