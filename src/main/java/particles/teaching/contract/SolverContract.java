@@ -129,9 +129,10 @@ public final class SolverContract {
     private void checkZero() {
         moved(0, "deltaT = 0", "; the built-in solvers change nothing then").ifPresent(distance -> {
             if (!(distance <= TINY)) {
-                wrong("a step of deltaT = 0 " + (Double.isFinite(distance) ? "moves the state by "
-                        + Formula.number(distance) + "; it has to change nothing" : "makes the state NaN or infinite; it"
-                        + " has to change nothing. Is something divided by deltaT?"));
+                boolean finite = Double.isFinite(distance);
+                wrong("a step of deltaT = 0 " + (finite ? "moves the state by " + Formula.number(distance)
+                        : "makes the state NaN or infinite") + "; it has to change nothing"
+                        + (finite ? "" : ". Is something divided by deltaT?"));
             }
         });
     }
