@@ -11,7 +11,6 @@ import java.util.List;
 import java.util.Optional;
 import particles.engine.Anchors;
 import particles.engine.ForceSum;
-import particles.engine.ParticleJacobian;
 import particles.law.AnchorMotion;
 import particles.law.Effect;
 import particles.law.Particles;
@@ -34,7 +33,6 @@ public final class ParticleSystem implements JacobianStateSource, ArrayStateSour
     private final List<Reaction> reactions = new ArrayList<>();
     private final ForceSum forces = new ForceSum(particles, effects, reactions);
     private final Anchors anchors = new Anchors();      // hides their places from solvers, shows them to forces
-    private final ParticleJacobian jacobian = new ParticleJacobian(this, particles, forces, effects, reactions);
     private double[] state = {};
     private double time;
     private long evaluations;
@@ -266,25 +264,14 @@ public final class ParticleSystem implements JacobianStateSource, ArrayStateSour
         return anchors.hiddenIn(getOwnState());
     }
 
-    /**
-     * Multiplies the Jacobian at the current state and time with a direction; changes neither.
-     *
-     * @param direction a direction w in the state space
-     * @param product   receives J w, per unit of time; another array than {@code direction}
-     */
-    public void getJacobianProduct(double[] direction, double[] product) {
-        jacobian.multiply(state, time, anchors.freePartOf(direction), product);
-        anchors.hide(product);
-    }
-
     @Override
     public boolean hasExactJacobian() {
-        return jacobian.isExact();
+        return forces.hasDerivatives();
     }
 
     @Override
     public void addJacobianBlocks(ForceDerivatives blocks) {
-        jacobian.addBlocks(state, time, blocks);
+        forces.addDerivatives(state, time, blocks);
     }
 
     @Override

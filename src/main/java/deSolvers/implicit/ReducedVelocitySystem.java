@@ -1,14 +1,14 @@
 package deSolvers.implicit;
 
+import static deSolvers.implicit.ForceJacobian.place;
+
 import deSolvers.DEStateSource;
 import deSolvers.JacobianStateSource;
 import deSolvers.StepTransaction;
 import deSolvers.linear.BlockMatrix;
 import deSolvers.linear.BlockSolver;
-import deSolvers.linear.Gmres;
 import deSolvers.linear.LinearOperator;
 import deSolvers.linear.SolverWork;
-import java.util.Arrays;
 
 /**
  * I - g J for particles in space that offer the 3 x 3 blocks of their force derivatives. The positions are eliminated:
@@ -24,6 +24,7 @@ import java.util.Arrays;
  */
 final class ReducedVelocitySystem implements ShiftedJacobian {
     private final SolverWork work;
+    private final ForceJacobian jacobian;
     private final ForceBlocks blocks;
     private final BlockSolver solver;
     private final LinearOperator products = this::applyReal;
@@ -34,19 +35,11 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
     private final double[] realVelocities;
     private final double[] right;                       // real parts first, then imaginary ones
     private final double[] velocities;
-    private final double[] positions;
+    private final double[] imaginaryForces;
     private final double[] partPositions;
     private final double[] partVelocities;
     private final double[] partForces;
-    private final double[] zero;
-    private final double[] term;
-    private final double[] base;
-    private final double[] slope;                       // f there
-    private final double[] varied;
-    private final double[] variedSlope;
-    private double size;                                // of the base
     private StepTransaction source;
-    private boolean exact;
     private double g;
     private double gRe;
     private double gIm;
@@ -54,7 +47,8 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
     /** @param n the state's size */
     ReducedVelocitySystem(SolverWork work, int n) {
         this.work = work;
-        blocks = new ForceBlocks(work);
+        jacobian = new ForceJacobian(work, n, (state, dSdt) -> source.getStateDerivative(state, dSdt));
+        blocks = jacobian.getBlocks();
         solver = new BlockSolver(work);
         matrix = new BlockMatrix(blocks.getPattern(), work);
         m = n / 2;
@@ -62,32 +56,19 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         realVelocities = new double[m];
         right = new double[n];
         velocities = new double[n];
-        positions = new double[n];
+        imaginaryForces = new double[m];
         partPositions = new double[m];
         partVelocities = new double[m];
         partForces = new double[m];
-        zero = new double[m];
-        term = new double[m];
-        base = new double[n];
-        slope = new double[n];
-        varied = new double[n];
-        variedSlope = new double[n];
     }
 
     @Override
     public void setJacobian(StepTransaction source, double[] state, double[] slope, double h, Kind kind) {
-        JacobianStateSource client = (JacobianStateSource) source.getClient();
-        exact = client.hasExactJacobian();
         work.jacobians++;
         this.source = source;
-        System.arraycopy(state, 0, base, 0, base.length);
-        System.arraycopy(slope, 0, this.slope, 0, base.length);
-        size = Gmres.norm(base);
-        size = size == 0 ? 1 : size;
         source.setState(state);
-        BlockMatrix before = blocks.getStiffness();
-        blocks.collect(client, m / 3, kind != Kind.EXACT);
-        if (blocks.getStiffness() != before) {
+        jacobian.setUp((JacobianStateSource) source.getClient(), state, slope, kind != Kind.EXACT);
+        if (matrix.getPattern() != blocks.getPattern()) {
             matrix = new BlockMatrix(blocks.getPattern(), work);
         }
     }
@@ -95,7 +76,7 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
     /** Differences belong to the place where they are taken. */
     @Override
     public boolean keepsJacobian() {
-        return exact;
+        return jacobian.isExact();
     }
 
     @Override
@@ -112,7 +93,7 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
     @Override
     public boolean prepare(double g) {
         this.g = g;
-        return solver.prepare(matrix, exact ? matrix : products, blocks.combine(g, matrix));
+        return solver.prepare(matrix, jacobian.isExact() ? matrix : products, blocks.combine(g, matrix));
     }
 
     @Override
@@ -124,10 +105,7 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
 
     @Override
     public boolean solve(double[] b, double[] x, double tolerance) {
-        for (int i = 0; i < m; i++) {
-            partPositions[i] = b[place(i)];
-        }
-        forces(partPositions, zero, partForces);
+        stiffnessTimes(b, 1, 0, partForces);
         for (int i = 0; i < m; i++) {
             realRight[i] = blocks.mass(i / 3) * b[place(i) + 3] + g * partForces[i];
         }
@@ -143,17 +121,12 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
 
     @Override
     public boolean solveComplex(double[] b, double[] x, double tolerance) {
-        for (int half = 0; half < 2; half++) {
-            for (int i = 0; i < m; i++) {
-                partPositions[i] = b[2 * place(i) + half];
-            }
-            forces(partPositions, zero, partForces);
-            System.arraycopy(partForces, 0, positions, half * m, m);
-        }
+        stiffnessTimes(b, 2, 0, partForces);
+        stiffnessTimes(b, 2, 1, imaginaryForces);
         for (int i = 0; i < m; i++) {
             double mass = blocks.mass(i / 3);
-            right[i] = mass * b[2 * place(i) + 6] + gRe * positions[i] - gIm * positions[m + i];
-            right[m + i] = mass * b[2 * place(i) + 7] + gRe * positions[m + i] + gIm * positions[i];
+            right[i] = mass * b[2 * place(i) + 6] + gRe * partForces[i] - gIm * imaginaryForces[i];
+            right[m + i] = mass * b[2 * place(i) + 7] + gRe * imaginaryForces[i] + gIm * partForces[i];
         }
         if (!solver.solveComplex(complex, right, velocities, tolerance)) {
             return false;
@@ -174,7 +147,7 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
             partVelocities[i] = g * v[i];
             partPositions[i] = g * partVelocities[i];
         }
-        forces(partPositions, partVelocities, y);
+        jacobian.multiply(partPositions, partVelocities, y);
         for (int i = 0; i < m; i++) {
             y[i] = blocks.mass(i / 3) * v[i] - y[i];
         }
@@ -191,46 +164,19 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
                 partVelocities[i] = gRe * v[half * m + i] + sign * gIm * v[other + i];
                 partPositions[i] = squareRe * v[half * m + i] + sign * squareIm * v[other + i];
             }
-            forces(partPositions, partVelocities, partForces);
+            jacobian.multiply(partPositions, partVelocities, partForces);
             for (int i = 0; i < m; i++) {
                 y[half * m + i] = blocks.mass(i / 3) * v[half * m + i] - partForces[i];
             }
         }
     }
 
-    /** K x + C v: by the blocks, or by a difference where these are not the whole Jacobian. */
-    private void forces(double[] x, double[] v, double[] force) {
-        if (exact) {
-            blocks.getStiffness().apply(x, force);
-            if (v != zero) {
-                blocks.getDamping().apply(v, term);
-                for (int i = 0; i < m; i++) {
-                    force[i] += term[i];
-                }
-            }
-            return;
-        }
-        double length = Math.sqrt(Gmres.dot(x, x) + Gmres.dot(v, v));
-        if (length == 0) {
-            Arrays.fill(force, 0);
-            return;
-        }
-        double delta = DenseJacobian.ROOT_EPSILON * size / length;
+    /** K times positions that stand in a state of one part, or of a real and an imaginary part in turn. */
+    private void stiffnessTimes(double[] b, int parts, int part, double[] force) {
         for (int i = 0; i < m; i++) {
-            varied[place(i)] = base[place(i)] + delta * x[i];
-            varied[place(i) + 3] = base[place(i) + 3] + delta * v[i];
+            partPositions[i] = b[parts * place(i) + part];
         }
-        work.products++;
-        source.setState(varied);
-        source.getStateDerivative(variedSlope);
-        for (int i = 0; i < m; i++) {
-            force[i] = blocks.mass(i / 3) * (variedSlope[place(i) + 3] - slope[place(i) + 3]) / delta;
-        }
-    }
-
-    /** Each coordinate's place in the state; that of its velocity is 3 further on. */
-    private static int place(int i) {
-        return 6 * (i / 3) + i % 3;
+        jacobian.multiply(partPositions, force);
     }
 
     /** The particles where they are, with velocities of 0; with rods as they are, for these bend by v&sup2;. */
@@ -255,9 +201,10 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
      */
     @Override
     public double slope(double[] residual, double[] solution, double[] direction) {
+        double[] weight = jacobian.isExact() ? residual : solution;
         double sum = 0;
         for (int i = 0; i < m; i++) {
-            sum += blocks.mass(i / 3) * (exact ? residual : solution)[place(i) + 3] * direction[place(i) + 3];
+            sum += blocks.mass(i / 3) * weight[place(i) + 3] * direction[place(i) + 3];
         }
         return sum;
     }
@@ -269,10 +216,10 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
             partPositions[i] = Math.abs(state[place(i)]);
             size[place(i)] = Math.abs(g * slope[place(i)]);
         }
-        if (exact) {
+        if (jacobian.isExact()) {
             blocks.getStiffness().applyAbsolute(partPositions, partForces);
         } else {
-            forces(partPositions, zero, partForces);
+            jacobian.multiply(partPositions, partForces);
         }
         for (int i = 0; i < m; i++) {
             int at = place(i) + 3;

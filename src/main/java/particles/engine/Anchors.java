@@ -18,7 +18,6 @@ public final class Anchors {
     private final double[] values = new double[9];
     private double[] shown = {};
     private double[] hidden = {};
-    private double[] direction = {};
 
     private record Anchor(int particle, AnchorMotion motion) {
     }
@@ -38,7 +37,7 @@ public final class Anchors {
         }
     }
 
-    /** Sets the anchors' entries of a state, derivative or direction to 0, as solvers see them. */
+    /** Sets the anchors' entries of a state or derivative to 0, as solvers see them. */
     public void hide(double[] vector) {
         for (int a = 0; a < anchors.size(); a++) {
             int x = STRIDE * anchors.get(a).particle();
@@ -70,16 +69,6 @@ public final class Anchors {
         hidden = copy(state, hidden);
         hide(hidden);
         return hidden;
-    }
-
-    /** As {@link #hiddenIn}, in a second copy, for a direction while the first copy is in use. */
-    public double[] freePartOf(double[] direction) {
-        if (anchors.isEmpty()) {
-            return direction;
-        }
-        this.direction = copy(direction, this.direction);
-        hide(this.direction);
-        return this.direction;
     }
 
     private static double[] copy(double[] vector, double[] used) {

@@ -1,15 +1,17 @@
 package particles.engine;
 
+import deSolvers.ForceDerivatives;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import particles.law.DifferentiableEffect;
 import particles.law.Effect;
 import particles.law.Particles;
 import particles.law.PerParticleEffect;
 import particles.law.Reaction;
 
-/** Computes the total force of all effects and reactions, and the derivative (v, F/m). */
+/** Computes the total force of all effects and reactions, the derivative (v, F/m), and the forces' derivatives. */
 public final class ForceSum {
     private static final int STRIDE = Particles.STRIDE;
     private final Particles particles;
@@ -18,6 +20,7 @@ public final class ForceSum {
     private Optional<ParallelDerivative> parallel = Optional.empty();
     private final List<PerParticleEffect> perParticle = new ArrayList<>();
     private final List<Effect> others = new ArrayList<>();
+    private double[] force = {};
     private int sorted;                                 // how many effects are in the two lists
 
     /** Keeps the lists, which may grow later. */
@@ -121,6 +124,46 @@ public final class ForceSum {
             if (reaction.isActive()) {
                 reaction.addForces(state, time, force);
             }
+        }
+    }
+
+    /** Whether all effects and active reactions know their derivatives. */
+    public boolean hasDerivatives() {
+        for (int e = 0; e < effects.size(); e++) {
+            if (!(effects.get(e) instanceof DifferentiableEffect effect && effect.hasForceDerivatives())) {
+                return false;
+            }
+        }
+        for (int r = 0; r < reactions.size(); r++) {
+            if (reactions.get(r).isActive() && !reactions.get(r).hasForceDerivatives()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Adds the derivatives of all effects and active reactions that know them. */
+    public void addDerivatives(double[] state, double time, ForceDerivatives derivatives) {
+        for (int e = 0; e < effects.size(); e++) {
+            if (effects.get(e) instanceof DifferentiableEffect effect) {
+                effect.addForceDerivatives(state, time, derivatives);
+            }
+        }
+        boolean forceKnown = false;
+        for (int r = 0; r < reactions.size(); r++) {
+            Reaction reaction = reactions.get(r);
+            if (!reaction.isActive()) {
+                continue;
+            }
+            if (!forceKnown) {
+                force = force.length == state.length ? force : new double[state.length];
+                effects(state, time, force);
+                forceKnown = true;
+            }
+            if (reaction.hasForceDerivatives()) {
+                reaction.addForceDerivatives(state, time, force, derivatives);
+            }
+            reaction.addForces(state, time, force);
         }
     }
 }

@@ -1,5 +1,7 @@
 package particles.experiments.spectrum;
 
+import deSolvers.implicit.ForceJacobian;
+import deSolvers.linear.SolverWork;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
@@ -18,10 +20,12 @@ final class Linearisation {
     private static final long SEED = 715;
 
     private final ParticleSystem system;
-    private final int[] places;
+    private final ForceJacobian jacobian;
+    private final int[] places;                         // of the coordinates among those of all particles
     private final double[] rootMasses;
-    private final double[] direction;
-    private final double[] product;
+    private final double[] displacement;
+    private final double[] velocity;
+    private final double[] force;
     private final double frequency;
 
     /** @param system the system in its present state; neither state nor time is changed */
@@ -29,11 +33,15 @@ final class Linearisation {
         this.system = system;
         Particles particles = system.getParticles();
         places = IntStream.range(0, particles.count()).filter(i -> !particles.isFixed(i))
-                .flatMap(i -> IntStream.range(Particles.STRIDE * i, Particles.STRIDE * i + 3)).toArray();
-        rootMasses = Arrays.stream(places).mapToDouble(place -> Math.sqrt(particles.mass(place / Particles.STRIDE)))
-                .toArray();
-        direction = new double[system.getStateSize()];
-        product = new double[system.getStateSize()];
+                .flatMap(i -> IntStream.range(3 * i, 3 * i + 3)).toArray();
+        rootMasses = Arrays.stream(places).mapToDouble(place -> Math.sqrt(particles.mass(place / 3))).toArray();
+        displacement = new double[3 * particles.count()];
+        velocity = new double[3 * particles.count()];
+        force = new double[3 * particles.count()];
+        double[] slope = new double[system.getStateSize()];
+        system.getStateDerivative(slope);
+        jacobian = new ForceJacobian(new SolverWork(), slope.length, system::getStateDerivative);
+        jacobian.setUp(system, system.getStateArray(), slope, false);
         frequency = typicalFrequency();
     }
 
@@ -88,7 +96,7 @@ final class Linearisation {
     }
 
     private void deceleration(double[] result) {
-        Arrays.setAll(result, k -> -rootMasses[k] * product[places[k] + 3]);
+        Arrays.setAll(result, k -> -force[places[k]] / rootMasses[k]);
     }
 
     /**
@@ -100,16 +108,16 @@ final class Linearisation {
         multiply(y, 0, 1 / frequency, y, n);
         for (int k = 0; k < n; k++) {
             result[k] = frequency * y[n + k];
-            result[n + k] = rootMasses[k] * product[places[k] + 3];
+            result[n + k] = force[places[k]] / rootMasses[k];
         }
     }
 
     private void multiply(double[] q, int fromQ, double scale, double[] p, int fromP) {
         for (int k = 0; k < places.length; k++) {
-            direction[places[k]] = scale * q[fromQ + k] / rootMasses[k];
-            direction[places[k] + 3] = p[fromP + k] / rootMasses[k];
+            displacement[places[k]] = scale * q[fromQ + k] / rootMasses[k];
+            velocity[places[k]] = p[fromP + k] / rootMasses[k];
         }
-        system.getJacobianProduct(direction, product);
+        jacobian.multiply(displacement, velocity, force);
     }
 
     /**
@@ -118,10 +126,11 @@ final class Linearisation {
      * @return the direction in the state space
      */
     double[] inState(double[] q, double[] p) {
-        double[] state = new double[direction.length];
+        double[] state = new double[system.getStateSize()];
         for (int k = 0; k < places.length; k++) {
-            state[places[k]] = q[k] / rootMasses[k];
-            state[places[k] + 3] = p[k] / rootMasses[k];
+            int at = Particles.STRIDE * (places[k] / 3) + places[k] % 3;
+            state[at] = q[k] / rootMasses[k];
+            state[at + 3] = p[k] / rootMasses[k];
         }
         return state;
     }
