@@ -144,15 +144,17 @@ final class BlockFactors implements LinearOperator {
             for (int k = first[c], following; k != NONE; k = following) {
                 following = link[k];
                 int e = next[k]++;
-                Block3.multiplyTransposed(inverse, 9 * k, upper, 9 * e, factor, 0);
-                Block3.subtractProduct(lower, 9 * e, factor, diagonal, 0);
+                Arrays.fill(factor, 0);
+                Block3.addBlockProduct(1, inverse, 9 * k, upper, 9 * e, true, factor, 0);
+                Block3.addBlockProduct(-1, lower, 9 * e, factor, 0, false, diagonal, 0);
                 for (int r = e + 1; r < start[k + 1]; r++) {
-                    Block3.subtractProduct(lower, 9 * r, factor, lower, at[row[r]]);
+                    Block3.addBlockProduct(-1, lower, 9 * r, factor, 0, false, lower, at[row[r]]);
                 }
                 if (!symmetric) {
-                    Block3.transposedProduct(lower, 9 * e, inverse, 9 * k, factor);
+                    Arrays.fill(factor, 0);
+                    Block3.addBlockProduct(1, lower, 9 * e, inverse, 9 * k, false, factor, 0);
                     for (int r = e + 1; r < start[k + 1]; r++) {
-                        Block3.subtractProduct(upper, 9 * r, factor, upper, at[row[r]]);
+                        Block3.addBlockProduct(-1, upper, 9 * r, factor, 0, true, upper, at[row[r]]);
                     }
                 }
                 enter(k);
@@ -182,7 +184,9 @@ final class BlockFactors implements LinearOperator {
         for (int s = pattern.rowStart[i]; s < pattern.rowStart[i + 1]; s++) {
             int j = pattern.column[s];
             if (place[j] > c) {
-                Block3.transpose(matrix.getValues(), 9 * s, upper, at[place[j]]);
+                for (int e = 0; e < 9; e++) {
+                    upper[at[place[j]] + e % 3 * 3 + e / 3] = matrix.getValues()[9 * s + e];
+                }
                 if (!symmetric) {
                     System.arraycopy(matrix.getValues(), 9 * pattern.find(j, i), lower, at[place[j]], 9);
                 }
@@ -201,18 +205,18 @@ final class BlockFactors implements LinearOperator {
         }
         for (int k = 0; k < n; k++) {                   // L D z = x, and z = D^-1 of that
             Arrays.fill(part, 0);
-            Block3.multiplyAdd(inverse, 9 * k, solution, 3 * k, part, 0);
+            Block3.addProduct(1, inverse, 9 * k, false, solution, 3 * k, part, 0);
             System.arraycopy(part, 0, solution, 3 * k, 3);
             for (int e = start[k]; e < start[k + 1]; e++) {
-                Block3.multiplySubtract(lower, 9 * e, part, 0, solution, 3 * row[e]);
+                Block3.addProduct(-1, lower, 9 * e, false, part, 0, solution, 3 * row[e]);
             }
         }
         for (int k = n - 1; k >= 0; k--) {              // U y = z
             Arrays.fill(part, 0);
             for (int e = start[k]; e < start[k + 1]; e++) {
-                Block3.multiplyTransposedAdd(upper, 9 * e, solution, 3 * row[e], part);
+                Block3.addProduct(1, upper, 9 * e, true, solution, 3 * row[e], part, 0);
             }
-            Block3.multiplySubtract(inverse, 9 * k, part, 0, solution, 3 * k);
+            Block3.addProduct(-1, inverse, 9 * k, false, part, 0, solution, 3 * k);
         }
         for (int k = 0; k < n; k++) {
             System.arraycopy(solution, 3 * k, y, 3 * order[k], 3);

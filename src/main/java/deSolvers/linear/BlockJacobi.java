@@ -29,7 +29,7 @@ final class BlockJacobi implements LinearOperator {
     public void apply(double[] x, double[] y) {
         Arrays.fill(y, 0);
         for (int at = 0, v = 0; at < inverse.length; at += 9, v += 3) {
-            Block3.multiplyAdd(inverse, at, x, v, y, v);
+            Block3.addProduct(1, inverse, at, false, x, v, y, v);
         }
         work.blockOperations += inverse.length / 9;
     }

@@ -1,5 +1,7 @@
 package deSolvers.linear;
 
+import java.util.Arrays;
+
 /** A sparse matrix of 3 x 3 blocks; its pattern is symmetric, its values need not be. */
 public final class BlockMatrix implements LinearOperator {
     /** Blocks that are transposes of each other in exact arithmetic differ by less than this part of the diagonal. */
@@ -86,8 +88,9 @@ public final class BlockMatrix implements LinearOperator {
      */
     public void transformRow(int i, double[] by, double[] room) {
         for (int s = pattern.rowStart[i]; s < pattern.rowStart[i + 1]; s++) {
-            Block3.transpose(values, 9 * s, room, 0);
-            Block3.multiplyTransposed(by, 0, room, 0, values, 9 * s);
+            System.arraycopy(values, 9 * s, room, 0, 9);
+            Arrays.fill(values, 9 * s, 9 * s + 9, 0);
+            Block3.addBlockProduct(1, by, 0, room, 0, false, values, 9 * s);
         }
     }
 

@@ -31,35 +31,24 @@ public final class BlockPattern {
         this.pairs = pairs;
         this.first = Arrays.copyOf(first, pairs);
         this.second = Arrays.copyOf(second, pairs);
-        int[] start = new int[rows + 1];
-        for (int p = 0; p < pairs; p++) {
-            start[first[p] + 1]++;
-            start[second[p] + 1]++;
-        }
+        long[] places = new long[rows + 2 * pairs];     // of all blocks, some twice: row, then column
         for (int i = 0; i < rows; i++) {
-            start[i + 1] += start[i] + 1;               // and the diagonal
-        }
-        int[] filled = Arrays.copyOf(start, rows);
-        int[] columns = new int[start[rows]];
-        for (int i = 0; i < rows; i++) {
-            columns[filled[i]++] = i;
+            places[i] = place(i, i);
         }
         for (int p = 0; p < pairs; p++) {
-            columns[filled[first[p]]++] = second[p];
-            columns[filled[second[p]]++] = first[p];
+            places[rows + 2 * p] = place(first[p], second[p]);
+            places[rows + 2 * p + 1] = place(second[p], first[p]);
         }
+        Arrays.sort(places);
         rowStart = new int[rows + 1];
+        int[] columns = new int[places.length];
         int end = 0;
-        for (int i = 0; i < rows; i++) {
-            Arrays.sort(columns, start[i], start[i + 1]);
-            rowStart[i] = end;
-            for (int at = start[i]; at < start[i + 1]; at++) {
-                if (at == start[i] || columns[at] != columns[at - 1]) {
-                    columns[end++] = columns[at];
-                }
+        for (int k = 0; k < places.length; k++) {
+            if (k == 0 || places[k] != places[k - 1]) {
+                columns[end++] = (int) places[k];
+                rowStart[(int) (places[k] >> Integer.SIZE) + 1] = end;
             }
         }
-        rowStart[rows] = end;
         column = Arrays.copyOf(columns, end);
         diagonal = new int[rows];
         for (int i = 0; i < rows; i++) {
@@ -71,6 +60,10 @@ public final class BlockPattern {
             slot[p] = find(first[p], second[p]);
             mirrorSlot[p] = find(second[p], first[p]);
         }
+    }
+
+    private static long place(int row, int column) {
+        return (long) row << Integer.SIZE | column;
     }
 
     /**

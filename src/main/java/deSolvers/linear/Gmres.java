@@ -47,8 +47,8 @@ public final class Gmres {
             preconditioned = new double[n];
         }
         Arrays.fill(x, 0);
-        double goal = tolerance * norm(b);
         double residual = norm(b);
+        double goal = tolerance * residual;
         if (!(residual <= Double.MAX_VALUE)) {
             return false;
         }
@@ -83,8 +83,8 @@ public final class Gmres {
                 a.apply(preconditioned, next);
                 orthogonalise(next, k);
                 k++;
-                if (!(hessenbergNorm(k) > 0)) {
-                    break;
+                if (!(hessenberg[k][k - 1] > 0)) {
+                    break;                              // the Krylov space is exhausted
                 }
             }
             addCombination(x, k, preconditioner);
@@ -123,11 +123,6 @@ public final class Gmres {
         hessenberg[k + 1][k] = lost ? 0 : length;
         right[k + 1] = -sine[k] * right[k];
         right[k] *= cosine[k];
-    }
-
-    /** The last vector's norm before it was normalised; 0 means that the Krylov space is exhausted. */
-    private double hessenbergNorm(int k) {
-        return hessenberg[k][k - 1];
     }
 
     private void addCombination(double[] x, int k, LinearOperator preconditioner) {
