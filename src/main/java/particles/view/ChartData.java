@@ -6,7 +6,7 @@ import java.util.function.ToDoubleFunction;
 /**
  * The data and labels of a chart, independent of how it is drawn.
  *
- * @param finding makes the title from what is drawn, so that it stays true of a part of the chart
+ * @param title  the finding, or what is shown; empty if there is nothing to say
  * @param xLabel the quantity along x, with its unit
  * @param yLabel the quantity along y, with its unit
  * @param xLog   whether x is logarithmic
@@ -15,31 +15,8 @@ import java.util.function.ToDoubleFunction;
  * @param series the lines and points
  * @param scale  the series whose ranges the axes show: its own, or those of the charts with which it is compared
  */
-public record ChartData(Finding finding, String xLabel, String yLabel, boolean xLog, boolean yLog, List<String> rows,
+public record ChartData(String title, String xLabel, String yLabel, boolean xLog, boolean yLog, List<String> rows,
                         List<Series> series, List<Series> scale) {
-
-    /** Makes a chart's title. */
-    public interface Finding {
-        /**
-         * @param drawn the series of the chart
-         * @return what they show; empty if there is nothing to say
-         */
-        String of(List<Series> drawn);
-    }
-
-    /**
-     * Creates a chart in which x and y are quantities, whose title depends on the series that are drawn.
-     *
-     * @param finding makes the title
-     * @param xLabel  the quantity along x, with its unit
-     * @param yLabel  the quantity along y, with its unit
-     * @param xLog    whether x is logarithmic
-     * @param yLog    whether y is logarithmic
-     * @param series  the lines and points
-     */
-    public ChartData(Finding finding, String xLabel, String yLabel, boolean xLog, boolean yLog, List<Series> series) {
-        this(finding, xLabel, yLabel, xLog, yLog, List.of(), series, series);
-    }
 
     /**
      * Creates a chart in which x and y are quantities.
@@ -52,17 +29,12 @@ public record ChartData(Finding finding, String xLabel, String yLabel, boolean x
      * @param series the lines and points
      */
     public ChartData(String title, String xLabel, String yLabel, boolean xLog, boolean yLog, List<Series> series) {
-        this(drawn -> title, xLabel, yLabel, xLog, yLog, series);
-    }
-
-    /** @return the title: the finding, or what is shown */
-    public String title() {
-        return finding.of(series);
+        this(title, xLabel, yLabel, xLog, yLog, List.of(), series, series);
     }
 
     /** @return the chart with another title */
     public ChartData titled(String title) {
-        return new ChartData(drawn -> title, xLabel, yLabel, xLog, yLog, rows, series, scale);
+        return new ChartData(title, xLabel, yLabel, xLog, yLog, rows, series, scale);
     }
 
     /** @return the chart with names for y = 0, 1, 2, ..., as y is no quantity */
@@ -72,12 +44,12 @@ public record ChartData(Finding finding, String xLabel, String yLabel, boolean x
 
     /** @return a part of the chart, on the same axes */
     public ChartData with(List<String> names, List<Series> drawn) {
-        return new ChartData(finding, xLabel, yLabel, xLog, yLog, names, drawn, scale);
+        return new ChartData(title, xLabel, yLabel, xLog, yLog, names, drawn, scale);
     }
 
     /** @return the chart on the axes that these series would have */
     public ChartData scaledTo(List<Series> others) {
-        return new ChartData(finding, xLabel, yLabel, xLog, yLog, rows, series, others);
+        return new ChartData(title, xLabel, yLabel, xLog, yLog, rows, series, others);
     }
 
     /** The ways of drawing a series. */

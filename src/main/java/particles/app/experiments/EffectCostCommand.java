@@ -6,6 +6,7 @@ import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.work.EffectCost;
 import particles.experiments.work.EffectCost.Cost;
+import particles.output.charts.Panel;
 import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
@@ -51,8 +52,8 @@ public final class EffectCostCommand extends ExperimentCommand {
                         + " times the lower bound.",
                         "Each bar is the fastest of " + rounds + " rounds of " + STEPS
                         + " steps, in CPU time; all variants take turns."),
-                List.of(Picture.chart("effect-cost",
-                        "Time of a step, relative to springs alone, on a logarithmic axis.", chart)),
+                List.of(Picture.of("effect-cost",
+                        "Time of a step, relative to springs alone, on a logarithmic axis.", Panel.chart(chart))),
                 List.of(EffectCost.table(costs)));
     }
 }

@@ -9,8 +9,8 @@ import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.runs.ProgressListener;
 import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
+import particles.output.report.Picture.SolverCharts;
 import particles.output.report.ResultPage;
-import particles.view.ChartData;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -36,10 +36,10 @@ public final class EnergyDriftCommand extends ExperimentCommand {
     @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         Comparison comparison = EnergyDrift.compare(options.scene(), options.solvers(), equalWork, progress);
-        List<ChartData> charts = DriftCharts.charts(comparison);
         String caption = "Above: the size of the error, logarithmic. Below: the error itself while it is less than"
                 + " 0.1. A cross marks a run that ended early.";
-        Picture picture = Picture.stacked("energy-drift", caption, charts);
+        SolverCharts charts = which -> DriftCharts.charts(comparison.only(drift -> which.test(drift.label())));
+        Picture picture = Picture.bySolver("energy-drift", caption, charts);
         return new ResultPage(name(), DriftHeadline.of(comparison), List.of(
                 """
                         The energy error is the change of the total energy minus the work of drag, damping, wind, \
@@ -53,7 +53,8 @@ public final class EnergyDriftCommand extends ExperimentCommand {
                 "Where damping, driving or impacts change the energy, errors fade with the motion or follow it: only"
                         + " their size compares solvers."),
                 List.of(comparison.drifts().size() <= format().mostCurves() ? picture
-                        : picture.onSlides(List.of(Picture.chart("energy-drift", caption, charts.get(0))))),
+                        : picture.onSlides(List.of(Picture.bySolver("energy-drift", caption,
+                                which -> charts.apply(which).subList(0, 1))))),
                 List.of(DriftCharts.table(comparison)));
     }
 }

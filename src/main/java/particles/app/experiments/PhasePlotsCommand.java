@@ -129,7 +129,7 @@ public final class PhasePlotsCommand extends ExperimentCommand {
                 + " The pale band is the reference, dormand-prince with a tolerance of 1e-10. A cross is the"
                 + " end of a run that stopped, or the place where a path leaves the picture.";
         Picture picture = all.size() == 1
-                ? Picture.phase("phase-plots", caption, all.get(0).chart(), Optional.empty())
+                ? Picture.of("phase-plots", caption, Panel.phase(all.get(0).chart(), Optional.empty()))
                 : Picture.panels("phase-plots", caption, finding,
                         all.stream().map(portrait -> Panel.phase(portrait.chart(), Optional.empty())).toList());
         return new ResultPage(name(), finding, List.of(

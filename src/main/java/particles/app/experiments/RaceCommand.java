@@ -142,10 +142,11 @@ public final class RaceCommand extends ExperimentCommand {
                         : Digits.format("at %.3g times the speed of the scene", speed))),
                 List.of(Picture.made(GifAnimation.FILE, "The race."),
                         Picture.drawn("race", "The end of the race, and the energy error over time.", sheet),
-                        Picture.stacked("race-charts", """
+                        Picture.bySolver("race-charts", """
                                 Above: distance of each solver from the reference, root mean square over the \
                                 particles. Below: energy error. A cross marks where a solver left the race.""",
-                                List.of(RaceCharts.distance(race), RaceCharts.energy(race)))),
+                                which -> List.of(RaceCharts.distance(race.of(which)),
+                                        RaceCharts.energy(race.of(which))))),
                 List.of(RaceCharts.table(race)));
     }
 }

@@ -48,11 +48,13 @@ final class SceneStabilityPage {
                 lie inside the solver's outline.""";
         pictures.add(Picture.of("eigenvalues", caption, Panel.map(plane.get(0))).onSlides(List.of(
                 Picture.of("eigenvalues", caption, Panel.map(plane.get(1))))));
-        ChartData growth = SceneStabilityCharts.growth(spectrum, limits);
-        if (!growth.series().isEmpty()) {
-            pictures.add(Picture.chart("growth",
+        List<Limit> finite = limits.stream().filter(Limit::isFinite).toList();
+        if (!finite.isEmpty()) {
+            pictures.add(Picture.bySolver("growth",
                     "Lines: the largest factor of any mode in one step, as predicted; they end at 2."
-                    + " Points: the step at which pairs of runs began to move apart, by bisection.", growth));
+                    + " Points: the step at which pairs of runs began to move apart, by bisection.",
+                    which -> List.of(SceneStabilityCharts.growth(spectrum, finite.stream()
+                            .filter(limit -> which.test(limit.solver().label())).toList()))));
         }
         return new ResultPage(NAME, title(scene, limits, fastest), text(spectrum, fastest), pictures,
                 List.of(SceneStability.table(limits, scene.deltaT()), modes(spectrum)));

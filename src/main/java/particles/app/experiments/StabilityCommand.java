@@ -130,8 +130,10 @@ public final class StabilityCommand extends ExperimentCommand {
             progress.reached(done, "regions of " + String.join(", ", solvers));
             Window wide = new Window(-left, window.right(), window.top(), window.cell());
             String file = "region-" + name;
-            return Picture.compared(file, caption, StabilityRegion.finding(solvers, window),
-                    solvers.stream().map(solver -> Panel.map(StabilityRegion.filled(solver, window))).toList())
+            List<Panel> panels = solvers.stream().map(solver -> Panel.map(StabilityRegion.filled(solver, window)))
+                    .toList();
+            return Picture.panels(file, caption, StabilityRegion.finding(solvers, window),
+                    panels.stream().map(panel -> panel.scaledTo(panels)).toList())
                     .onSlides(List.of(Picture.of(file, caption, Panel.map(StabilityRegion.half(solvers, wide)))));
         }
     }

@@ -4,6 +4,7 @@ import java.util.List;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.work.StiffCloth;
 import particles.experiments.work.StiffCloth.Row;
+import particles.output.charts.Panel;
 import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
@@ -23,7 +24,8 @@ public final class StiffClothCommand extends ExperimentCommand {
                         step whatever the stiffness; the price of the single step is numerical damping.""",
                 "Its first step also orders the equations, once for each cloth. backward-euler iterates to its"
                         + " tolerance; where rk4 needs 100 steps or more, it does not converge."),
-                List.of(Picture.chart("stiff-cloth", "CPU time of a frame, on logarithmic axes; medians of nine"
-                        + " steps of linearised-euler.", StiffCloth.chart(rows))), List.of(StiffCloth.table(rows)));
+                List.of(Picture.of("stiff-cloth", "CPU time of a frame, on logarithmic axes; medians of nine"
+                        + " steps of linearised-euler.", Panel.chart(StiffCloth.chart(rows)))),
+                List.of(StiffCloth.table(rows)));
     }
 }

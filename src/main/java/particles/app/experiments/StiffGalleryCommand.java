@@ -57,11 +57,13 @@ public final class StiffGalleryCommand extends ExperimentCommand {
                         borrow 50 to 300 times as much and give it back, and the chart has the most that they \
                         borrow; it does not grow, as it does beyond the limit. What adaptive explicit solvers leave, \
                         in the table, is what their tolerance does not see."""),
-                List.of(Picture.stacked("stiff-gallery",
+                List.of(Picture.bySolver("stiff-gallery",
                         """
                         Evaluations for an error of 1 % of the swing after 10 s, evaluations of the cheapest stable \
                         run, and the energy that is left of the stiff vibration, where it does not grow for ever. \
                         Below: solvers that are never stable, and where a million steps are not enough for 1 %.""",
-                        StiffCharts.charts(sweeps))), List.of(StiffCharts.table(sweeps)));
+                        which -> StiffCharts.charts(sweeps.stream()
+                                .filter(sweep -> which.test(sweep.solver().label())).toList()))),
+                List.of(StiffCharts.table(sweeps)));
     }
 }

@@ -4,6 +4,7 @@ import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import particles.app.cli.Mistakes;
 import particles.experiments.lecture.CostExercise;
 import particles.experiments.lecture.CostExercise.Cost;
@@ -72,12 +73,13 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
                     choice.label() + " on " + solved.name(), choice -> WorkPrecision.measure(solved, choice));
             String caption = solved.title() + " over " + Digits.few(solved.duration()) + " s; reference: "
                     + solved.origin() + ".";
-            pictures.add(Picture.stacked(solved.name() + "-evaluations", caption
-                    + " The slope is fitted through the filled points." + FAILURES, WorkCharts.byEvaluations(curves)));
-            pictures.add(Picture.stacked(solved.name() + "-time", caption
+            pictures.add(Picture.bySolver(solved.name() + "-evaluations", caption
+                    + " The slope is fitted through the filled points." + FAILURES,
+                    which -> WorkCharts.byEvaluations(some(curves, which))));
+            pictures.add(Picture.bySolver(solved.name() + "-time", caption
                     + " CPU time, the median of five or more runs after a warm-up; bars go from the lower to the upper"
                     + " quartile. One solver is called first only if its bar overlaps no other." + FAILURES,
-                    WorkCharts.byTime(curves)));
+                    which -> WorkCharts.byTime(some(curves, which))));
             all.addAll(curves);
         }
         progress.reached(1, "the lecture's exercise");
@@ -99,5 +101,9 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
                         of its stages, 3, and not 5, until the step is as short as the time of the springs. It uses \
                         equal steps here, like the others."""),
                 pictures, List.of(CostExercise.table(costs), WorkTables.slopes(all), WorkTables.runs(all)));
+    }
+
+    private static List<Curve> some(List<Curve> curves, Predicate<String> which) {
+        return curves.stream().filter(curve -> which.test(curve.label())).toList();
     }
 }

@@ -19,6 +19,8 @@ final class RunFindings {
     /** Extents that differ by less than this are called equal. */
     private static final double EQUAL = 0.05;
     private static final int NAMED = 3;
+    /** Smaller factors are not told apart in a chart. */
+    private static final double TINY = 0.01;
 
     private RunFindings() {
     }
@@ -75,8 +77,13 @@ final class RunFindings {
         return !known ? "a path of " + path.x().length + (path.x().length == 1 ? " state" : " states")
                 : wider == 0 && higher == 0 ? "the particle is at rest in the second half of the path"
                 : Math.abs(wider - 1) <= EQUAL && Math.abs(higher - 1) <= EQUAL ? begin + "as large as the first"
-                : Math.abs(wider / higher - 1) <= EQUAL ? begin + Digits.few(wider) + " times as large as the first"
-                : begin + Digits.few(wider) + " times as wide and " + Digits.few(higher) + " times as high";
+                : Math.abs(wider / higher - 1) <= EQUAL ? begin + times(wider) + " as large as the first"
+                : begin + times(wider) + " as wide and " + times(higher) + " as high";
+    }
+
+    private static String times(double factor) {
+        return (factor < TINY ? "less than " + TINY : factor > 1 / TINY ? "more than " + Math.round(1 / TINY)
+                : Digits.few(factor)) + " times";
     }
 
     /** The extent of the second half of the values, as a multiple of the first's; NaN or infinite if there is none. */

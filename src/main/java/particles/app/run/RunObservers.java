@@ -14,6 +14,7 @@ import particles.output.animation.Film;
 import particles.output.animation.GifAnimation;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartWriter;
+import particles.output.charts.Panel;
 import particles.output.files.OutputFolder;
 import particles.output.files.TrajectoryWriter;
 import particles.output.frames.FrameObserver;
@@ -175,14 +176,14 @@ final class RunObservers implements AutoCloseable {
                 charts.add(chart.titled(title + (chart.series().get(0).name().startsWith("work")
                         ? RunFindings.work(chart.series(), !log) : RunFindings.error(chart.series()))));
             }
-            pictures.add(Picture.stacked(ENERGY, "", charts));
+            pictures.add(Picture.of(ENERGY, "", Panel.stacked(charts)));
         }
         phase.ifPresent(history -> {
             Axis axis = Axis.values()[scene.description().output().phase().orElseThrow().axis()];
             ChartData path = history.chart(axis, title);
             ChartData.Series states = path.series().get(0);
-            pictures.add(Picture.phase(PHASE, "", path.titled(title + RunFindings.path(states)),
-                    VectorFields.around(scene.system(), axis, states.x(), states.y())));
+            pictures.add(Picture.of(PHASE, "", Panel.phase(path.titled(title + RunFindings.path(states)),
+                    VectorFields.around(scene.system(), axis, states.x(), states.y()))));
         });
         try (ChartWriter writer = new ChartWriter(folder, format)) {
             pictures.stream().flatMap(picture -> picture.laidOut(format).stream()).forEach(picture ->

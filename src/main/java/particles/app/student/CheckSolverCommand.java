@@ -9,6 +9,7 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.app.cli.ChartOptions;
 import particles.app.cli.Mistakes;
+import particles.app.student.CheckCommand.Checked;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.Panel;
 import particles.output.report.Picture;
@@ -106,18 +107,18 @@ public final class CheckSolverCommand extends CheckCommand {
                     List.of()));
         }
         List<Picture> pictures = new ArrayList<>();
-        pictures.add(Picture.chart("order",
+        pictures.add(Picture.of("order",
                 "The error after two seconds of x'' = -4x + 3 cos t; the slope is the order.",
-                figures.order()));
+                Panel.chart(figures.order())));
         figures.region().ifPresent(region -> pictures.add(Picture.of("region",
                 "Where a step makes nothing larger, measured on its own steps. Every mode of a system has to lie"
                         + " there: deltaT times its eigenvalue lambda or, of a spring, deltaT omega and deltaT c/m."
                         + " Pale: the built-in solver that is nearest.", Panel.map(region))));
-        pictures.add(Picture.chart("energy", "The energy of an undamped spring, which should stay constant.",
-                figures.energy()));
-        pictures.add(Picture.chart("work-precision",
+        pictures.add(Picture.of("energy", "The energy of an undamped spring, which should stay constant.",
+                Panel.chart(figures.energy())));
+        pictures.add(Picture.of("work-precision",
                 "The error after eight seconds against the work: lower left is better.",
-                figures.workPrecision()));
+                Panel.chart(figures.workPrecision())));
         return new Checked(name, verdict.identity(), verdict.findings(), new ResultPage(NAME, title, text, pictures,
                 Stream.concat(Stream.of(figures.facts()), figures.growth().stream()).toList()));
     }

@@ -47,9 +47,9 @@ public final class DriftCharts {
         if (!failures.isEmpty()) {
             logarithmic.add(Series.of(STOPPED, Mark.FAILURES, failures));
         }
-        return List.of(new ChartData(drawn -> DriftHeadline.of(comparison.of(drawn)), "time (s)",
+        return List.of(new ChartData(DriftHeadline.of(comparison), "time (s)",
                         "|energy error| / scale", false, true, logarithmic),
-                new ChartData(drawn -> DriftHeadline.within(LINEAR, comparison.of(drawn)), "time (s)",
+                new ChartData(DriftHeadline.within(LINEAR, comparison), "time (s)",
                         "energy error / scale", false, false, linear));
     }
 

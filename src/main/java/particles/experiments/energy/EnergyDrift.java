@@ -16,7 +16,6 @@ import particles.experiments.runs.SceneRun.Setting;
 import particles.experiments.runs.SolverChoice;
 import particles.scene.Scene;
 import particles.scene.format.SceneDescription;
-import particles.view.ChartData.Series;
 
 /**
  * Compares the energy drift of solvers on a scene. The drift is the energy ledger's numerical error - the change that
@@ -100,12 +99,8 @@ public final class EnergyDrift {
      * @param drifts    the result of each solver
      */
     public record Comparison(String scene, double scale, boolean equalWork, List<Drift> drifts) {
-        /** @return the drifts of the solvers that are drawn */
-        Comparison of(List<Series> drawn) {
-            return only(drift -> drift.setting().solver().isIn(drawn));
-        }
-
-        Comparison only(Predicate<Drift> which) {
+        /** @return the comparison of some of the solvers */
+        public Comparison only(Predicate<Drift> which) {
             return new Comparison(scene, scale, equalWork, drifts.stream().filter(which).toList());
         }
     }

@@ -60,10 +60,12 @@ public final class PhasePortraits {
      */
     public static Portraits compare(SceneDescription scene, List<SolverChoice> solvers, List<String> particles,
             List<Axis> axes, Optional<String> about, ProgressListener progress) {
-        progress.reached(0, "the reference");
-        Run reference = run(scene, Setting.accurate(scene.deltaT(), REFERENCE_TOLERANCE), REFERENCE, particles, about);
-        List<Run> runs = progress.each(solvers, SolverChoice::label, solver ->
-                run(scene, Setting.of(solver, scene.deltaT()), solver.label(), particles, about));
+        List<Setting> settings = new ArrayList<>(List.of(Setting.accurate(scene.deltaT(), REFERENCE_TOLERANCE)));
+        solvers.forEach(solver -> settings.add(Setting.of(solver, scene.deltaT())));
+        List<Run> all = progress.onAllCores(settings, Setting::label, setting -> run(scene, setting,
+                setting == settings.get(0) ? REFERENCE : setting.label(), particles, about));
+        Run reference = all.get(0);
+        List<Run> runs = all.subList(1, all.size());
         List<Portrait> portraits = new ArrayList<>();
         List<Portrait> rows = new ArrayList<>();
         for (int p = 0; p < particles.size(); p++) {

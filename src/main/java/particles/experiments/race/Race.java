@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
@@ -90,6 +91,11 @@ public final class Race {
      */
     public record Result(String scene, double duration, double[] times, boolean equalTime, Shares shares, double scale,
                          List<double[]> reference, List<Lane> lanes) {
+        /** @return the race of the solvers whose labels are chosen */
+        public Result of(Predicate<String> which) {
+            return new Result(scene, duration, times, equalTime, shares, scale, reference,
+                    lanes.stream().filter(lane -> which.test(lane.label())).toList());
+        }
     }
 
     private final SceneDescription scene;

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.NoSuchElementException;
 import java.util.Optional;
 import particles.scene.format.Tolerances;
-import particles.view.ChartData.Series;
 
 /**
  * A solver in an experiment: a name, and its catalogue entry if it has one.
@@ -61,11 +60,6 @@ public record SolverChoice(String name, Optional<SolverInfo> info) {
     /** @return the names in a list separated by commas, each once */
     public static List<String> separated(String names) {
         return Arrays.stream(names.split(",")).map(String::strip).filter(name -> !name.isEmpty()).distinct().toList();
-    }
-
-    /** @return whether one of these series is its curve: with its label for a name, or for the begin of the name */
-    public boolean isIn(List<Series> drawn) {
-        return drawn.stream().anyMatch(series -> (series.name() + ",").startsWith(label() + ","));
     }
 
     /** @return the names as in a sentence, or only their number if they are more than three */

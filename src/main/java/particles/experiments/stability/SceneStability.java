@@ -77,7 +77,7 @@ public final class SceneStability {
     public record Limit(SolverChoice solver, double predicted, double measured, double predictedGrowth,
             double measuredGrowth, String note) {
         /** @return whether it was predicted and measured that steps up to a limit are safe */
-        boolean isFinite() {
+        public boolean isFinite() {
             return measured > 0 && measured < Double.POSITIVE_INFINITY && predicted > 0
                     && predicted < Double.POSITIVE_INFINITY && !solver.adaptive();
         }

@@ -53,13 +53,12 @@ public final class SceneStabilityCharts {
 
     /**
      * @param spectrum the spectrum of its start
-     * @param limits   the limits of the solvers; those without a finite limit are only in the table
+     * @param finite   the limits of the solvers that have one
      * @return the chart of the growth of the fastest growing mode over deltaT, with the deltaT at which runs began to
      *         grow
      */
-    public static ChartData growth(Spectrum spectrum, List<Limit> limits) {
+    public static ChartData growth(Spectrum spectrum, List<Limit> finite) {
         List<Series> series = new ArrayList<>();
-        List<Limit> finite = limits.stream().filter(Limit::isFinite).toList();
         double largest = finite.stream().mapToDouble(limit -> 2 * limit.measured()).max().orElse(0);
         for (Limit limit : finite) {
             SpectrumLimit theory = new SpectrumLimit(limit.solver().info().orElseThrow(), spectrum);
@@ -71,13 +70,10 @@ public final class SceneStabilityCharts {
                 line.add(new double[] {deltaT, Math.min(TOP, factor)});
             }
             series.add(Series.of(limit.solver().label(), Mark.LINE, line));
-            series.add(Series.point(limit.solver().label() + ", runs: " + Digits.few(limit.measured()) + " s",
-                    Mark.POINTS, limit.measured(), 1));
+            series.add(Series.point(limit.solver().label(), Mark.POINTS, limit.measured(), 1));
         }
-        return new ChartData(drawn -> "Runs move apart from deltaT = " + finite.stream()
-                .filter(limit -> limit.solver().isIn(drawn))
-                .map(limit -> Digits.few(limit.measured()) + " s (" + limit.solver().label() + ")")
-                .collect(Collectors.joining(", ")) + " on", "deltaT (s)", "largest factor of a mode in one step", false,
-                false, series);
+        return new ChartData(finite.stream().map(limit -> Digits.few(limit.measured()) + " s (" + limit.solver().label()
+                + ")").collect(Collectors.joining(", ", "Runs move apart beyond deltaT = ", "")), "deltaT (s)",
+                "largest factor of a mode in one step", false, false, series);
     }
 }

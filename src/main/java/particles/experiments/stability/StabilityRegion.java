@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.function.Predicate;
 import particles.experiments.runs.SolverChoice;
 import particles.view.ChartData;
-import particles.view.ChartData.Finding;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 
@@ -38,12 +37,12 @@ public final class StabilityRegion {
      *         show in the title
      */
     public static ChartData outlines(List<String> solvers, Window window) {
-        return chart(drawn -> finding(solvers, window), outlines(solvers, window, true), window, -window.top);
+        return chart(finding(solvers, window), outlines(solvers, window, true), window, -window.top);
     }
 
     /** @return the same above the real axis, below which it is mirrored */
     public static ChartData half(List<String> solvers, Window window) {
-        return chart(drawn -> finding(solvers, window), outlines(solvers, window, false), window, 0);
+        return chart(finding(solvers, window), outlines(solvers, window, false), window, 0);
     }
 
     private static List<Series> outlines(List<String> solvers, Window window, boolean mirrored) {
@@ -63,7 +62,7 @@ public final class StabilityRegion {
     public static ChartData filled(String solver, Window window) {
         SolverInfo info = SolverCatalog.info(solver);
         StabilityMap map = new StabilityMap(Amplification.of(info)::at, window, true);
-        return chart(drawn -> solver + ": " + limits(info),
+        return chart(solver + ": " + limits(info),
                 new ArrayList<>(List.of(map.filled("stable"), map.outline(solver))), window, -window.top);
     }
 
@@ -72,7 +71,7 @@ public final class StabilityRegion {
         return new Series("imaginary axis", Mark.LINE, new double[] {0, 0}, new double[] {bottom, top});
     }
 
-    private static ChartData chart(Finding finding, List<Series> series, Window window, double bottom) {
+    private static ChartData chart(String finding, List<Series> series, Window window, double bottom) {
         series.add(imaginaryAxis(bottom, window.top));
         return new ChartData(finding, "Re(deltaT lambda): decay to the left", "Im(deltaT lambda): oscillation",
                 false, false, series).scaledTo(List.of(new Series("window", Mark.LINE,

@@ -51,25 +51,27 @@ public final class StiffCharts {
                         sweep.neverStable()),
                 never("no 1 % with a million steps", Mark.GIVEN_UP, sweeps, rows, (sweep, cost) ->
                         Double.isNaN(cost.toOnePercent()))).filter(series -> series.x().length > 0).toList();
+        List<Sweep> fixed = stable(sweeps, solver -> !solver.adaptive());
+        List<Series> left = series(stable(sweeps, solver -> !solver.adaptive() || solver.implicit()),
+                cost -> Math.max(GONE, cost.vibrationLeft()));
         return Stream.of(
-                chart("evaluations for 1 %", sweeps, Cost::toOnePercent, drawn ->
-                        growth("Evaluations for 1 %", in(drawn, sweeps), Sweep::preciseExponent)),
+                chart("evaluations for 1 %", sweeps, Cost::toOnePercent,
+                        growth("Evaluations for 1 %", sweeps, Sweep::preciseExponent)),
                 new ChartData("", STIFFNESS, "never", true, false, never).inRows(rows),
-                chart("evaluations to be stable", stable(sweeps, solver -> !solver.adaptive()), Cost::toBeStable,
-                        drawn -> growth("Evaluations for stability", in(drawn, sweeps), Sweep::stableExponent)),
-                chart("fast-mode energy, end / start", stable(sweeps, solver -> !solver.adaptive()
-                        || solver.implicit()), cost -> Math.max(GONE, cost.vibrationLeft()), StiffCharts::vibration))
+                chart("evaluations to be stable", fixed, Cost::toBeStable,
+                        growth("Evaluations for stability", fixed, Sweep::stableExponent)),
+                new ChartData(vibration(left), STIFFNESS, "fast-mode energy, end / start", true, true, left))
                 .filter(chart -> !chart.series().isEmpty()).toList();
     }
 
     private static ChartData chart(String quantity, List<Sweep> sweeps, ToDoubleFunction<Cost> what,
-            ChartData.Finding finding) {
-        return new ChartData(finding, STIFFNESS, quantity, true, true, sweeps.stream().map(sweep ->
-                Series.of(name(sweep), Mark.LINE_AND_POINTS, sweep.costs(), Cost::stiffness, what)).toList());
+            String finding) {
+        return new ChartData(finding, STIFFNESS, quantity, true, true, series(sweeps, what));
     }
 
-    private static List<Sweep> in(List<Series> drawn, List<Sweep> sweeps) {
-        return sweeps.stream().filter(sweep -> sweep.solver().isIn(drawn)).toList();
+    private static List<Series> series(List<Sweep> sweeps, ToDoubleFunction<Cost> what) {
+        return sweeps.stream().map(sweep ->
+                Series.of(name(sweep), Mark.LINE_AND_POINTS, sweep.costs(), Cost::stiffness, what)).toList();
     }
 
     private static List<Sweep> stable(List<Sweep> sweeps, Predicate<SolverChoice> which) {

@@ -44,9 +44,9 @@ public final class WorkCharts {
             }
         }
         series.add(Series.of("filled: fitted; in brackets: theory", Mark.POINTS, List.of()));
-        return charts(new ChartData(drawn -> title(curves) + reduction(in(drawn, curves)).orElseGet(() ->
-                first(in(drawn, curves), false)), "evaluations of the derivative",
-                curves.get(0).problem().errorLabel(), true, true, series), curves, Point::evaluations);
+        return charts(new ChartData(title(curves) + reduction(curves).orElseGet(() -> first(curves, false)),
+                "evaluations of the derivative", curves.get(0).problem().errorLabel(), true, true, series), curves,
+                Point::evaluations);
     }
 
     /**
@@ -62,17 +62,13 @@ public final class WorkCharts {
                     new double[] {p.lower(), p.error()}, new double[] {p.upper(), p.error()},
                     new double[] {Double.NaN, Double.NaN})).toList()));         // a gap after each bar
         }
-        return charts(new ChartData(drawn -> title(curves) + first(in(drawn, curves), true),
+        return charts(new ChartData(title(curves) + first(curves, true),
                 "CPU time, median (s)", curves.get(0).problem().errorLabel(), true, true, series), curves,
                 Point::seconds);
     }
 
     private static String title(List<Curve> curves) {
         return curves.get(0).problem().title() + ": ";
-    }
-
-    private static List<Curve> in(List<Series> drawn, List<Curve> curves) {
-        return curves.stream().filter(curve -> curve.solver().isIn(drawn)).toList();
     }
 
     private static List<Point> results(Curve curve) {

@@ -1,14 +1,12 @@
 package particles.output.charts;
 
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
-import java.util.function.IntPredicate;
-import java.util.stream.IntStream;
+import java.util.Set;
+import java.util.stream.Collectors;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
@@ -37,7 +35,7 @@ public record Panel(List<ChartData> charts, Kind kind, Optional<VectorField> fie
      * @return a chart
      */
     public static Panel chart(ChartData data) {
-        return new Panel(List.of(data), Kind.CHART, Optional.empty());
+        return stacked(List.of(data));
     }
 
     /**
@@ -103,10 +101,11 @@ public record Panel(List<ChartData> charts, Kind kind, Optional<VectorField> fie
         return new Panel(parts, kind, field);
     }
 
-    /** @return the panel on the axes that these charts would have, each of them one with this one's quantities */
+    /** @return the panel on the axes that all charts of its quantities in these panels would have */
     public Panel scaledTo(List<Panel> all) {
-        return of(List.of(charts.get(0).scaledTo(all.stream()
-                .flatMap(panel -> panel.charts.get(0).scale().stream()).toList())));
+        return of(charts.stream().map(chart -> chart.scaledTo(all.stream().flatMap(panel -> panel.charts.stream())
+                .filter(other -> other.yLabel().equals(chart.yLabel())).flatMap(other -> other.scale().stream())
+                .toList())).toList());
     }
 
     /** @return the panel with another title */
@@ -127,52 +126,9 @@ public record Panel(List<ChartData> charts, Kind kind, Optional<VectorField> fie
                 .replaceAll("^-|-$", "");
     }
 
-    /** @return a panel for each family of its solvers, on the same axes; series without a solver are in all */
-    public Map<SolverFamily, Panel> byFamily() {
-        Map<SolverFamily, Panel> families = new EnumMap<>(SolverFamily.class);
-        charts.get(0).series().forEach(series -> SolverStyle.of(series.name()).map(SolverStyle::family)
-                .ifPresent(family -> families.computeIfAbsent(family, this::part)));
-        return families;
-    }
-
-    private Panel part(SolverFamily family) {
-        List<ChartData> parts = new ArrayList<>();
-        for (ChartData chart : charts) {
-            List<String> rows = chart.rows().stream().filter(row -> isOf(row, family)).toList();
-            List<Series> lines = chart.series().stream().filter(some -> isOf(some.name(), family)).toList();
-            List<Series> series = (chart.rows().isEmpty() ? lines.stream().map(some -> atEnds(some, lines))
-                    : chart.series().stream().map(some -> inRows(some, chart.rows(), rows)))
-                    .filter(some -> some.x().length > 0).toList();
-            if (parts.isEmpty() || !series.isEmpty()) {
-                parts.add(chart.with(rows, series));
-            }
-        }
-        return of(parts);
-    }
-
-    private static boolean isOf(String name, SolverFamily family) {
-        return SolverStyle.of(name).map(look -> look.family() == family).orElse(true);
-    }
-
-    /** Keeps of failures those at which one of the lines ends; other series stay as they are. */
-    private static Series atEnds(Series series, List<Series> lines) {
-        if (series.mark() != Mark.FAILURES) {
-            return series;
-        }
-        return points(series, k -> lines.stream().anyMatch(line -> line != series && line.x().length > 0
-                && line.x()[line.x().length - 1] == series.x()[k] && line.y()[line.y().length - 1] == series.y()[k]));
-    }
-
-    private static Series points(Series series, IntPredicate which) {
-        int[] kept = IntStream.range(0, series.x().length).filter(which).toArray();
-        return new Series(series.name(), series.mark(), Arrays.stream(kept).mapToDouble(k -> series.x()[k]).toArray(),
-                Arrays.stream(kept).mapToDouble(k -> series.y()[k]).toArray());
-    }
-
-    /** Keeps the points in some of the rows, and renumbers the rows. */
-    private static Series inRows(Series series, List<String> all, List<String> some) {
-        Series kept = points(series, k -> some.contains(all.get((int) series.y()[k])));
-        return new Series(series.name(), series.mark(), kept.x(),
-                Arrays.stream(kept.y()).map(row -> some.indexOf(all.get((int) row))).toArray());
+    /** @return the families of the solvers in its first chart */
+    public Set<SolverFamily> families() {
+        return charts.get(0).series().stream().flatMap(series -> SolverStyle.of(series.name()).stream())
+                .map(SolverStyle::family).collect(Collectors.toCollection(() -> EnumSet.noneOf(SolverFamily.class)));
     }
 }

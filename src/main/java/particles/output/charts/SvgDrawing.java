@@ -1,21 +1,43 @@
 package particles.output.charts;
 
 import java.awt.Dimension;
+import java.awt.image.BufferedImage;
+import java.awt.image.RenderedImage;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.StringWriter;
 import java.util.regex.Pattern;
 import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.parsers.ParserConfigurationException;
+import org.apache.batik.svggen.DefaultExtensionHandler;
+import org.apache.batik.svggen.ImageHandlerBase64Encoder;
 import org.apache.batik.svggen.SVGGraphics2D;
+import org.apache.batik.svggen.SVGGraphics2DIOException;
 import org.w3c.dom.DOMImplementation;
 import org.w3c.dom.Element;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
+import particles.output.files.PngEncoder;
 
 /** A drawing as a vector graphic; its text is text, so that it can be searched and edited. */
 final class SvgDrawing {
     private static final Pattern COLOUR = Pattern.compile(
             "(?<=[:\"])(?:white|black|rgb\\((\\d+),(\\d+),(\\d+)\\))(?=[;\"])");
+
+    /** Batik's own writers of pictures are in a library of their own. */
+    private static final class OurImages extends ImageHandlerBase64Encoder {
+        @Override
+        public void encodeImage(RenderedImage image, OutputStream out) throws SVGGraphics2DIOException {
+            try {
+                int width = image.getWidth();
+                int height = image.getHeight();
+                out.write(PngEncoder.file(width, height,
+                        ((BufferedImage) image).getRGB(0, 0, width, height, null, 0, width)));
+            } catch (IOException e) {
+                throw new SVGGraphics2DIOException(e.getMessage(), e);
+            }
+        }
+    }
 
     private SvgDrawing() {
     }
@@ -23,7 +45,8 @@ final class SvgDrawing {
     static void write(OutputFolder folder, String name, ChartPage page, boolean dark) {
         try (StringWriter text = new StringWriter()) {
             DOMImplementation dom = DocumentBuilderFactory.newInstance().newDocumentBuilder().getDOMImplementation();
-            SVGGraphics2D g = new SVGGraphics2D(dom.createDocument("http://www.w3.org/2000/svg", "svg", null));
+            SVGGraphics2D g = new SVGGraphics2D(dom.createDocument("http://www.w3.org/2000/svg", "svg", null),
+                    new OurImages(), new DefaultExtensionHandler(), false);
             g.setSVGCanvasSize(new Dimension(page.width(), page.height()));
             page.drawing().accept(g);
             Element root = g.getRoot();

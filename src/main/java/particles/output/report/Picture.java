@@ -4,72 +4,60 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Predicate;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartPage;
+import particles.output.charts.ChartWriter;
 import particles.output.charts.Panel;
 import particles.output.charts.PanelGrid;
 import particles.output.charts.SolverFamily;
+import particles.output.charts.SolverStyle;
 import particles.view.ChartData;
-import particles.view.VectorField;
 
 /**
  * A picture of a page, and the chart data behind it.
  *
- * @param name     the name of its files, without an ending
+ * @param name     the name of its files, without an ending; of a picture made elsewhere, with it
  * @param caption  the caption
- * @param file     the name of the picture's file
  * @param title    the title over several panels
  * @param panels   the charts
+ * @param bySolver makes the same charts of some solvers, so that many can be shown by families
  * @param drawn    the whole page instead of charts
  * @param slides   what is shown on slides instead, if it is not each panel by itself
  * @param repeated whether it shows a part of another one again, in a file of its own
  */
-public record Picture(String name, String caption, String file, String title, List<Panel> panels,
+public record Picture(String name, String caption, String title, List<Panel> panels, Optional<SolverCharts> bySolver,
         Optional<ChartPage> drawn, Optional<List<Picture>> slides, boolean repeated) {
 
-    private Picture(String name, String caption, String title, List<Panel> panels) {
-        this(name, caption, name + ".png", title, panels, Optional.empty(), Optional.empty(), false);
+    /** Makes charts of the solvers whose labels are chosen. */
+    public interface SolverCharts extends Function<Predicate<String>, List<ChartData>> {
+    }
+
+    private Picture(String name, String caption, String title, List<Panel> panels, Optional<ChartPage> drawn) {
+        this(name, caption, title, panels, Optional.empty(), drawn, Optional.empty(), false);
     }
 
     /**
      * @param name    the name of the picture's files, without an ending
      * @param caption the caption
-     * @param panel   the chart
+     * @param panel   the chart, or charts above each other
      * @return a picture with one panel
      */
     public static Picture of(String name, String caption, Panel panel) {
-        return new Picture(name, caption, panel.title(), List.of(panel));
+        return panels(name, caption, panel.title(), List.of(panel));
     }
 
     /**
      * @param name    the name of the picture's files, without an ending
      * @param caption the caption
-     * @param data    the chart
-     * @return a picture with one chart
+     * @param charts  makes charts above each other over the same x axis, the uppermost first
+     * @return a picture that shows solvers by families where they are too many for one panel
      */
-    public static Picture chart(String name, String caption, ChartData data) {
-        return of(name, caption, Panel.chart(data));
-    }
-
-    /**
-     * @param name    the name of the picture's files, without an ending
-     * @param caption the caption
-     * @param data    the charts, the uppermost first
-     * @return a picture with charts above each other over the same x axis
-     */
-    public static Picture stacked(String name, String caption, List<ChartData> data) {
-        return of(name, caption, Panel.stacked(data));
-    }
-
-    /**
-     * @param name    the name of the picture's files, without an ending
-     * @param caption the caption
-     * @param data    a path in state space
-     * @param field   the arrows behind it, if there are any
-     * @return a phase portrait
-     */
-    public static Picture phase(String name, String caption, ChartData data, Optional<VectorField> field) {
-        return of(name, caption, Panel.phase(data, field));
+    public static Picture bySolver(String name, String caption, SolverCharts charts) {
+        Panel all = Panel.stacked(charts.apply(label -> true));
+        return new Picture(name, caption, all.title(), List.of(all), Optional.of(charts), Optional.empty(),
+                Optional.empty(), false);
     }
 
     /**
@@ -77,21 +65,10 @@ public record Picture(String name, String caption, String file, String title, Li
      * @param caption the caption
      * @param title   the title over all panels
      * @param panels  row by row; those with series of the same names share the legend
-     * @return a picture with many charts, each with its own scale
+     * @return a picture with many charts
      */
     public static Picture panels(String name, String caption, String title, List<Panel> panels) {
-        return new Picture(name, caption, title, panels);
-    }
-
-    /**
-     * @param name    the name of the picture's files, without an ending
-     * @param caption the caption
-     * @param title   the title over all panels
-     * @param panels  the panels, row by row
-     * @return a picture with many charts that have the same axes
-     */
-    public static Picture compared(String name, String caption, String title, List<Panel> panels) {
-        return new Picture(name, caption, title, panels.stream().map(panel -> panel.scaledTo(panels)).toList());
+        return new Picture(name, caption, title, panels, Optional.empty());
     }
 
     /**
@@ -100,8 +77,7 @@ public record Picture(String name, String caption, String file, String title, Li
      * @return a picture that is not drawn again, such as an animation
      */
     public static Picture made(String file, String caption) {
-        return new Picture(file.replaceFirst("[.].*", ""), caption, file, "", List.of(), Optional.empty(),
-                Optional.empty(), false);
+        return new Picture(file, caption, "", List.of(), Optional.empty());
     }
 
     /**
@@ -111,17 +87,22 @@ public record Picture(String name, String caption, String file, String title, Li
      * @return a picture that is more than charts
      */
     public static Picture drawn(String name, String caption, ChartPage page) {
-        return new Picture(name, caption, name + ".png", "", List.of(), Optional.of(page), Optional.empty(), false);
+        return new Picture(name, caption, "", List.of(), Optional.of(page));
     }
 
     /** @return the picture, marked as a repetition of a part of a larger picture of the page */
     public Picture again() {
-        return new Picture(name, caption, file, title, panels, drawn, slides, true);
+        return new Picture(name, caption, title, panels, bySolver, drawn, slides, true);
     }
 
     /** @return the picture, replaced on slides by these, each of them without more than one panel */
     public Picture onSlides(List<Picture> others) {
-        return new Picture(name, caption, file, title, panels, drawn, Optional.of(others), repeated);
+        return new Picture(name, caption, title, panels, bySolver, drawn, Optional.of(others), repeated);
+    }
+
+    /** @return the name of the picture's file */
+    public String file() {
+        return panels.isEmpty() && drawn.isEmpty() ? name : name + ChartWriter.PNG;
     }
 
     List<ChartData> data() {
@@ -136,11 +117,10 @@ public record Picture(String name, String caption, String file, String title, Li
      * @return the pictures to be drawn
      */
     public List<Picture> laidOut(ChartFormat format) {
-        boolean crowded = panels.stream().anyMatch(panel -> panel.curves() > format.mostCurves());
         if (format.slide() && slides.isPresent()) {
             return slides.get().stream().flatMap(slide -> slide.laidOut(format).stream()).toList();
         }
-        if (panels.isEmpty() || !crowded && !format.slide()) {
+        if (panels.isEmpty() || !format.slide() && panels.stream().noneMatch(panel -> isCrowded(panel, format))) {
             return List.of(this);
         }
         Map<String, Picture> pictures = new LinkedHashMap<>();
@@ -150,26 +130,38 @@ public record Picture(String name, String caption, String file, String title, Li
                 String file = name + (panels.size() == 1 ? "" : "-" + Panel.fileName(panel.title()))
                         + (part == parts.get(0) ? "" : "-" + part.quantity());
                 String text = pictures.isEmpty() ? caption : heading(part) + ".";   // the first explains all
-                Map<SolverFamily, Panel> families = part.byFamily();
-                if (part.curves() <= format.mostCurves()) {
+                if (!isCrowded(part, format)) {
                     add(pictures, of(file, text, part.titled(heading(part))), panel);
                 } else if (format.slide()) {
-                    families.forEach((family, some) -> add(pictures, of(file + "-" + family.word(),
+                    part.families().stream().map(family -> member(part, family, false)).forEach(some -> add(pictures,
+                            of(file + "-" + some.families().iterator().next().word(),
                             pictures.isEmpty() ? caption : heading(some) + ".", some.titled(heading(some))), panel));
                 } else {
-                    add(pictures, new Picture(file, text, heading(part), families.entrySet().stream().map(some ->
-                            some.getValue().titled(some.getKey().title())).toList()), panel);
+                    add(pictures, panels(file, text, heading(part), part.families().stream()
+                            .map(family -> member(part, family, true).titled(family.title())).toList()), panel);
                 }
             }
         }
         return List.copyOf(pictures.values());
     }
 
+    private boolean isCrowded(Panel panel, ChartFormat format) {
+        return bySolver.isPresent() && panel.curves() > format.mostCurves();
+    }
+
+    /** @return the panel with the solvers of one family, and one's own, on the same axes */
+    private Panel member(Panel part, SolverFamily family, boolean rows) {
+        return Panel.stacked(bySolver.orElseThrow().apply(label -> SolverStyle.of(label)
+                .map(look -> look.family() == family).orElse(true))).apart(rows).stream()
+                .filter(some -> some.quantity().equals(part.quantity())).findFirst().orElseThrow()
+                .scaledTo(List.of(part));
+    }
+
     /** Panels that show the same along another axis have its quantity in the name, too. */
     private static void add(Map<String, Picture> pictures, Picture picture, Panel panel) {
         String name = pictures.containsKey(picture.name()) ? picture.name() + "-"
                 + Panel.fileName(panel.charts().get(0).xLabel()) : picture.name();
-        pictures.put(name, new Picture(name, picture.caption(), picture.title(), picture.panels()));
+        pictures.put(name, panels(name, picture.caption(), picture.title(), picture.panels()));
     }
 
     /** The title of a panel; a chart without a title of its own shows its quantity. */

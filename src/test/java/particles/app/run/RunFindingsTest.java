@@ -105,6 +105,13 @@ class RunFindingsTest {
     }
 
     @Test
+    void pathsThatHardlyGrowOrGrowFarHaveNumbersOfASensibleSize() {
+        assertEquals("the second half of the path is less than 0.01 times as wide and more than 100 times as high",
+                RunFindings.path(new Series("rk4", Mark.LINE, new double[] {0, 1, 1, 1.001}, new double[] {0, 1, 1,
+                    200})));
+    }
+
+    @Test
     void worksAreNamedTheLargestFirst() {
         List<Series> works = List.of(line(0, 1), new Series("work: wind", Mark.LINE, new double[2],
                 new double[] {0, -3}));

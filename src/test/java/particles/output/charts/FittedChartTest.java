@@ -163,7 +163,7 @@ class FittedChartTest {
                 List.of(new Series("b", Mark.LINE, new double[] {0, 1}, new double[] {0, 1})));
         ChartFormat format = new ChartFormat(true, true);
         try (ChartWriter writer = new ChartWriter(OutputFolder.open(top), format)) {
-            for (Picture slide : Picture.stacked("energy", "", List.of(ellipse(3), below)).laidOut(format)) {
+            for (Picture slide : Picture.of("energy", "", Panel.stacked(List.of(ellipse(3), below))).laidOut(format)) {
                 writer.write(slide.file(), slide.page(format).orElseThrow());
             }
         }

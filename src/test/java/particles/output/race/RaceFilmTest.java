@@ -133,7 +133,7 @@ class RaceFilmTest {
                     new RaceFilm.Words("rk4", "deltaT = 0.25 s", "16 evaluations", OptionalDouble.empty()),
                     new RaceFilm.Words("euler", "deltaT = 0.25 s", "16 evaluations", OptionalDouble.of(0.75))));
             film.write(folder, head, strip, part -> heard[0]++);
-            new ChartWriter(folder, ChartFormat.PAGE).write("race.png", film.sheet(head, strip));
+            new ChartWriter(folder, new ChartFormat(false, true)).write("race.png", film.sheet(head, strip));
             parts = heard[0];
         }
         assertEquals(6, parts);
@@ -146,6 +146,7 @@ class RaceFilmTest {
         }
         BufferedImage still = ImageIO.read(top.resolve("race/race.png").toFile());
         assertEquals(List.of(1920, 1080), List.of(still.getWidth(), still.getHeight()));
+        assertTrue(Files.readString(top.resolve("race/race.svg")).contains("data:image/png"), "with the pictures");
     }
 
     @Test

@@ -59,7 +59,7 @@ class ReportWriterTest {
         DataTable many = new DataTable("cost", "All", List.of(DataTable.column("n")),
                 Collections.nCopies(200, List.of((Object) 7)));
         ResultPage fall = new ResultPage("fall", NASTY, List.of("First.", NASTY),
-                List.of(Picture.chart("height", NASTY, chart), Picture.made("animation.gif", "It moves.")),
+                List.of(Picture.of("height", NASTY, Panel.chart(chart)), Picture.made("animation.gif", "It moves.")),
                 List.of(COST, many));
         List<Section> sections = new ArrayList<>();
         for (String name : List.of("fall", "fallToo")) {
