@@ -88,8 +88,8 @@ public final class SceneBuilder {
         ParticleSystem system = new ParticleSystem();
         SpringForce springs = new SpringForce(system.getParticles());
         Contents contents = scene.contents();
-        List<Surface> cloths = addParticles(contents, system, springs);
-        ParticleIndex index = new ParticleIndex(contents.particles(), contents.shapes());
+        ParticleIndex index = contents.particles();
+        List<Surface> cloths = addParticles(index, system, springs);
         for (SpringDescription spring : contents.springs()) {
             double distance = index.way(spring.from(), spring.to()).length();
             springs.addSpring(index.find(spring.from()).orElseThrow(), index.find(spring.to()).orElseThrow(),
@@ -137,19 +137,19 @@ public final class SceneBuilder {
         return index < 0 ? EffectCatalog.ALL.size() : index;
     }
 
-    /** Adds particles and shapes in the order of {@link ParticleIndex}, and returns the shapes' surfaces. */
-    private static List<Surface> addParticles(Contents contents, ParticleSystem system, SpringForce springs) {
-        contents.particles().forEach(particle -> add(particle, system));
+    /** Adds particles, then shapes, and returns the shapes' surfaces. */
+    private static List<Surface> addParticles(ParticleIndex index, ParticleSystem system, SpringForce springs) {
+        index.getParticles().forEach(particle -> add(particle, system));
         List<Surface> cloths = new ArrayList<>();
-        for (ShapeDescription shape : contents.shapes()) {
+        for (ShapeDescription shape : index.getShapes()) {
             int first = system.getParticles().count();
             Lattice lattice = shape.lattice();
             for (int n = 0; n < lattice.size(); n++) {
                 add(shape.particle(n), system);
             }
             for (SpringFamily family : shape.springs()) {
-                family.forEach(lattice, (from, to, stiffness, damping) -> springs.addSpring(first + from, first + to,
-                        stiffness, lattice.position(to).minus(lattice.position(from)).length(), damping));
+                family.forEach(lattice, (from, to) -> springs.addSpring(first + from, first + to, family.stiffness(),
+                        lattice.position(to).minus(lattice.position(from)).length(), family.damping()));
             }
             if (shape.surface()) {
                 cloths.add(LatticeSurface.of(lattice, first,

@@ -72,7 +72,7 @@ public final class SceneReader {
     public static SceneDescription read(String source, byte[] bytes, ClassNames classes) {
         Problems problems = new Problems();
         return readValues(bytes, new Reading(source, problems, classes))
-                .flatMap(values -> new SceneChecks(values, problems).describe())
+                .flatMap(values -> SceneChecks.describe(values, problems))
                 .orElseThrow(() -> new SceneException(problems.lines()));
     }
 

@@ -21,11 +21,6 @@ public final class Values {
         this.place = place;
     }
 
-    /** @return the values of an empty mapping; the place is used only in messages */
-    public static Values none(Place place) {
-        return new Values(place);
-    }
-
     void setSound(boolean sound) {
         this.sound = sound;
     }
@@ -55,6 +50,11 @@ public final class Values {
     public <T> Optional<T> find(Key<T> key) {
         Found given = found.get(key.name());
         return given == null ? key.defaultValue() : (Optional<T>) given.value();
+    }
+
+    /** @return the value of a key for a mapping; that of an empty mapping if it has none */
+    public Values mapping(Key<Values> key) {
+        return find(key).orElse(new Values(place));
     }
 
     /** @return the value of a key for a list; no elements if it has none */

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.BiPredicate;
 import java.util.stream.Stream;
 import particles.law.Vector3;
 import particles.reactions.wires.Curve;
@@ -17,6 +16,7 @@ import particles.scene.parts.ConstraintDescription;
 import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RodDescription;
 import particles.scene.parts.RuleKind;
+import particles.scene.parts.SpringDescription;
 import particles.scene.parts.WireKind;
 import particles.spec.Chosen;
 import particles.spec.Key;
@@ -25,7 +25,7 @@ import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
 
-/** Checks a scene's rods and wires: known and free ends, and initial velocities that respect them. */
+/** Checks a scene's springs, rods and wires: known and free ends, and initial velocities that respect them. */
 final class ConstraintChecks {
     /** The largest initial distance of a bead from its wire (m): positions in files have few digits. */
     private static final double ON_WIRE = 1e-3;
@@ -39,47 +39,56 @@ final class ConstraintChecks {
 
     private final Values scene;
     private final Problems problems;
+    private final KnownParticles known;
     private final ParticleIndex index;
-    private final BiPredicate<Values, Key<String>> isKnown;
     private final List<RodDescription> rods = new ArrayList<>();
     private final List<Chosen<WireKind>> wires = new ArrayList<>();
 
-    /** @param isKnown tests whether there is a particle with an id, and reports a problem if not */
-    ConstraintChecks(Values scene, Problems problems, ParticleIndex index, BiPredicate<Values, Key<String>> isKnown) {
+    ConstraintChecks(Values scene, Problems problems, KnownParticles known) {
         this.scene = scene;
         this.problems = problems;
-        this.index = index;
-        this.isKnown = isKnown;
+        this.known = known;
+        index = known.getIndex();
+    }
+
+    /** @return the springs without mistakes of their own */
+    List<SpringDescription> checkSprings() {
+        List<SpringDescription> springs = new ArrayList<>();
+        for (Values values : withKnownEnds(SceneFormat.SPRINGS, SpringDescription.FROM, SpringDescription.TO)) {
+            SpringDescription spring = SpringDescription.of(values);
+            checkEnds("spring", spring.from(), spring.to(), values.place(SpringDescription.TO));
+            springs.add(spring);
+        }
+        return springs;
     }
 
     void check() {
-        for (Values values : scene.list(SceneFormat.RODS)) {
-            boolean known = isKnown.test(values, RodDescription.FROM) & isKnown.test(values, RodDescription.TO);
-            if (known && values.isSound()) {
-                check(values, RodDescription.of(values));
+        for (Values values : withKnownEnds(SceneFormat.RODS, RodDescription.FROM, RodDescription.TO)) {
+            RodDescription rod = RodDescription.of(values);
+            Place place = values.place(RodDescription.TO);
+            if (checkEnds("rod", rod.from(), rod.to(), place)) {
+                checkMotion(rod, place);
             }
+            rods.add(rod);
         }
         checkLines();
         for (Chosen<WireKind> wire : scene.list(SceneFormat.WIRES)) {
-            if (isKnown.test(wire.values(), WireKind.BEAD) && wire.values().isSound()) {
+            if (known.has(wire.values(), WireKind.BEAD) && wire.values().isSound()) {
                 check(wire);
             }
         }
-        if (scene.find(SceneFormat.CONSTRAINTS).map(Values::isSound).orElse(true)) {
+        if (!(rods.isEmpty() && wires.isEmpty()) && scene.mapping(SceneFormat.CONSTRAINTS).isSound()) {
             checkFeedback();
         }
     }
 
-    private void check(Values values, RodDescription rod) {
-        Place place = values.place(RodDescription.TO);
-        if (checkEnds("rod", rod.from(), rod.to(), place)) {
-            checkMotion(rod, place);
-        }
-        rods.add(rod);
+    private List<Values> withKnownEnds(Key<List<Values>> list, Key<String> from, Key<String> to) {
+        return scene.list(list).stream().filter(values -> known.has(values, from) & known.has(values, to)
+                && values.isSound()).toList();
     }
 
     /** Whether a spring or rod has two ends at different places; if not, that is a problem. */
-    boolean checkEnds(String what, String from, String to, Place place) {
+    private boolean checkEnds(String what, String from, String to, Place place) {
         boolean apart = !index.way(from, to).isZero();
         if (from.equals(to)) {
             problems.add(place, "a " + what + " from " + Wording.quote(from)
@@ -93,7 +102,7 @@ final class ConstraintChecks {
 
     private void checkMotion(RodDescription rod, Place place) {
         Vector3 way = index.way(rod.from(), rod.to());
-        if (index.isFixed(rod.from()) && index.isFixed(rod.to())) {
+        if (index.particle(rod.from()).fixed() && index.particle(rod.to()).fixed()) {
             problems.add(place, Wording.quote(rod.from()) + " and " + Wording.quote(rod.to())
                     + " are fixed; a rod between them has no effect");
         } else {
@@ -109,7 +118,8 @@ final class ConstraintChecks {
 
     /** The velocity of a particle at the start; for a moving anchor, that of its motion. */
     private Vector3 velocity(String id) {
-        return motionOf(id).map(rule -> rule.kind().startVelocity(rule.values(), index)).orElse(index.velocity(id));
+        return motionOf(id).map(rule -> rule.kind().startVelocity(rule.values(), index))
+                .orElse(index.particle(id).velocity());
     }
 
     private Optional<Chosen<RuleKind>> motionOf(String id) {
@@ -165,8 +175,8 @@ final class ConstraintChecks {
     private void check(Chosen<WireKind> wire) {
         String bead = wire.values().get(WireKind.BEAD);
         Vector3 x = index.position(bead);
-        Vector3 v = index.velocity(bead);
-        if (index.isFixed(bead)) {
+        Vector3 v = index.particle(bead).velocity();
+        if (index.particle(bead).fixed()) {
             problems.add(wire.values().place(WireKind.BEAD), Wording.quote(bead)
                     + " is fixed; a bead must be free to move");
         } else {
@@ -211,22 +221,15 @@ final class ConstraintChecks {
      * some solvers.
      */
     private void checkFeedback() {
-        Optional<Double> deltaT = scene.find(SceneFormat.DELTA_T);
-        Values constraints = scene.find(SceneFormat.CONSTRAINTS).orElse(Values.none(scene.getPlace()));
-        if (!rods.isEmpty() || !wires.isEmpty()) {
-            double rate = constraints.get(ConstraintDescription.FEEDBACK);
-            if (deltaT.isPresent() && rate * deltaT.get() > MOST_FEEDBACK) {
-                problems.add(scene.find(SceneFormat.CONSTRAINTS).isPresent() ? constraints.getPlace()
-                        : scene.place(SceneFormat.DELTA_T), "the feedback of rods and wires, " + Digits.exact(rate)
-                        + " /s, is too strong for a deltaT of " + Digits.exact(deltaT.get())
-                        + " s; feedback times deltaT must be "
-                        + Digits.exact(MOST_FEEDBACK) + " at most");
-            }
-        }
+        double rate = scene.mapping(SceneFormat.CONSTRAINTS).get(ConstraintDescription.FEEDBACK);
+        scene.find(SceneFormat.DELTA_T).filter(deltaT -> rate * deltaT > MOST_FEEDBACK).ifPresent(deltaT ->
+                problems.add(scene.place(scene.isGiven(SceneFormat.CONSTRAINTS) ? SceneFormat.CONSTRAINTS
+                        : SceneFormat.DELTA_T), "the feedback of rods and wires, " + Digits.exact(rate)
+                        + " /s, is too strong for a deltaT of " + Digits.exact(deltaT)
+                        + " s; feedback times deltaT must be " + Digits.exact(MOST_FEEDBACK) + " at most"));
     }
 
     ConstraintDescription describe() {
-        return ConstraintDescription.of(rods, wires,
-                scene.find(SceneFormat.CONSTRAINTS).orElse(Values.none(scene.getPlace())));
+        return ConstraintDescription.of(rods, wires, scene.mapping(SceneFormat.CONSTRAINTS));
     }
 }

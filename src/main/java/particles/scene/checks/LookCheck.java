@@ -5,18 +5,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.function.BiPredicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.effects.EffectKind;
 import particles.scene.format.MarkFormat;
 import particles.scene.format.RenderFormat;
 import particles.scene.format.SceneFormat;
-import particles.scene.parts.ParticleDescription;
+import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RuleKind;
 import particles.scene.parts.ShapeDescription;
 import particles.spec.Chosen;
-import particles.spec.Key;
 import particles.spec.Values;
 import particles.spec.messages.Problems;
 import particles.view.ParticleMark;
@@ -25,17 +23,12 @@ import particles.view.RenderOptions;
 
 /** Draws balls with their radius: that of an effect, or their own. A shape's mark is that of its particles. */
 final class LookCheck {
-    private final List<ParticleDescription> particles;
-    private final List<ShapeDescription> shapes;
-
-    LookCheck(List<ParticleDescription> particles, List<ShapeDescription> shapes) {
-        this.particles = particles;
-        this.shapes = shapes;
+    private LookCheck() {
     }
 
     /** @return the look of a scene without problems, which may leave it out */
-    RenderOptions of(Values scene) {
-        RenderOptions look = RenderFormat.of(scene.find(SceneFormat.LOOK).orElse(Values.none(scene.getPlace())));
+    static RenderOptions of(Values scene, ParticleIndex index) {
+        RenderOptions look = RenderFormat.of(scene.mapping(SceneFormat.LOOK));
         double radius = look.particleRadius();
         for (Chosen<EffectKind> effect : scene.list(SceneFormat.EFFECTS)) {
             radius = radius > 0 ? radius : effect.kind().ballRadius(effect.values());
@@ -44,10 +37,10 @@ final class LookCheck {
             radius = radius > 0 ? radius : rule.kind().ballRadius(rule.values());
         }
         Map<String, ParticleMark> marks = new LinkedHashMap<>();
-        particles.forEach(particle -> mark(particle.radius(), Stream.of(particle.id()), marks));
-        shapes.forEach(shape -> mark(shape.radius(), ids(shape), marks));
+        index.getParticles().forEach(particle -> mark(particle.radius(), Stream.of(particle.id()), marks));
+        index.getShapes().forEach(shape -> mark(shape.radius(), ids(shape), marks));
         for (ParticleMark mark : look.style().marks()) {
-            Stream<String> ids = shape(mark.particle()).map(LookCheck::ids).orElse(Stream.of(mark.particle()));
+            Stream<String> ids = index.shape(mark.particle()).map(LookCheck::ids).orElse(Stream.of(mark.particle()));
             ids.forEach(id -> marks.merge(id, new ParticleMark(id, mark.colour(), mark.radius(), mark.label()),
                     (old, given) -> given.radius() > 0 ? given
                             : new ParticleMark(id, given.colour(), old.radius(), given.label())));
@@ -61,18 +54,13 @@ final class LookCheck {
         radius.ifPresent(own -> ids.forEach(id -> marks.put(id, new ParticleMark(id, OptionalInt.empty(), own, ""))));
     }
 
-    /** @param isKnown tests whether a key names an existing particle, and adds a problem if not */
-    void check(Values scene, Problems problems, BiPredicate<Values, Key<String>> isKnown) {
+    static void check(Values scene, Problems problems, KnownParticles known) {
         scene.find(SceneFormat.LOOK).ifPresent(look -> {
             RenderFormat.check(look, problems);
-            look.find(RenderFormat.MARKS).orElse(List.of()).stream()
-                    .filter(mark -> mark.find(MarkFormat.PARTICLE).flatMap(this::shape).isEmpty())
-                    .forEach(mark -> isKnown.test(mark, MarkFormat.PARTICLE));
+            look.list(RenderFormat.MARKS).stream()
+                    .filter(mark -> mark.find(MarkFormat.PARTICLE).flatMap(known.getIndex()::shape).isEmpty())
+                    .forEach(mark -> known.has(mark, MarkFormat.PARTICLE));
         });
-    }
-
-    private Optional<ShapeDescription> shape(String id) {
-        return shapes.stream().filter(shape -> shape.lattice().id().equals(id)).findFirst();
     }
 
     private static Stream<String> ids(ShapeDescription shape) {

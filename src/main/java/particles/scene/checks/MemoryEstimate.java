@@ -41,10 +41,8 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
     private static final double MOST_GIGABYTES = 64;
 
     static MemoryEstimate of(SceneDescription scene) {
-        double springs = scene.contents().springs().size();
-        for (ShapeDescription shape : scene.contents().shapes()) {
-            springs += shape.springCount();
-        }
+        double springs = scene.contents().springs().size()
+                + scene.contents().particles().getShapes().stream().mapToLong(ShapeDescription::springCount).sum();
         boolean removed = scene.contents().rules().stream().anyMatch(rule -> rule.kind().removes());
         // if a rule removes particles, their number is unknown; at least those of one step exist
         double particles = scene.particlesAfter(removed ? scene.deltaT() : scene.duration());

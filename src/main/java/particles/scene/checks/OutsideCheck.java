@@ -8,6 +8,7 @@ import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.scene.parts.Lattice;
 import particles.scene.parts.ParticleDescription;
+import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RuleKind;
 import particles.scene.parts.ShapeDescription;
 import particles.spec.Chosen;
@@ -22,8 +23,7 @@ final class OutsideCheck {
     private OutsideCheck() {
     }
 
-    static void check(List<Chosen<RuleKind>> rules, List<ParticleDescription> particles, List<ShapeDescription> shapes,
-                      Problems problems) {
+    static void check(List<Chosen<RuleKind>> rules, ParticleIndex index, Problems problems) {
         if (rules.size() > MOST_RULES) {
             problems.add(rules.get(MOST_RULES).place(),
                     "there are " + rules.size() + " rules; a scene may have at most "
@@ -36,14 +36,14 @@ final class OutsideCheck {
             Optional<Obstacle> plane = Optional.of(rule.values()).filter(Values::isSound)
                     .flatMap(rule.kind()::obstacle);
             if (plane.isPresent()) {
-                for (ParticleDescription particle : particles) {
+                for (ParticleDescription particle : index.getParticles()) {
                     double distance = distance(plane.get(), particle.position(),
                             radius(particle.radius(), all));
                     if (distance < 0 && !particle.fixed()) {
                         problems.add(particle.place(), inside(particle.id(), rule, plane.get(), distance));
                     }
                 }
-                shapes.forEach(shape -> check(shape, plane.get(), rule,
+                index.getShapes().forEach(shape -> check(shape, plane.get(), rule,
                         radius(shape.radius(), all), problems));
             }
         }

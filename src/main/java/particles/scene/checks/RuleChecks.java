@@ -4,13 +4,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.BiConsumer;
-import java.util.function.BiPredicate;
 import particles.scene.format.SceneFormat;
-import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RuleKind;
 import particles.spec.Chosen;
-import particles.spec.Key;
 import particles.spec.Values;
 import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
@@ -21,35 +17,23 @@ final class RuleChecks {
     private final Values scene;
     private final List<Chosen<RuleKind>> rules;
     private final Problems problems;
-    private final ParticleIndex index;
-    private final BiPredicate<Values, Key<String>> isKnown;
+    private final KnownParticles known;
     private final Map<String, Place> moved = new HashMap<>();
 
-    /** @param isKnown tests whether a key names an existing particle, and adds a problem if not */
-    RuleChecks(Values scene, Problems problems, ParticleIndex index, BiPredicate<Values, Key<String>> isKnown) {
+    RuleChecks(Values scene, Problems problems, KnownParticles known) {
         this.scene = scene;
         rules = scene.list(SceneFormat.RULES);
         this.problems = problems;
-        this.index = index;
-        this.isKnown = isKnown;
-    }
-
-    /** Reports the id prefixes of particles that rules make. */
-    static void newIds(Values scene, BiConsumer<String, Place> take) {
-        for (Chosen<RuleKind> rule : scene.list(SceneFormat.RULES)) {
-            rule.kind().newIds().ifPresent(key -> rule.values().find(key)
-                    .ifPresent(id -> take.accept(id, rule.values().isGiven(key) ? rule.values().place(key)
-                    : rule.place())));
-        }
+        this.known = known;
     }
 
     /** @return whether a rule makes particles, so that a scene may begin without any */
-    static boolean giveBirth(Values scene) {
-        return scene.list(SceneFormat.RULES).stream().anyMatch(rule -> rule.kind().alive(rule.values(), 1, 1) > 0);
+    boolean giveBirth() {
+        return rules.stream().anyMatch(rule -> rule.kind().alive(rule.values(), 1, 1) > 0);
     }
 
     /** Hard balls are named once, located at their impacts and as many as at the start. */
-    private void checkBalls(Values scene) {
+    private void checkBalls() {
         List<Chosen<RuleKind>> balls = rules.stream().filter(RuleKind::hasBalls).toList();
         if (balls.isEmpty()) {
             return;
@@ -64,18 +48,18 @@ final class RuleChecks {
         scene.list(SceneFormat.EFFECTS).stream().filter(e -> e.kind().getName().equals("repulsion")).forEach(effect ->
                 problems.add(effect.place(), "'repulsion' and 'collisions' cannot be combined; keep one of them"));
         rules.stream().filter(rule -> rule.kind().newIds().isPresent() || rule.kind().removes()).forEach(rule ->
-                problems.add(rule.place(), "'" + rule.kind().getName() + "' and 'collisions' cannot be combined:"
+                problems.add(rule.place(), rule.kind().getLabel() + " and 'collisions' cannot be combined:"
                         + " hard balls are neither born nor removed"));
     }
 
     /** @param springs whether the scene has springs */
     void check(boolean springs) {
-        checkBalls(scene);
+        checkBalls();
         for (Chosen<RuleKind> rule : rules) {
-            rule.kind().anchor().filter(key -> isKnown.test(rule.values(), key))
+            rule.kind().anchor().filter(key -> known.has(rule.values(), key))
                     .ifPresent(key -> checkAnchor(rule.values().get(key), rule.values().place(key)));
             if (rule.kind().needsSprings() && !springs && problems.count() == 0) {
-                problems.add(rule.place(), "'" + rule.kind().getName() + "' acts on springs, and the scene has none");
+                problems.add(rule.place(), rule.kind().getLabel() + " acts on springs, and the scene has none");
             }
         }
     }
@@ -85,7 +69,7 @@ final class RuleChecks {
         if (first != null) {
             problems.add(place, "particle " + Wording.quote(id) + " already has a motion, at line " + first.line());
         }
-        if (!index.isFixed(id)) {
+        if (!known.getIndex().particle(id).fixed()) {
             problems.add(place, "particle " + Wording.quote(id)
                     + " is free; only a fixed particle can follow a given motion");
         }

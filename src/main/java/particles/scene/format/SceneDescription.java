@@ -4,9 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import particles.effects.EffectKind;
 import particles.scene.parts.ConstraintDescription;
-import particles.scene.parts.ParticleDescription;
+import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RuleKind;
-import particles.scene.parts.ShapeDescription;
 import particles.scene.parts.SpringDescription;
 import particles.spec.Chosen;
 import particles.spec.Key;
@@ -30,15 +29,14 @@ public record SceneDescription(Values values, SolverDescription solving, Content
     /**
      * What moves, and by which laws.
      *
-     * @param particles   the single particles, first in the state
-     * @param shapes      the shapes, whose particles follow
+     * @param particles   the single particles, first in the state, and the shapes, whose particles follow
      * @param springs     the springs outside shapes
      * @param constraints the rods and wires
      * @param effects     the effects that the scene names
      * @param rules       the rules that it names
      */
-    public record Contents(List<ParticleDescription> particles, List<ShapeDescription> shapes,
-            List<SpringDescription> springs, ConstraintDescription constraints, List<Chosen<EffectKind>> effects,
+    public record Contents(ParticleIndex particles, List<SpringDescription> springs,
+            ConstraintDescription constraints, List<Chosen<EffectKind>> effects,
             List<Chosen<RuleKind>> rules) {
     }
 
@@ -132,11 +130,7 @@ public record SceneDescription(Values values, SolverDescription solving, Content
      * @return the number of the scene's own particles plus those from its emitters that are still alive
      */
     public double particlesAfter(double time) {
-        double count = contents.particles.size();
-        for (ShapeDescription shape : contents.shapes) {
-            count += shape.lattice().size();
-        }
-        return count + contents.rules.stream()
+        return contents.particles.count() + contents.rules.stream()
                 .mapToDouble(rule -> rule.kind().alive(rule.values(), deltaT(), time)).sum();
     }
 }

@@ -3,7 +3,6 @@ package particles.scene.parts;
 import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalInt;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -19,7 +18,7 @@ import particles.law.Vector3;
  * @param edges   the vectors from the first to the last particle along each direction (m)
  */
 public record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vector3> edges) {
-    private static final Pattern INDICES = Pattern.compile("\\[(\\d{1,9}(,\\d{1,9})*)\\]");
+    private static final Pattern INDEX = Pattern.compile("\\d{1,9}");
 
     /** @return the number of particles */
     public long size() {
@@ -70,13 +69,10 @@ public record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vect
 
     /** @return the number of the particle with this name, if it is one of this lattice */
     public OptionalInt find(String particle) {
-        Matcher matcher = INDICES.matcher(particle.startsWith(id) ? particle.substring(id.length()) : "");
-        if (!matcher.matches()) {
-            return OptionalInt.empty();
-        }
-        int[] indices = Arrays.stream(matcher.group(1).split(",")).mapToInt(Integer::parseInt).toArray();
+        int[] indices = INDEX.matcher(particle.substring(particle.indexOf('[') + 1)).results()
+                .mapToInt(index -> Integer.parseInt(index.group())).toArray();
         int n = indices.length == counts.size() ? number(indices) : -1;
-        return n < 0 || !idOf(n).equals(particle) ? OptionalInt.empty() : OptionalInt.of(n);
+        return n >= 0 && idOf(n).equals(particle) ? OptionalInt.of(n) : OptionalInt.empty();
     }
 
     /** @return the position of particle n (m) */

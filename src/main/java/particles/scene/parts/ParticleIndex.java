@@ -10,19 +10,21 @@ import particles.law.Vector3;
 /** Finds particles by id. Single particles come first in the state, then those of the shapes in order. */
 public final class ParticleIndex {
     private final List<ParticleDescription> particles;
+    private final List<ShapeDescription> shapes;
     private final Map<String, Integer> numbers = new HashMap<>();
-    private final Map<String, ShapeDescription> shapes = new HashMap<>();
+    private final Map<String, ShapeDescription> shapesById = new HashMap<>();
     private final Map<String, Integer> firsts = new HashMap<>();
     private int count;
 
     /** Indexes single particles and shapes, in this order. */
     public ParticleIndex(List<ParticleDescription> particles, List<ShapeDescription> shapes) {
         this.particles = particles;
+        this.shapes = shapes;
         for (ParticleDescription particle : particles) {
             numbers.put(particle.id(), count++);
         }
         for (ShapeDescription shape : shapes) {
-            this.shapes.put(shape.lattice().id(), shape);
+            shapesById.put(shape.lattice().id(), shape);
             firsts.put(shape.lattice().id(), count);
             count += (int) shape.lattice().size();
         }
@@ -34,8 +36,28 @@ public final class ParticleIndex {
             return OptionalInt.of(numbers.get(id));
         }
         String shape = shapeOf(id);
-        OptionalInt inShape = shapes.containsKey(shape) ? shapes.get(shape).lattice().find(id) : OptionalInt.empty();
+        OptionalInt inShape = shape(shape).map(named -> named.lattice().find(id)).orElse(OptionalInt.empty());
         return inShape.isPresent() ? OptionalInt.of(firsts.get(shape) + inShape.getAsInt()) : inShape;
+    }
+
+    /** @return the single particles */
+    public List<ParticleDescription> getParticles() {
+        return particles;
+    }
+
+    /** @return the shapes */
+    public List<ShapeDescription> getShapes() {
+        return shapes;
+    }
+
+    /** @return the number of particles, those of shapes included */
+    public int count() {
+        return count;
+    }
+
+    /** @return the shape with this id, if there is one */
+    public Optional<ShapeDescription> shape(String id) {
+        return Optional.ofNullable(shapesById.get(id));
     }
 
     /** @return the part of an id before the brackets, which names the shape */
@@ -43,27 +65,13 @@ public final class ParticleIndex {
         return id.contains("[") ? id.substring(0, id.indexOf('[')) : id;
     }
 
-    private ParticleDescription particle(String id) {
+    /** @return the particle with this known id */
+    public ParticleDescription particle(String id) {
         if (numbers.containsKey(id)) {
             return particles.get(numbers.get(id));
         }
-        ShapeDescription shape = shapes.get(shapeOf(id));
+        ShapeDescription shape = shapesById.get(shapeOf(id));
         return shape.particle(shape.lattice().find(id).orElseThrow());
-    }
-
-    /** @return whether the particle with this known id is fixed */
-    public boolean isFixed(String id) {
-        return particle(id).fixed();
-    }
-
-    /** @return the radius that the particle with this known id has of its own (m) */
-    Optional<Double> radius(String id) {
-        return particle(id).radius();
-    }
-
-    /** @return the initial velocity of the particle with this known id (m/s) */
-    public Vector3 velocity(String id) {
-        return particle(id).velocity();
     }
 
     /** @return the initial position of the particle with this known id (m) */

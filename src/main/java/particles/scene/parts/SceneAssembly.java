@@ -95,7 +95,7 @@ public final class SceneAssembly implements EffectContext {
 
     @Override
     public Optional<Double> ownRadius(int particle) {
-        return index.radius(system.getParticles().id(particle));
+        return index.particle(system.getParticles().id(particle)).radius();
     }
 
     @Override

@@ -1,7 +1,6 @@
 package particles.scene.parts;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.BitSet;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -48,8 +47,8 @@ public record ShapeDescription(Lattice lattice, double mass, Vector3 velocity, B
         }
         BitSet fixed = new BitSet();
         int before = problems.count();
-        for (String part : new LinkedHashSet<>(values.get(kind.getParts().fixed()))) {
-            addPart(part, lattice, kind, fixed, values.place(kind.getParts().fixed()), problems);
+        for (String part : new LinkedHashSet<>(values.get(ShapeKind.FIXED))) {
+            addPart(part, lattice, kind, fixed, values.place(ShapeKind.FIXED), problems);
         }
         if (problems.count() > before) {
             return Optional.empty();
@@ -81,20 +80,13 @@ public record ShapeDescription(Lattice lattice, double mass, Vector3 velocity, B
             number.ifPresent(fixed::set);
             return;
         }
-        List<String> sides = Arrays.asList(part.split("-"));
         for (int n = 0; n < lattice.size(); n++) {
-            int[] at = lattice.indices(n);
-            int extremes = 0;
-            int named = 0;
-            for (int d = 0; d < at.length; d++) {
-                boolean first = at[d] == 0;
-                boolean last = at[d] == lattice.counts().get(d) - 1;
-                extremes += first || last ? 1 : 0;
-                named += first && sides.contains(kind.getParts().sides().get(d).get(0)) || last
-                        && sides.contains(kind.getParts().sides().get(d).get(1)) ? 1 : 0;
-            }
-            if (part.equals("corners") ? extremes == at.length : part.equals("edges") ? extremes > 0
-                    : named == sides.size()) {
+            List<String> sides = kind.sidesOf(lattice.indices(n), lattice.counts());
+            if (switch (part) {
+                case "corners" -> sides.size() == lattice.counts().size();
+                case "edges" -> !sides.isEmpty();
+                default -> sides.containsAll(List.of(part.split("-")));
+            }) {
                 fixed.set(n);
             }
         }

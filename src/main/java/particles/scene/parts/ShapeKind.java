@@ -1,8 +1,8 @@
 package particles.scene.parts;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
+import java.util.function.BiFunction;
 import java.util.stream.Stream;
 import particles.law.Vector3;
 import particles.scene.parts.SpringFamily.Sort;
@@ -18,7 +18,7 @@ import particles.spec.VectorType;
 import particles.spec.WholeNumberType;
 
 /** A kind of shape that a scene can name, with its keys and particle positions; {@link #ALL} lists them. */
-public abstract class ShapeKind extends Kind {
+public final class ShapeKind extends Kind {
     private static final TextType OWN_ID = TextType.of(
             "the id of a particle of the shape, such as ID[0] in a rope, ID[3,4] in a cloth",
             "^[^\\s\\[\\],\"'\\x00-\\x1f\\x7f]{1,60}\\[[0-9]+(,[0-9]+)*\\]$");
@@ -33,40 +33,33 @@ public abstract class ShapeKind extends Kind {
     static final Key<Boolean> SURFACE = FlagType.FLAG.withDefault("surface", true,
             "Whether to draw it as a shaded surface.");
 
-    private final Parts parts;
+    /** Reads the fixed particles of any shape. */
+    static final Key<List<String>> FIXED = fixed(List.of());
+
+    private final List<List<String>> sides;
+    private final BiFunction<String, Values, Lattice> lattice;
 
     /**
-     * The parts of a shape that can be fixed.
-     *
-     * @param sides the names of its two ends along each direction
-     * @param fixed the key that names them
-     */
-    record Parts(List<List<String>> sides, Key<List<String>> fixed) {
-        /** @return these sides, and further names */
-        static Parts of(List<List<String>> sides, String... more) {
-            List<String> names = new ArrayList<>(sides.stream().flatMap(List::stream).toList());
-            names.addAll(List.of(more));
-            return new Parts(sides, ListType.oneOrMore("a fixed part", NameType.or("part", names,
-                    OWN_ID)).withDefault("fixed", List.of(),
-                    "Its fixed particles: names of parts, ids of its particles, or a list of both."));
-        }
-    }
-
-    /**
-     * @param springs the sorts of springs that it can have
+     * @param sides   the names of the two ends along each direction
+     * @param parts   other names of parts that can be fixed
+     * @param lattice makes the particles, from the shape's name and values
      * @param own     the keys for the positions of the particles
      */
-    ShapeKind(String name, String sentence, Parts parts, List<Sort> springs, boolean hasSurface, Key<?>... own) {
-        super(name, sentence, keys(name, parts, springs, hasSurface, own), List.of(MASS, TOTAL_MASS));
-        this.parts = parts;
+    private ShapeKind(String name, String sentence, List<List<String>> sides, List<String> parts,
+            BiFunction<String, Values, Lattice> lattice, Key<?>... own) {
+        super(name, sentence, keys(name, sides, parts, own), List.of(MASS, TOTAL_MASS));
+        this.sides = sides;
+        this.lattice = lattice;
     }
 
-    private static List<Key<?>> keys(String name, Parts parts, List<Sort> springs, boolean hasSurface, Key<?>[] own) {
+    private static List<Key<?>> keys(String name, List<List<String>> sides, List<String> parts, Key<?>... own) {
+        boolean squares = sides.size() > 1;             // without them there are neither shear springs nor a surface
         List<Key<?>> all = new ArrayList<>(List.of(id(name)));
-        all.addAll(Arrays.asList(own));
-        all.addAll(List.of(MASS, TOTAL_MASS, ParticleDescription.RADIUS, VELOCITY, parts.fixed));
-        springs.forEach(sort -> all.add(sort.key()));
-        if (hasSurface) {
+        all.addAll(List.of(own));
+        all.addAll(List.of(MASS, TOTAL_MASS, ParticleDescription.RADIUS, VELOCITY,
+                fixed(Stream.concat(sides.stream().flatMap(List::stream), parts.stream()).toList())));
+        Stream.of(Sort.values()).filter(sort -> squares || sort != Sort.SHEAR).forEach(sort -> all.add(sort.key()));
+        if (squares) {
             all.add(SURFACE);
         }
         return all;
@@ -77,11 +70,25 @@ public abstract class ShapeKind extends Kind {
                 "The shape's name; its particles' ids begin with it.");
     }
 
-    /** @return the positions of the particles */
-    abstract Lattice lattice(Values values);
+    private static Key<List<String>> fixed(List<String> parts) {
+        return ListType.oneOrMore("a fixed part", NameType.or("part", parts, OWN_ID)).withDefault("fixed", List.of(),
+                "Its fixed particles: names of parts, ids of its particles, or a list of both.");
+    }
 
-    Parts getParts() {
-        return parts;
+    /** @return the particles of a shape with these values */
+    Lattice lattice(Values values) {
+        return lattice.apply(values.get(getId()), values);
+    }
+
+    /** @return the names of the sides to which a particle belongs */
+    List<String> sidesOf(int[] indices, List<Integer> counts) {
+        List<String> names = new ArrayList<>();
+        for (int d = 0; d < indices.length; d++) {
+            if (indices[d] == 0 || indices[d] == counts.get(d) - 1) {
+                names.add(sides.get(d).get(indices[d] == 0 ? 0 : 1));
+            }
+        }
+        return names;
     }
 
     /** @return the key of the shape's name */
@@ -97,14 +104,8 @@ public abstract class ShapeKind extends Kind {
 
     private static final ShapeKind ROPE = new ShapeKind("rope",
             "Particles rope[0], rope[1] ... at equal distances along a line.",
-            Parts.of(List.of(List.of("start", "end"))), List.of(Sort.STRUCTURAL, Sort.BEND), false, START, END,
-            PARTICLES) {
-        @Override
-        Lattice lattice(Values values) {
-            return new Lattice(values.get(getId()), List.of(values.get(PARTICLES)), values.get(START),
-                    List.of(values.get(END).minus(values.get(START))));
-        }
-    };
+            List.of(List.of("start", "end")), List.of(), (id, values) -> new Lattice(id, List.of(values.get(PARTICLES)),
+            values.get(START), List.of(values.get(END).minus(values.get(START)))), START, END, PARTICLES);
 
     private static final Key<Vector3> TOP_LEFT = VectorType.of("m").required("corner",
             "The position of the top-left particle (m).");
@@ -117,15 +118,10 @@ public abstract class ShapeKind extends Kind {
 
     private static final ShapeKind CLOTH = new ShapeKind("cloth",
             "Particles cloth[column,row] in a rectangle or parallelogram; cloth[0,0] is the top-left particle.",
-            Parts.of(List.of(List.of("left", "right"), List.of("top", "bottom")),
-                    "top-left", "top-right", "bottom-left", "bottom-right", "corners", "edges"),
-            List.of(Sort.values()), true, TOP_LEFT, ACROSS, DOWN, COLUMNS, ROWS) {
-        @Override
-        Lattice lattice(Values values) {
-            return new Lattice(values.get(getId()), List.of(values.get(COLUMNS), values.get(ROWS)),
-                    values.get(TOP_LEFT), List.of(values.get(ACROSS), values.get(DOWN)));
-        }
-    };
+            List.of(List.of("left", "right"), List.of("top", "bottom")),
+            List.of("top-left", "top-right", "bottom-left", "bottom-right", "corners", "edges"),
+            (id, values) -> new Lattice(id, List.of(values.get(COLUMNS), values.get(ROWS)), values.get(TOP_LEFT),
+            List.of(values.get(ACROSS), values.get(DOWN))), TOP_LEFT, ACROSS, DOWN, COLUMNS, ROWS);
 
     private static final Key<Vector3> CENTRE = VectorType.of("m").required("centre", "Its centre (m).");
     private static final Key<Vector3> SIZE = VectorType.positive("m").required("size",
@@ -138,20 +134,17 @@ public abstract class ShapeKind extends Kind {
 
     private static final ShapeKind JELLY = new ShapeKind("jelly",
             "Particles jelly[column,row,layer] in a block; jelly[0,0,0] is at the left, bottom and back.",
-            Parts.of(List.of(List.of("left", "right"), List.of("bottom", "top"), List.of("back", "front")), "corners"),
-            List.of(Sort.values()), true, CENTRE, SIZE, TURN, COLUMNS, JELLY_ROWS, LAYERS) {
-        @Override
-        Lattice lattice(Values values) {
-            Vector3 size = values.get(SIZE);
-            List<Vector3> edges = Stream.of(new Vector3(size.x(), 0, 0), new Vector3(0, size.y(), 0),
-                    new Vector3(0, 0, size.z()))
-                    .map(edge -> turned(edge, values.get(TURN))).toList();
-            Vector3 diagonal = edges.get(0).plus(edges.get(1)).plus(edges.get(2));
-            return new Lattice(values.get(getId()), List.of(values.get(COLUMNS), values.get(JELLY_ROWS),
-                    values.get(LAYERS)),
-                    values.get(CENTRE).minus(diagonal.times(0.5)), edges);
-        }
-    };
+            List.of(List.of("left", "right"), List.of("bottom", "top"), List.of("back", "front")), List.of("corners"),
+            ShapeKind::block, CENTRE, SIZE, TURN, COLUMNS, JELLY_ROWS, LAYERS);
+
+    private static Lattice block(String id, Values values) {
+        Vector3 size = values.get(SIZE);
+        List<Vector3> edges = Stream.of(new Vector3(size.x(), 0, 0), new Vector3(0, size.y(), 0),
+                new Vector3(0, 0, size.z())).map(edge -> turned(edge, values.get(TURN))).toList();
+        Vector3 diagonal = edges.get(0).plus(edges.get(1)).plus(edges.get(2));
+        return new Lattice(id, List.of(values.get(COLUMNS), values.get(JELLY_ROWS), values.get(LAYERS)),
+                values.get(CENTRE).minus(diagonal.times(0.5)), edges);
+    }
 
     private static Vector3 turned(Vector3 v, Vector3 degrees) {
         double a = StrictMath.toRadians(degrees.x());

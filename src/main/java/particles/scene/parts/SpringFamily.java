@@ -1,6 +1,7 @@
 package particles.scene.parts;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import particles.spec.Key;
 import particles.spec.MappingType;
@@ -48,20 +49,15 @@ public record SpringFamily(Sort sort, double stiffness, double damping) {
         List<int[]> offsets(int dimensions) {
             List<int[]> offsets = new ArrayList<>();
             int all = (int) Math.round(StrictMath.pow(3, dimensions));
-            // the half of all steps in {-1, 0, 1} after zero
+            // the half of all steps in {-1, 0, 1} after zero; BEND takes two at once
             for (int code = all / 2 + 1; code < all; code++) {
                 int[] offset = new int[dimensions];
                 int length = 0;
                 for (int d = dimensions - 1, rest = code; d >= 0; d--, rest /= 3) {
-                    offset[d] = rest % 3 - 1;
-                    length += Math.abs(offset[d]);
+                    offset[d] = (rest % 3 - 1) * (this == BEND ? 2 : 1);
+                    length += Math.abs(rest % 3 - 1);
                 }
-                if (length == 1 && this == BEND) {
-                    for (int d = 0; d < dimensions; d++) {
-                        offset[d] *= 2;
-                    }
-                }
-                if (length == 1 ? this != SHEAR : this == SHEAR) {
+                if (length == 1 == (this != SHEAR)) {
                     offsets.add(offset);
                 }
             }
@@ -75,8 +71,8 @@ public record SpringFamily(Sort sort, double stiffness, double damping) {
 
     /** Receives the springs one by one. */
     public interface Sink {
-        /** Takes a spring between two particles of the lattice, with its stiffness (N/m) and damping (N s/m). */
-        void spring(int from, int to, double stiffness, double damping);
+        /** Takes a spring between two particles of the lattice. */
+        void spring(int from, int to);
     }
 
     /** @return the number of springs of this sort in a lattice */
@@ -94,22 +90,13 @@ public record SpringFamily(Sort sort, double stiffness, double damping) {
 
     /** Passes every spring to a sink, with the lattice's own particle numbers. */
     public void forEach(Lattice lattice, Sink sink) {
-        int[] counts = lattice.counts().stream().mapToInt(Integer::intValue).toArray();
-        int[] strides = lattice.strides();
-        int size = (int) lattice.size();
-        for (int[] offset : sort.offsets(counts.length)) {
-            int step = 0;
-            for (int d = 0; d < counts.length; d++) {
-                step += offset[d] * strides[d];
-            }
-            for (int n = 0; n < size; n++) {
-                boolean inside = true;
-                for (int d = 0; d < counts.length; d++) {
-                    int partner = n / strides[d] % counts[d] + offset[d];
-                    inside &= partner >= 0 && partner < counts[d];
-                }
-                if (inside) {
-                    sink.spring(n, n + step, stiffness, damping);
+        for (int[] offset : sort.offsets(lattice.counts().size())) {
+            for (int n = 0; n < lattice.size(); n++) {
+                int[] at = lattice.indices(n);
+                Arrays.setAll(at, d -> at[d] + offset[d]);
+                int partner = lattice.number(at);
+                if (partner >= 0) {
+                    sink.spring(n, partner);
                 }
             }
         }
