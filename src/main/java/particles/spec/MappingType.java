@@ -1,7 +1,6 @@
 package particles.spec;
 
 import deSolvers.text.DidYouMean;
-import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -159,8 +158,8 @@ public class MappingType implements Type<Values> {
 
     /** The required keys; the first key if none is required. */
     private List<Key<?>> necessary() {
-        List<Key<?>> found = new ArrayList<>(keys.stream().filter(Key::required).toList());
-        found.addAll(exactlyOneOf.stream().limit(1).toList());
+        List<Key<?>> found = Stream.concat(keys.stream().filter(Key::required), exactlyOneOf.stream().limit(1))
+                .toList();
         return found.isEmpty() ? keys.subList(0, Math.min(1, keys.size())) : found;
     }
 

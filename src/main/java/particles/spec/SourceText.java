@@ -78,16 +78,15 @@ public final class SourceText {
         }
         text = text.startsWith("\uFEFF") ? text.substring(1) : text;
         int word = 0;
-        for (int i = 0; i < text.length(); i += Character.charCount(text.codePointAt(i))) {
-            int c = text.codePointAt(i);
+        for (int i = 0, c; i < text.length(); i += Character.charCount(c)) {
+            c = text.codePointAt(i);
             word = c == ' ' || c == '\t' || c == '\n' ? 0 : word + 1;
-            if (word > LONGEST_WORD) {
-                return in.problems().add(end(text.substring(0, i), in), "more than " + LONGEST_WORD
-                        + " characters without a space between them; break the line");
-            }
-            if (!StreamReader.isPrintable(c)) {
-                return in.problems().add(end(text.substring(0, i), in), "a character here is not printable: "
-                        + (c == 0 ? "a zero byte; is this a text file?" : String.format("U+%04X", c)));
+            String problem = word > LONGEST_WORD
+                    ? "more than " + LONGEST_WORD + " characters without a space between them; break the line"
+                    : StreamReader.isPrintable(c) ? "" : "a character here is not printable: "
+                            + (c == 0 ? "a zero byte; is this a text file?" : String.format("U+%04X", c));
+            if (!problem.isEmpty()) {
+                return in.problems().add(end(text.substring(0, i), in), problem);
             }
         }
         return Optional.of(text);

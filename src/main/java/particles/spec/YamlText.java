@@ -1,6 +1,7 @@
 package particles.spec;
 
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.Function;
 import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
@@ -9,7 +10,9 @@ import org.snakeyaml.engine.v2.api.LoadSettings;
 import org.snakeyaml.engine.v2.api.lowlevel.Compose;
 import org.snakeyaml.engine.v2.api.lowlevel.Parse;
 import org.snakeyaml.engine.v2.events.AliasEvent;
+import org.snakeyaml.engine.v2.events.CollectionEndEvent;
 import org.snakeyaml.engine.v2.events.CollectionStartEvent;
+import org.snakeyaml.engine.v2.events.DocumentStartEvent;
 import org.snakeyaml.engine.v2.events.Event;
 import org.snakeyaml.engine.v2.events.NodeEvent;
 import org.snakeyaml.engine.v2.events.ScalarEvent;
@@ -126,56 +129,40 @@ final class YamlText {
         return is;
     }
 
+    /** Refuses what could take too much memory, and what scenes do not use. */
     private static void lookThrough(Iterable<Event> events, Reading in) {
         int depth = 0;
         int values = 0;
         int documents = 0;
         for (Event event : events) {
+            depth += event instanceof CollectionStartEvent ? 1 : event instanceof CollectionEndEvent ? -1 : 0;
+            values += event instanceof NodeEvent ? 1 : 0;
+            documents += event instanceof DocumentStartEvent ? 1 : 0;
+            String limit = values > MOST_VALUES
+                    ? "more than " + MOST_VALUES + " values; use shapes to make many particles"
+                    : depth > DEEPEST ? "nested more than " + DEEPEST + " deep"
+                    : documents > 1 ? "a second document begins; a file holds one scene" : "";
             Place place = Place.of(in.source(), event.getStartMark());
-            if (event instanceof NodeEvent && !refuse((NodeEvent) event, place, in) && ++values > MOST_VALUES) {
-                in.problems().add(place, "more than " + MOST_VALUES + " values; use shapes to make many particles");
+            if (!limit.isEmpty()) {
+                in.problems().add(place, limit);
                 return;
             }
-            if (event instanceof CollectionStartEvent && ++depth > DEEPEST) {
-                in.problems().add(place, "nested more than " + DEEPEST + " deep");
-                return;
-            }
-            if (event.getEventId() == Event.ID.SequenceEnd || event.getEventId() == Event.ID.MappingEnd) {
-                depth--;
-            }
-            if (event.getEventId() == Event.ID.DocumentStart && ++documents > 1) {
-                in.problems().add(place, "a second document begins; a file holds one scene");
-                return;
+            if (event instanceof NodeEvent node && (node instanceof AliasEvent || node.getAnchor().isPresent())) {
+                in.problems().add(place, "anchors and aliases (&name, *name) are not used in scenes; write the values"
+                        + " out, or put quotes around a text that begins with & or *");
+            } else if (event instanceof ScalarEvent scalar && scalar.getTag().isPresent()
+                    || event instanceof CollectionStartEvent start && start.getTag().isPresent()) {
+                in.problems().add(place,
+                        "tags (!name) are not used in scenes; put quotes around a text that begins with !");
             }
         }
-    }
-
-    private static boolean refuse(NodeEvent event, Place place, Reading in) {
-        if (event instanceof AliasEvent || event.getAnchor().isPresent()) {
-            in.problems().add(place, "anchors and aliases (&name, *name) are not used in scenes; write the values out,"
-                    + " or put quotes around a text that begins with & or *");
-            return true;
-        }
-        Optional<String> tag = event instanceof ScalarEvent ? ((ScalarEvent) event).getTag()
-                : event instanceof CollectionStartEvent ? ((CollectionStartEvent) event).getTag() : Optional.empty();
-        if (tag.isPresent()) {
-            in.problems().add(place,
-                    "tags (!name) are not used in scenes; put quotes around a text that begins with !");
-            return true;
-        }
-        return false;
-    }
-
-    private static String inPart(MarkedYamlEngineException e) {
-        return e.getContextMark().map(mark -> ", in the part that begins at line " + (mark.getLine() + 1)).orElse("");
     }
 
     /** The parser's reason, and the usual mistake behind it. */
     private static String reason(MarkedYamlEngineException e, String text) {
         String problem = e.getProblem() == null ? "the text ends too early or continues unexpectedly" : e.getProblem();
-        int index = e.getProblemMark().map(mark -> mark.getIndex()).orElse(0);
-        if (index < text.codePointCount(0, text.length()) && text.codePointAt(text.offsetByCodePoints(0,
-                index)) == '\t') {
+        int index = e.getProblemMark().map(Mark::getIndex).orElse(0);
+        if (text.codePoints().skip(index).findFirst().equals(OptionalInt.of('\t'))) {
             return "a tab; YAML is indented by spaces";
         }
         if (problem.startsWith("mapping values are not allowed")) {
@@ -193,6 +180,7 @@ final class YamlText {
             return problem.endsWith("'<scalar>'") ? "a text continues after its closing quote"
                     : "this line is not indented like the lines that it follows";
         }
-        return problem + inPart(e);
+        return problem + e.getContextMark().map(mark -> ", in the part that begins at line " + (mark.getLine() + 1))
+                .orElse("");
     }
 }
