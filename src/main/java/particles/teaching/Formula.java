@@ -2,6 +2,7 @@ package particles.teaching;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -30,6 +31,12 @@ public final class Formula {
         return fraction(x, SAME).orElseGet(() -> String.format(Locale.ROOT, "%.4g", x));
     }
 
+    /** @return the text with these values in place of each %s, numbers with a fraction as people write them */
+    public static String text(String format, Object... values) {
+        return String.format(Locale.ROOT, format, Arrays.stream(values).map(value -> value instanceof Double x
+                ? number(x) : value).toArray());
+    }
+
     private static Optional<String> fraction(double x, double tolerance) {
         for (int q = 1; q <= LARGEST_DENOMINATOR; q++) {
             double p = Math.rint(x * q);
@@ -42,8 +49,7 @@ public final class Formula {
 
     /** Enough digits to see that 1.000000001 is not 1. */
     private static String exactly(double x) {
-        return fraction(x, SAME_TIME).orElseGet(() -> fraction(x, 1e-4).isEmpty() ? String.format(Locale.ROOT, "%.4g",
-                x)
+        return fraction(x, SAME_TIME).orElseGet(() -> fraction(x, 1e-4).isEmpty() ? number(x)
                 : new BigDecimal(x).round(new MathContext(13)).stripTrailingZeros().toPlainString());
     }
 

@@ -86,32 +86,22 @@ public final class GuardedRun {
             if (thread.isAlive() && (computed > seconds || waited > WAITS || elapsed > GIVE_UP * seconds)) {
                 String place = StudentFailure.place(thread.getStackTrace());
                 thread.interrupt();
-                return Optional.of(computed <= seconds && waited <= WAITS ? new Finding(Kind.UNDECIDED,
-                        "not decided on this machine, which gave it " + Formula.number(computed) + " s of a processor"
-                        + " in " + Formula.number(elapsed) + " s: run it again" + place)
-                        : new Finding(Kind.FAILURE, "it did not come back within " + Formula.number(seconds)
-                        + " s of CPU time: " + (computed > seconds ? "an endless loop"
-                        : "it waits for something that never comes") + place));
+                boolean busy = computed <= seconds && waited <= WAITS;
+                return Optional.of(new Finding(busy ? Kind.UNDECIDED : Kind.FAILURE, (busy ? Formula.text("not decided"
+                        + " on this machine, which gave it %s s of a processor in %s s: run it again", computed,
+                        elapsed) : Formula.text("it did not come back within %s s of CPU time: %s", seconds, computed
+                        > seconds ? "an endless loop" : "it waits for something that never comes")) + place));
             }
         }
         return Optional.empty();
     }
 
     private static Finding failure(Throwable thrown) {
-        String place = StudentFailure.place(thrown.getStackTrace());
-        if (thrown instanceof EndlessLoop) {
-            return new Finding(Kind.FAILURE, "it did not come back: an endless loop, as " + thrown.getMessage()
-                    + place);
-        }
-        if (thrown instanceof StackOverflowError) {
-            return new Finding(Kind.FAILURE, "the stack overflows: a method calls itself without end" + place);
-        }
-        if (thrown instanceof OutOfMemoryError) {
-            return new Finding(Kind.FAILURE, "it asks for more memory than the " + Runtime.getRuntime()
-                    .maxMemory() / (1 << 20)
-                    + " MB that there are" + place);
-        }
-        return new Finding(Kind.FAILURE, "it ends in an exception: " + StudentFailure.describe(thrown));
+        String text = thrown instanceof EndlessLoop ? "it did not come back: an endless loop, as " + thrown.getMessage()
+                : thrown instanceof StackOverflowError ? "the stack overflows: a method calls itself without end"
+                : thrown instanceof OutOfMemoryError ? "it asks for more memory than the " + Runtime.getRuntime()
+                .maxMemory() / (1 << 20) + " MB that there are" : "it ends in an exception: " + thrown;
+        return new Finding(Kind.FAILURE, text + StudentFailure.place(thrown.getStackTrace()));
     }
 
     /**

@@ -29,7 +29,7 @@ public final class CheckProcess {
         String screen = end.lines();
         assertEquals(ExitCode.BAD_INPUT.code(), end.code(), screen);
         String report = Files.readString(folder.resolve(command + ".md"));
-        assertTrue(report.startsWith("# " + planted.getName() + ": the check did not finish."), report);
+        assertTrue(report.startsWith("# " + planted.getName() + ": The check did not finish."), report);
         assertEquals(planted.getSimpleName(), screen.lines().findFirst().orElseThrow()
                 .replaceFirst("(.*[.$])?(\\w+): wrong.*",
                 "$2"), "the verdict comes first: " + screen);

@@ -7,7 +7,6 @@ import deSolvers.DESolver;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicLong;
@@ -27,17 +26,6 @@ class GuardedRunTest {
                 steps.incrementAndGet();
             }
             return steps.get();
-        }
-
-        static int callsItself(int n) {
-            return callsItself(n + 1) + 1;
-        }
-
-        static List<double[]> asksForAllMemory() {
-            List<double[]> all = new ArrayList<>();
-            while (true) {
-                all.add(new double[Integer.MAX_VALUE]);     // more than an array can have: no time goes by
-            }
         }
 
         static int dividesByZero() {
@@ -131,18 +119,6 @@ class GuardedRunTest {
         });
         assertTrue(found.startsWith("failure: it did not come back within 3/10 s of CPU time: it waits for something "
                 + "that never comes"), found);
-    }
-
-    @Test
-    void aStackOverflowIsNamed() {
-        assertStarts("failure: the stack overflows: a method calls itself"
-                + " without end, in PlantedClasses.callsItself, line ",
-                failure(() -> PlantedClasses.callsItself(0)));
-    }
-
-    @Test
-    void aHugeAllocationIsNamed() {
-        assertStarts("failure: it asks for more memory than the ", failure(PlantedClasses::asksForAllMemory));
     }
 
     @Test

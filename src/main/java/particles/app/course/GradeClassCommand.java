@@ -10,7 +10,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
@@ -83,7 +82,7 @@ public final class GradeClassCommand extends ResultsCommand {
             for (String id : words.keySet()) {
                 if (results.stream().noneMatch(result -> result.student().equalsIgnoreCase(id))) {
                     problems.add("nothing was handed in by " + id);
-                    results.add(HandInMarking.begin(id, Optional.empty(), assignment, List.of(), copies,
+                    results.add(HandInMarking.begin(id, Submission.NONE, assignment, List.of(), copies,
                             copies.resolve("none")).call());
                 }
             }
@@ -148,7 +147,7 @@ public final class GradeClassCommand extends ResultsCommand {
             }
             for (Submission handIn : each.getValue().subList(0, attempt.equals(BEST) ? each.getValue().size() : 1)) {
                 Path results = folderOf(each.getKey(), begun.keySet());
-                begun.put(results, HandInMarking.begin(each.getKey(), Optional.of(handIn), assignment, numbers, results,
+                begun.put(results, HandInMarking.begin(each.getKey(), handIn, assignment, numbers, results,
                         copies.resolve("" + begun.size())));
             }
         }

@@ -5,17 +5,14 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
+import java.util.Map;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
-import particles.app.cli.ProgramCommand;
-import particles.app.cli.Version;
+import particles.app.cli.ResultsCommand;
 import particles.app.course.Result.Item;
 import particles.app.course.Result.Status;
 import particles.app.student.StudentLoader;
-import particles.teaching.exercises.AnswersFile;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -25,7 +22,7 @@ import picocli.CommandLine.Option;
  * With {@code -Phandin=FOLDER} it marks a hand-in as {@code gradeClass} does.
  */
 @Command(name = GradeCommand.NAME, description = "Marks all answers and solvers of a student.")
-public final class GradeCommand extends ProgramCommand {
+public final class GradeCommand extends ResultsCommand {
     static final String NAME = Marking.PAGE;
 
     @Option(names = "--student", paramLabel = "ID", description = "The student's id.")
@@ -41,10 +38,6 @@ public final class GradeCommand extends ProgramCommand {
 
     @Mixin
     private final CourseOptions course = new CourseOptions();
-
-    @Option(names = "--out", paramLabel = "FOLDER", defaultValue = "build/out/grade",
-            description = "Where the report goes (default: build/out/grade).")
-    private Path results;
 
     private final Path folder;
 
@@ -71,7 +64,7 @@ public final class GradeCommand extends ProgramCommand {
                 item.lines().forEach(line -> out.println("            " + line));
             }
         }
-        out.println(Marking.write(results, result) + "; report: " + results.resolve(NAME + ".md"));
+        out.println(Marking.write(getFolder(), result) + "; report: " + getFolder().resolve(NAME + ".md"));
         if (result.most() > 0) {                        // a script for VPL reads this line
             out.println("points: " + ClassTables.number(result.points()) + " of " + ClassTables.number(result.most()));
         }
@@ -83,14 +76,12 @@ public final class GradeCommand extends ProgramCommand {
     }
 
     /** The work in this project; the assignment says how much of the result is shown. */
-    private Result own(Assignment assignment) throws IOException {
-        Marking marking = new Marking(assignment, course.numbers(assignment, student), answers,
-                StudentLoader.sources(folder), results);
-        AnswersFile read = AnswersFile.read(answers);
-        List<Item> items = new ArrayList<>(marking.exercises(read));
-        items.addAll(marking.classes());
-        return new Result(student.strip(), "this project", Instant.EPOCH, Version.CURRENT, "",
-                marking.withoutFolder(read.problems()), List.of(), items.stream().map(assignment::shown).toList());
+    private Result own(Assignment assignment) throws Exception {
+        Result all = new Marking(assignment, course.numbers(assignment, student), answers,
+                StudentLoader.sources(folder), getFolder()).begin(student.strip(), new Submission("this project",
+                Map.of(), Instant.EPOCH), "").call();
+        return new Result(all.student(), all.handedIn(), all.date(), all.program(), "", all.problems(), List.of(),
+                all.items().stream().map(assignment::shown).toList());
     }
 
     private Result handedIn(Assignment assignment) throws Exception {
@@ -98,8 +89,7 @@ public final class GradeCommand extends ProgramCommand {
         try {
             Submission read = Submission.read(handIn);
             String id = student == null ? read.id() : student;      // null: not given
-            return HandInMarking.begin(id, Optional.of(read), assignment, course.numbers(assignment, id), results,
-                    copy).call();
+            return HandInMarking.begin(id, read, assignment, course.numbers(assignment, id), getFolder(), copy).call();
         } catch (IOException e) {
             throw wrong("handin", "'" + handIn + "' cannot be read: " + e.getMessage());
         } finally {

@@ -14,8 +14,10 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
-import particles.app.cli.Failure;
+import particles.app.cli.Version;
 import particles.app.course.Result.Item;
 import particles.app.course.Result.Status;
 import particles.app.student.CheckEffectCommand;
@@ -60,12 +62,30 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
         }
     }
 
-    /** @return the marks of the answers, where their numbers are known; runs no class of the student */
-    List<Item> exercises(AnswersFile read) {
+    /**
+     * Marks the answers, which runs no class of the student.
+     *
+     * @param digest of everything on which the result depends
+     * @return what runs the classes and makes the result
+     */
+    Callable<Result> begin(String student, Submission handIn, String digest) {
+        AnswersFile read = AnswersFile.read(answers);
+        List<Item> items = exercises(read.answers());
+        List<String> problems = Stream.concat(handIn.problems().stream(), withoutFolder(read.problems()).stream())
+                .toList();
+        return () -> {
+            items.addAll(classes());
+            return new Result(student, handIn.name(), handIn.newest(), Version.CURRENT, digest, problems,
+                    Copies.of(sources), items);
+        };
+    }
+
+    /** The marks of the answers, where their numbers are known. */
+    private List<Item> exercises(Map<Integer, String> given) {
         List<Item> items = new ArrayList<>();
         assignment.exercises().forEach((number, weight) -> {
             Exercise exercise = Exercises.all().get(number - 1);
-            Optional<String> answer = Optional.ofNullable(read.answers().get(number));      // null: no answer
+            Optional<String> answer = Optional.ofNullable(given.get(number));      // null: no answer
             boolean undecided = answer.isPresent() && numbers.isEmpty();
             Mark mark = answer.isEmpty() ? Mark.wrong(NO_ANSWER) : undecided ? Mark.wrong(
                     "Its numbers are on your handout: it is marked with the lecturer's key file.")
@@ -76,8 +96,8 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
         return items;
     }
 
-    /** @return the lines, with files named as they were handed in */
-    List<String> withoutFolder(List<String> lines) {
+    /** The lines, with files named as they were handed in. */
+    private List<String> withoutFolder(List<String> lines) {
         String folder = answers.toAbsolutePath().getParent().toString().replace('\\', '/') + "/";
         return lines.stream().map(line -> line.replace(folder, "")).toList();
     }
@@ -104,11 +124,7 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
         }
     }
 
-    /**
-     * @return the mark of each class
-     * @throws IOException if no process can be made
-     */
-    List<Item> classes() throws IOException {
+    private List<Item> classes() throws IOException {
         List<Item> items = new ArrayList<>();
         for (Map.Entry<String, Assignment.Asked> asked : assignment.solvers(sources.keySet()).entrySet()) {
             items.add(check("solver", asked.getKey(), asked.getValue().weight(), CheckSolverCommand.NAME,
@@ -122,23 +138,13 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
 
     private Item check(String kind, String name, double weight, String command, String... more) throws IOException {
         boolean there = sources.containsKey(name);
-        ExitCode code = ExitCode.BAD_INPUT;
-        List<String> lines = List.of("there is no file " + name + ".java");
-        if (there) {
-            List<String> args = new ArrayList<>(List.of(command, "--" + kind + "=exercises." + name, "--out="
-                    + reports.resolve(name)));
-            args.addAll(List.of(more));
-            try {
-                StudentProcess.Outcome outcome = StudentProcess.run(args, sources);
-                code = outcome.code();
-                lines = outcome.lines();
-            } catch (Failure stopped) {
-                code = stopped.getExitCode();
-                lines = stopped.getLines();
-            }
-        }
-        return new Item(kind + " " + name, there, code == ExitCode.DONE ? Status.PASS : code == ExitCode.STOPPED
-                ? Status.ERROR : Status.FAIL, weight, new Mark(false, lines).lines());
+        List<String> args = new ArrayList<>(List.of(command, "--" + kind + "=exercises." + name, "--out="
+                + reports.resolve(name)));
+        args.addAll(List.of(more));
+        StudentProcess.Outcome outcome = there ? StudentProcess.run(args, sources) : new StudentProcess.Outcome(
+                ExitCode.BAD_INPUT, List.of("there is no file " + name + ".java"));
+        return new Item(kind + " " + name, there, outcome.code() == ExitCode.DONE ? Status.PASS : outcome.code()
+                == ExitCode.STOPPED ? Status.ERROR : Status.FAIL, weight, new Mark(false, outcome.lines()).lines());
     }
 
     /** Joins lines for a table's cell; sentences and headings stay on lines of their own. */

@@ -28,6 +28,8 @@ import java.util.stream.Stream;
  * @param newest  the latest date of one of these files
  */
 record Submission(String name, Map<String, byte[]> files, Instant newest) {
+    /** Nothing was handed in. */
+    static final Submission NONE = new Submission("", Map.of(), Instant.EPOCH);
     private static final int MOST_FILES = 1000;
     private static final int LARGEST = 1 << 20;
     private static final String ANSWERS = "answers.yaml";

@@ -8,8 +8,8 @@ import java.util.Map;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import particles.teaching.Finding.Kind;
 import particles.teaching.Finding;
+import particles.teaching.Finding.Kind;
 import particles.teaching.solvers.SolverCheck;
 import particles.teaching.solvers.SolverVerdict;
 

@@ -14,28 +14,26 @@ import java.util.ArrayList;
 import java.util.List;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
-import particles.app.cli.ProgramCommand;
+import particles.app.cli.ResultsCommand;
 import particles.app.student.StudentProcess.Task;
 import particles.output.charts.ChartFormat;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
+import particles.output.report.Picture;
 import particles.output.report.ResultPage;
 import particles.output.report.ResultPageWriter;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.GuardedRun;
 import particles.teaching.GuardedRun.Outcome;
+import particles.view.DataTable;
 import picocli.CommandLine.Option;
 
 /**
  * A command that checks a student's class. The check runs in a process of its own, with a limit on its CPU time.
  */
-abstract class CheckCommand extends ProgramCommand {
+abstract class CheckCommand extends ResultsCommand {
     private static final double SECONDS = 7;
-
-    @Option(names = "--out", paramLabel = "FOLDER",
-            description = "Where the report goes (default: build/out and the task's name).")
-    private String out;
 
     @Option(names = "--inThisProcess", hidden = true, description = "Checks here, as the process that was made for it.")
     private boolean inThisProcess;
@@ -50,11 +48,41 @@ abstract class CheckCommand extends ProgramCommand {
      * @param subject  the short name of the class checked
      * @param identity the method or law identified, in a sentence
      * @param findings mistakes and notes
-     * @param page     the report
+     * @param pictures the pictures of the report
+     * @param tables   its tables
      */
-    record Checked(String subject, String identity, List<Finding> findings, ResultPage page) {
+    record Checked(String subject, String identity, List<Finding> findings, List<Picture> pictures,
+            List<DataTable> tables) {
         /** In place of the identity. */
         static final String NOT_CHECKED = "it cannot be checked.";
+
+        /** A result without pictures and tables. */
+        Checked(String subject, String identity, List<Finding> findings) {
+            this(subject, identity, findings, List.of(), List.of());
+        }
+
+        /** A class that cannot be checked, for this reason. */
+        Checked(String subject, Exception reason) {
+            this(subject, NOT_CHECKED, List.of(new Finding(Kind.FAILURE, String.valueOf(reason.getMessage()))));
+        }
+
+        boolean isRight() {
+            return findings.stream().noneMatch(Finding::isWrong);
+        }
+
+        /** @return the findings as paragraphs of a report */
+        private List<String> paragraphs() {
+            List<String> text = new ArrayList<>(List.of(isRight() ? "Nothing is wrong." : "What is wrong:"));
+            findings.stream().filter(Finding::isWrong).forEach(finding -> text.add("- **" + finding.kind().word()
+                    + "**: " + finding.text()));
+            List<String> advice = findings.stream().filter(finding -> !finding.isWrong()).map(finding -> "- "
+                    + finding.text()).toList();
+            if (!advice.isEmpty()) {
+                text.add("Advice:");
+                text.addAll(advice);
+            }
+            return text;
+        }
     }
 
     /** @return the option that names the class to check, and its value */
@@ -88,18 +116,9 @@ abstract class CheckCommand extends ProgramCommand {
             checkHere((code, report) -> report.forEach(lines::println));
             return;
         }
-        List<String> args = new ArrayList<>(List.of(name(), subject()));
+        List<String> args = new ArrayList<>(List.of(name(), subject(), "--out=" + getFolder()));
         args.addAll(chartArguments());
-        if (out != null) {                              // picocli leaves an option null that was not given
-            args.add("--out=" + out);
-        }
-        StudentProcess.Outcome outcome;
-        try {
-            outcome = StudentProcess.run(args, StudentLoader.installed());
-        } catch (Failure stopped) {
-            writeReport(failed(stopped.getMessage()));
-            throw stopped;
-        }
+        StudentProcess.Outcome outcome = StudentProcess.run(args, StudentLoader.installed());
         outcome.lines().forEach(lines::println);
         if (outcome.code() != ExitCode.DONE) {
             throw new Failure(outcome.code(), List.of());
@@ -141,10 +160,9 @@ abstract class CheckCommand extends ProgramCommand {
             giveUp(screen, outcome.failure().get(), printed.text());
         }
         Checked checked = outcome.value().orElseThrow();
-        Path report = writeReport(checked.page());
-        boolean right = checked.findings().stream().noneMatch(Finding::isWrong);
-        screen.show(right ? ExitCode.DONE : ExitCode.BAD_INPUT, CheckReport.lines(checked, printed.text(), report));
-        if (!right) {
+        screen.show(checked.isRight() ? ExitCode.DONE : ExitCode.BAD_INPUT, CheckReport.lines(checked, printed.text(),
+                writeReport(checked)));
+        if (!checked.isRight()) {
             throw new Failure(ExitCode.BAD_INPUT, List.of());
         }
     }
@@ -157,9 +175,9 @@ abstract class CheckCommand extends ProgramCommand {
         ExitCode code = failure.kind() == Kind.UNDECIDED ? ExitCode.STOPPED : ExitCode.BAD_INPUT;
         List<String> lines;
         try {
-            Path report = writeReport(failed(failure.text()));
-            lines = CheckReport.lines(new Checked(subject().replaceFirst(".*=", ""),
-                    "The check did not finish.", List.of(failure), failed(failure.text())), printed, report);
+            Checked failed = new Checked(subject().replaceFirst(".*=", ""), "The check did not finish.",
+                    List.of(failure));
+            lines = CheckReport.lines(failed, printed, writeReport(failed));
         } catch (OutputException e) {
             lines = List.of(failure.toString(), String.valueOf(e.getMessage()));
             code = ExitCode.TROUBLE;
@@ -168,32 +186,13 @@ abstract class CheckCommand extends ProgramCommand {
         Runtime.getRuntime().halt(code.code());
     }
 
-    private ResultPage failed(String reason) {
-        String title = subject().replaceFirst(".*=", "") + ": the check did not finish.";
-        return new ResultPage(name(), title, paragraphs(List.of(new Finding(Kind.FAILURE, reason))), List.of(),
-                List.of());
-    }
-
     /** @return the report's file */
-    private Path writeReport(ResultPage page) {
-        Path folder = out == null ? Path.of("build", "out", name()) : Path.of(out);
-        try (OutputFolder files = OutputFolder.open(folder, name() + ".md")) {
-            ResultPageWriter.write(files, page, format());
+    private Path writeReport(Checked checked) {
+        try (OutputFolder files = OutputFolder.open(getFolder(), name() + ".md")) {
+            ResultPageWriter.write(files, new ResultPage(name(), checked.subject() + ": " + checked.identity(),
+                    checked.paragraphs(), checked.pictures(), checked.tables()), format());
         }
-        return folder.resolve(name() + ".md");
-    }
-
-    /** @return the findings as paragraphs of a report */
-    static List<String> paragraphs(List<Finding> findings) {
-        List<String> text = new ArrayList<>();
-        text.add(findings.stream().anyMatch(Finding::isWrong) ? "What is wrong:" : "Nothing is wrong.");
-        findings.stream().filter(Finding::isWrong).forEach(finding -> text.add("- **" + finding.kind().word() + "**: "
-                + finding.text()));
-        if (findings.stream().anyMatch(finding -> !finding.isWrong())) {
-            text.add("Advice:");
-            findings.stream().filter(finding -> !finding.isWrong()).forEach(finding -> text.add("- " + finding.text()));
-        }
-        return text;
+        return getFolder().resolve(name() + ".md");
     }
 
     /** Keeps only the beginning of a class's output. */

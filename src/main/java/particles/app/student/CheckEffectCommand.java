@@ -9,7 +9,6 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import particles.law.Effect;
 import particles.law.Particles;
-import particles.output.report.ResultPage;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.effects.EffectCheck;
@@ -39,13 +38,10 @@ public final class CheckEffectCommand extends CheckCommand {
 
     @Override
     Checked check() {
-        String subject = effect;
-        String identity;
-        List<Finding> findings;
         try {
             Function<Particles, Effect> law = particles -> EffectSample.create(effect, particles, new StudentClasses());
             Effect made = law.apply(EffectSample.system().getParticles());
-            findings = EffectCheck.check(law);
+            List<Finding> findings = EffectCheck.check(law);
             boolean right = findings.stream().noneMatch(Finding::isWrong);
             if (right && PlainRuns.differ(run -> EffectCheck.check(particles -> {
                 run.run();
@@ -55,17 +51,13 @@ public final class CheckEffectCommand extends CheckCommand {
                         + " than in this check"));
             }
             Optional<String> other = EffectSample.checkedThrough(effect);
-            subject = other.isPresent() ? effect : made.getClass().getSimpleName();
-            identity = other.map(name -> "It acts through '" + name + "', which then")
+            String identity = other.map(name -> "It acts through '" + name + "', which then")
                     .orElse("The effect '" + made.getName() + "'") + " claims " + claims(made.getTraits()) + "."
-                    + (findings.stream().anyMatch(Finding::isWrong) ? "" : ForceDirection.of(law))
-                    + changed(EffectSample.actingThrough(effect));
+                    + (right ? ForceDirection.of(law) : "") + changed(EffectSample.actingThrough(effect));
+            return new Checked(other.isPresent() ? effect : made.getClass().getSimpleName(), identity, findings);
         } catch (NoSuchElementException | IllegalArgumentException e) {
-            identity = Checked.NOT_CHECKED;
-            findings = List.of(new Finding(Kind.FAILURE, String.valueOf(e.getMessage())));
+            return new Checked(effect, e);
         }
-        return new Checked(subject, identity, findings, new ResultPage(NAME, subject + ": " + identity,
-                paragraphs(findings), List.of(), List.of()));
     }
 
     private static String changed(List<String> others) {

@@ -46,7 +46,7 @@ final class CheckReport {
             last.add("the class printed: " + first + (text.size() > 1 ? " (and more lines)" : ""));
         }
         last.add("report: " + report);
-        List<DataTable> tables = checked.page().tables();
+        List<DataTable> tables = checked.tables();
         int room = MOST_LINES - lines.size() - last.size();
         if (!tables.isEmpty() && room > 1) {
             lines.addAll(TableText.plain(tables.get(0)).stream().limit(room).toList());

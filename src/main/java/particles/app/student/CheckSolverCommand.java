@@ -5,6 +5,7 @@ import deSolvers.catalog.SolverCatalog;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.NoSuchElementException;
+import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.app.cli.ChartOptions;
@@ -13,9 +14,8 @@ import particles.app.student.CheckCommand.Checked;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.Panel;
 import particles.output.report.Picture;
-import particles.output.report.ResultPage;
-import particles.teaching.Finding.Kind;
 import particles.teaching.Finding;
+import particles.teaching.Finding.Kind;
 import particles.teaching.StudentFailure;
 import particles.teaching.figures.SolverFigures;
 import particles.teaching.solvers.SolverCheck;
@@ -44,6 +44,7 @@ public final class CheckSolverCommand extends CheckCommand {
 
     @Override
     protected void read(Mistakes mistakes) {
+        super.read(mistakes);
         mistakes.check(() -> {
             if (!AskedMethods.names().contains(method)) {
                 throw wrong("method", SolverCatalog.names().contains(method) ? AskedMethods.refusal(method)
@@ -76,9 +77,7 @@ public final class CheckSolverCommand extends CheckCommand {
         try {
             name = maker.get().getClass().getSimpleName();
         } catch (NoSuchElementException | IllegalArgumentException e) {
-            return new Checked(solver, Checked.NOT_CHECKED, List.of(new Finding(Kind.FAILURE,
-                    e.getMessage())), new ResultPage(NAME, solver + " cannot be checked",
-                            List.of(String.valueOf(e.getMessage())), List.of(), List.of()));
+            return new Checked(solver, e);
         }
         SolverVerdict verdict = AskedMethods.check(maker, name, method);
         if (verdict.wrong().isEmpty() && PlainRuns.differ(run -> SolverCheck.check(() -> {
@@ -88,23 +87,20 @@ public final class CheckSolverCommand extends CheckCommand {
             verdict = new SolverVerdict(verdict.identity(), List.of(new Finding(Kind.FAILURE,
                     "in a scene, or after many calls, it makes other steps than in this check")), verdict.multistep());
         }
-        String title = name + ": " + verdict.identity();
-        List<String> text = paragraphs(verdict.findings());
-        if (verdict.wrong().stream().anyMatch(finding -> finding.kind() == Kind.FAILURE
-                || finding.kind() == Kind.UNWRITTEN)) {
-            return new Checked(name, verdict.identity(), verdict.findings(), new ResultPage(NAME, title, text,
-                    List.of(), List.of()));
+        List<Finding> findings = new ArrayList<>(verdict.findings());
+        Optional<Kind> wrong = verdict.wrong().stream().map(Finding::kind).findFirst();
+        if (wrong.equals(Optional.of(Kind.FAILURE)) || wrong.equals(Optional.of(Kind.UNWRITTEN))) {
+            return new Checked(name, verdict.identity(), findings);
         }
         SolverFigures figures;
         try {
             figures = SolverFigures.of(SolverCatalog.names().contains(solver) ? solver : name, maker, verdict);
         } catch (RuntimeException e) {                  // of the class itself; still report the findings
-            List<Finding> all = new ArrayList<>(verdict.findings());
-            if (verdict.wrong().isEmpty()) {            // otherwise it follows from a mistake already reported
-                all.add(new Finding(Kind.FAILURE, "while it was measured on springs: " + StudentFailure.describe(e)));
+            if (wrong.isEmpty()) {                      // otherwise it follows from a mistake already reported
+                findings.add(new Finding(Kind.FAILURE, "while it was measured on springs: "
+                        + StudentFailure.describe(e)));
             }
-            return new Checked(name, verdict.identity(), all, new ResultPage(NAME, title, paragraphs(all), List.of(),
-                    List.of()));
+            return new Checked(name, verdict.identity(), findings);
         }
         List<Picture> pictures = new ArrayList<>();
         pictures.add(Picture.of("order",
@@ -119,7 +115,7 @@ public final class CheckSolverCommand extends CheckCommand {
         pictures.add(Picture.of("work-precision",
                 "The error after eight seconds against the work: lower left is better.",
                 Panel.chart(figures.workPrecision())));
-        return new Checked(name, verdict.identity(), verdict.findings(), new ResultPage(NAME, title, text, pictures,
-                Stream.concat(Stream.of(figures.facts()), figures.growth().stream()).toList()));
+        return new Checked(name, verdict.identity(), findings, pictures, Stream.concat(Stream.of(figures.facts()),
+                figures.growth().stream()).toList());
     }
 }

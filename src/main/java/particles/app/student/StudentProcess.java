@@ -16,12 +16,12 @@ import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import javax.crypto.Mac;
 import javax.crypto.spec.SecretKeySpec;
 import particles.app.cli.ExitCode;
-import particles.app.cli.Failure;
 import particles.app.cli.OptionStyle;
 
 /** Runs code that calls a student's class in a child process, so that the class cannot stop the program. */
@@ -107,13 +107,12 @@ public final class StudentProcess {
         try {
             List<String> all = new ArrayList<>(args);
             all.add(VERDICT + "=" + verdict);
-            int ended = await(builder(all).redirectErrorStream(true).redirectOutput(Redirect.DISCARD), task);
-            if (ended > SIGNAL) {
-                throw new Failure(ExitCode.STOPPED, "not decided: the check was ended from outside; run it again");
-            }
+            Optional<Outcome> stopped = await(builder(all).redirectErrorStream(true).redirectOutput(Redirect.DISCARD),
+                    task);
             boolean isThere = Files.isRegularFile(verdict, LinkOption.NOFOLLOW_LINKS)
                     && Files.size(verdict) <= LONGEST;
-            return task.read(isThere ? Files.readAllBytes(verdict) : new byte[0]);
+            byte[] signed = isThere ? Files.readAllBytes(verdict) : new byte[0];
+            return stopped.orElseGet(() -> task.read(signed));
         } finally {
             Files.deleteIfExists(verdict);
             Files.deleteIfExists(folder);
@@ -133,28 +132,33 @@ public final class StudentProcess {
         return new ProcessBuilder(line);
     }
 
-    /** @return the exit code of the process */
-    private static int await(ProcessBuilder builder, Task task) throws IOException {
+    /** @return the outcome of a process that did not end by itself */
+    private static Optional<Outcome> await(ProcessBuilder builder, Task task) throws IOException {
         Process process = builder.start();
         try (ObjectOutputStream input = new ObjectOutputStream(process.getOutputStream())) {
             input.writeObject(task);
             input.flush();
             for (int second = 0; second < SECONDS; second++) {
                 if (process.waitFor(1, TimeUnit.SECONDS)) {
-                    return process.exitValue();
+                    return stopped(ExitCode.STOPPED, "not decided: the check was ended from outside; run it again")
+                            .filter(outcome -> process.exitValue() > SIGNAL);
                 }
                 if (process.info().totalCpuDuration().filter(time -> time.compareTo(MOST_CPU_TIME) > 0).isPresent()) {
-                    throw new Failure(ExitCode.BAD_INPUT, "wrong: the check did not end within "
+                    return stopped(ExitCode.BAD_INPUT, "wrong: the check did not end within "
                             + MOST_CPU_TIME.toSeconds() + " s of CPU time and was stopped");
                 }
             }
-            throw new Failure(ExitCode.STOPPED, "not decided on this machine, which is too busy: run it again");
+            return stopped(ExitCode.STOPPED, "not decided on this machine, which is too busy: run it again");
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-            throw new Failure(ExitCode.STOPPED, "the check was interrupted");
+            return stopped(ExitCode.STOPPED, "the check was interrupted");
         } finally {
             process.descendants().forEach(ProcessHandle::destroyForcibly);
             process.destroyForcibly();
         }
+    }
+
+    private static Optional<Outcome> stopped(ExitCode code, String line) {
+        return Optional.of(new Outcome(code, List.of(line)));
     }
 }

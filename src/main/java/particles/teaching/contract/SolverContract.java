@@ -87,8 +87,8 @@ public final class SolverContract {
         for (double[] state : states) {
             for (int k = 0; k < state.length; k++) {
                 if (!(Math.abs(state[k] - state[k % 6]) <= ALIKE)) {    // differences for a Jacobian are smaller
-                    wrong(text + "entry " + k + " of a state is " + Formula.number(state[k]) + " and entry " + k % 6
-                            + " is " + Formula.number(state[k % 6]) + ", though all particles are alike" + cause);
+                    wrong(text + Formula.text("entry %s of a state is %s and entry %s is %s, though all particles are"
+                            + " alike", k, state[k], k % 6, state[k % 6]) + cause);
                     return;
                 }
             }

@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.function.Function;
 import java.util.stream.IntStream;
-import particles.ParticleSystem;
+import java.util.stream.Stream;
 import particles.law.Effect;
 import particles.law.Effect.Trait;
 import particles.law.Particles;
@@ -18,19 +18,11 @@ import particles.teaching.StudentFailure;
 /**
  * Checks a student's force law against the properties that it declares, by {@link EffectClaims}. If one does not hold,
  * it names the particle, the component and the probable mistake.
+ *
+ * @param trial the law on some particles
  */
-public final class EffectCheck {
+public record EffectCheck(EffectTrial trial) {
     private static final double STEP = 1e-5;
-
-    private final ParticleSystem system;
-    private final Effect effect;
-    private final EffectTrial trial;
-
-    private EffectCheck(ParticleSystem system, Function<Particles, Effect> maker) {
-        this.system = system;
-        effect = maker.apply(system.getParticles());
-        trial = EffectTrial.random(system, effect, new Random(17), 0);
-    }
 
     /**
      * Checks a law on six particles, one of them fixed, and on nine that are all free.
@@ -39,14 +31,15 @@ public final class EffectCheck {
      * @return the first mistake, or a note; empty if all declared properties hold
      */
     public static List<Finding> check(Function<Particles, Effect> maker) {
-        return new EffectCheck(EffectSample.system(), maker).first()
-                .or(() -> new EffectCheck(EffectSample.larger(), maker).first()).stream().toList();
+        return Stream.of(EffectSample.system(), EffectSample.larger()).map(system -> new EffectCheck(EffectTrial.random(
+                system, maker.apply(system.getParticles()), new Random(17), 0)).first()).flatMap(Optional::stream)
+                .limit(1).toList();
     }
 
     private Optional<Finding> first() {
         try {
-            return new EffectWriting(trial).finding().or(this::contradiction).or(() -> EffectClaims.broken(system,
-                    effect, 2003).stream().findFirst().map(this::explained));
+            return new EffectWriting(trial).finding().or(this::contradiction).or(() -> EffectClaims.broken(
+                    trial.system(), trial.effect(), 2003).stream().findFirst().map(this::explained));
         } catch (IndexOutOfBoundsException e) {
             int n = trial.size();
             return wrong(Kind.FAILURE, "it ends in an exception: " + StudentFailure.describe(e) + ". The state of "
@@ -107,8 +100,8 @@ public final class EffectCheck {
         }
         if (IntStream.range(0, count).allMatch(j -> trial.velocities().allMatch(k -> k / 6 == j || change[j][k]
                 == 0))) {
-            return Optional.of("it claims INTERNAL, but " + effect.getName() + " is not: no particle's force changes "
-                    + "with the place of another, so that there are no pairs that push each other");
+            return Optional.of("it claims INTERNAL, but " + trial.effect().getName() + " is not: no particle's force"
+                    + " changes with the place of another, so that there are no pairs that push each other");
         }
         boolean leftOut = EffectClaims.leavesFixedOut(trial);
         for (int i = 0; i < count; i++) {
@@ -134,20 +127,19 @@ public final class EffectCheck {
             return Optional.empty();
         }
         ForceComparison compared = new ForceComparison(trial, trial.force(), trial.slopes());
-        return compared.wrong().boxed().findFirst().map(k -> method(trial.entry(k) + " is " + Formula.number(
-                compared.force()[k]) + " where the slope of the potential energy asks for " + Formula.number(
-                compared.expected()[k]) + compared.cause(!Arrays.equals(trial.force(),
-                trial.force(trial.faster(2))), "the potential energy")));
+        return compared.wrong().boxed().findFirst().map(k -> method(Formula.text("%s is %s where the slope of the"
+                + " potential energy asks for %s%s", trial.entry(k), compared.force()[k], compared.expected()[k],
+                compared.cause(!Arrays.equals(trial.force(), trial.force(trial.faster(2))), "the potential energy"))));
     }
 
     private String claim(String line) {
         if (line.startsWith("translation")) {
-            return "it claims TRANSLATION_INVARIANT, but " + effect.getName() + " is not: with all particles moved "
-                    + "alike the force changes, which uses places and not only differences of places";
+            return "it claims TRANSLATION_INVARIANT, but " + trial.effect().getName() + " is not: with all particles"
+                    + " moved alike the force changes, which uses places and not only differences of places";
         }
         if (line.startsWith("rotation")) {
-            return "it claims ROTATION_INVARIANT, but " + effect.getName() + " is not: with everything turned alike "
-                    + "the force is not the turned one, so that some direction is preferred";
+            return "it claims ROTATION_INVARIANT, but " + trial.effect().getName() + " is not: with everything turned"
+                    + " alike the force is not the turned one, so that some direction is preferred";
         }
         return "a claim does not hold: " + line + (line.startsWith("derivative")
                 ? "; addForceDerivatives is not the derivative of addForces" : "");

@@ -1,6 +1,7 @@
 package particles.teaching.effects;
 
 import java.util.Arrays;
+import java.util.Map;
 import java.util.Optional;
 import particles.law.Effect.Trait;
 import particles.teaching.Formula;
@@ -10,6 +11,10 @@ import particles.teaching.Formula;
  */
 record EffectPower(EffectTrial trial) {
     private static final double SAME = 1e-5;
+    private static final Map<Double, String> RATIOS = Map.of(
+            -1.0, ": the sign is wrong; damping has to push against the velocity",
+            2.0, ": twice as much; a half stands in the dissipated power that does not belong there",
+            0.5, ": half as much; a half is missing in the dissipated power, or is too much in the force");
 
     /** @return the mistake of a law that declares DISSIPATIVE and not DRIVING; empty if there is none */
     Optional<String> wrong() {
@@ -20,9 +25,9 @@ record EffectPower(EffectTrial trial) {
         double dissipated = trial.heat(state);
         double power = power(state);
         if (Math.abs(power + dissipated) <= SAME * Math.max(1e-3, Math.abs(power))) {
-            return dissipated < -SAME ? Optional.of("getDissipatedPower is " + Formula.number(dissipated) + " W, and"
-                    + " heat is never negative: the sign is wrong in the force too, which has to push against the"
-                    + " velocity") : Optional.empty();
+            return dissipated < -SAME ? Optional.of(Formula.text("getDissipatedPower is %s W, and heat is never"
+                    + " negative: the sign is wrong in the force too, which has to push against the velocity",
+                    dissipated)) : Optional.empty();
         }
         boolean moving = !Arrays.equals(trial.force(), trial.force(trial.faster(0)));
         if (dissipated == 0 && !moving) {
@@ -30,8 +35,8 @@ record EffectPower(EffectTrial trial) {
                     + " same at all velocities. Claim CONSERVATIVE with getPotentialEnergy, or DRIVING with"
                     + " getDrivenPower");
         }
-        return Optional.of("the forces do the work " + Formula.number(power) + " W and the effect says that it turns "
-                + Formula.number(dissipated) + " W into heat" + cause(power, dissipated, moving));
+        return Optional.of(Formula.text("the forces do the work %s W and the effect says that it turns %s W into heat",
+                power, dissipated) + cause(power, dissipated, moving));
     }
 
     /** F . v plus the rate of the potential energy. */
@@ -44,15 +49,11 @@ record EffectPower(EffectTrial trial) {
             return ": getDissipatedPower is missing";
         }
         double ratio = -power / dissipated;
-        if (Math.abs(ratio + 1) < 1e-4) {
-            return dissipated < 0 ? ": the sign of the dissipated power is wrong; what becomes heat counts as positive"
-                    : ": the sign is wrong; damping has to push against the velocity";
-        }
-        if (Math.abs(ratio - 2) < 1e-4) {
-            return ": twice as much; a half stands in the dissipated power that does not belong there";
-        }
-        if (Math.abs(ratio - 0.5) < 1e-4) {
-            return ": half as much; a half is missing in the dissipated power, or is too much in the force";
+        for (Map.Entry<Double, String> known : RATIOS.entrySet()) {
+            if (Math.abs(ratio - known.getKey()) < 1e-4) {
+                return ratio < 0 && dissipated < 0 ? ": the sign of the dissipated power is wrong; what becomes heat"
+                        + " counts as positive" : known.getValue();
+            }
         }
         double[] rest = trial.faster(0);
         if (moving && Arrays.equals(trial.force(trial.faster(-1)), trial.force())) {

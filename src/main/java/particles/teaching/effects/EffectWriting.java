@@ -56,9 +56,9 @@ record EffectWriting(EffectTrial trial) {
                         + " the forces of other effects are lost");
             }
             if (Math.abs(parts[k] - force[k]) > rounding) {
-                return wrong(Kind.STATE, trial.entry(k) + " is " + Formula.number(parts[k]) + " when the particles are"
-                        + " asked for in two ranges, one after the other, and " + Formula.number(force[k])
-                        + " at once: the loop has to go from 'from' to 'to', and over nothing else");
+                return wrong(Kind.STATE, Formula.text("%s is %s when the particles are asked for in two ranges, one"
+                        + " after the other, and %s at once: the loop has to go from 'from' to 'to', and over nothing"
+                        + " else", trial.entry(k), parts[k], force[k]));
             }
         }
         return Optional.empty();

@@ -14,16 +14,12 @@ import particles.law.Particles;
 /**
  * Says where a force points, as measured. A sign that force and energy share breaks no claim; a reader who knows what
  * the law should do sees it here.
+ *
+ * @param trial the law on some particles
  */
-public final class ForceDirection {
+public record ForceDirection(EffectTrial trial) {
     private static final double[] FAR = {100, 10, 3, 1};
     private static final double FAST = 100;
-
-    private final EffectTrial trial;
-
-    private ForceDirection(EffectTrial trial) {
-        this.trial = trial;
-    }
 
     /** @return a sentence, such as "Measured: it points along -y, and brakes."; empty if nothing can be said */
     public static String of(Function<Particles, Effect> maker) {

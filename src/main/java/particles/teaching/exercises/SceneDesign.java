@@ -6,6 +6,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.DoublePredicate;
+import java.util.stream.IntStream;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
@@ -58,12 +60,9 @@ final class SceneDesign implements Exercise {
 
     @Override
     public String text(Draw draw) {
-        Wanted wanted = wanted(draw);
-        StringBuilder text = new StringBuilder("Write a scene file of something that falls, bounces and loses its "
-                + "motion by honest physics."
-                + " The answer is the file's path. It is run, and has to do all of this:");
-        names(wanted).forEach(name -> text.append("\n  - ").append(name));
-        return text.toString();
+        return "Write a scene file of something that falls, bounces and loses its motion by honest physics. The answer"
+                + " is the file's path. It is run, and has to do all of this:\n  - " + String.join("\n  - ",
+                names(wanted(draw)));
     }
 
     private static List<String> names(Wanted wanted) {
@@ -100,14 +99,16 @@ final class SceneDesign implements Exercise {
     }
 
     private static Mark run(Wanted wanted, Scene scene) {
-        int moving = moving(scene.system());
-        List<String> names = names(wanted);
-        Report report = new Report(names);
-        report.hold(0, !scene.description().solver().equals("euler"), scene.description().solver());
-        report.hold(1, moving >= wanted.particles() && moving <= MOST_PARTICLES, moving + " can move");
-        report.hold(2, scene.springs().springCount() >= wanted.springs(), scene.springs().springCount() + " springs");
+        Particles particles = scene.system().getParticles();
+        int moving = (int) IntStream.range(0, particles.count()).filter(i -> !particles.isFixed(i)).count();
+        String solver = scene.description().solver();
         double duration = scene.description().duration();
-        report.hold(3, duration >= wanted.duration(), Draw.text(duration) + " s");
+        int springs = scene.springs().springCount();
+        Report report = new Report(names(wanted));
+        report.hold(!solver.equals("euler"), solver);
+        report.hold(moving >= wanted.particles() && moving <= MOST_PARTICLES, moving + " can move");
+        report.hold(springs >= wanted.springs(), springs + " springs");
+        report.hold(duration >= wanted.duration(), Draw.text(duration) + " s");
         if (moving > MOST_PARTICLES) {
             return report.mark();
         }
@@ -115,36 +116,19 @@ final class SceneDesign implements Exercise {
         EnergyHistory history = new EnergyHistory();
         Bounces bounces = new Bounces();
         Outcome outcome = SceneRun.run(scene, wanted.evaluations(), List.of(ledger, history, bounces));
-        report.hold(4, outcome.failure().isEmpty(), outcome.failure().orElse(outcome.evaluations() + " evaluations"));
+        report.hold(outcome.failure().isEmpty(), outcome.failure().orElse(outcome.evaluations() + " evaluations"));
         if (outcome.failure().isPresent()) {
             return report.mark();
         }
         double scale = history.getScale();
-        double taken = 0;
-        for (double joules : ledger.getWork().values()) {
-            taken -= Math.min(0, joules);
-        }
-        report.hold(5, bounces.count >= wanted.bounces(), bounces.count + " bounces");
-        report.hold(6, scale > 0 && taken / scale >= wanted.lost(), number(scale > 0 ? taken / scale : 0));
-        report.hold(7, scale > 0 && Math.abs(ledger.getNumericalError()) <= ACCURACY * scale,
-                number(scale > 0 ? ledger.getNumericalError() / scale : 0));
+        double taken = -ledger.getWork().values().stream().mapToDouble(joules -> Math.min(0, joules)).sum();
+        report.hold(bounces.count >= wanted.bounces(), bounces.count + " bounces");
+        report.holdPart(part -> part >= wanted.lost(), taken, scale);
+        report.holdPart(part -> Math.abs(part) <= ACCURACY, ledger.getNumericalError(), scale);
         return report.mark();
     }
 
-    private static int moving(ParticleSystem system) {
-        Particles particles = system.getParticles();
-        int moving = 0;
-        for (int i = 0; i < particles.count(); i++) {
-            moving += particles.isFixed(i) ? 0 : 1;
-        }
-        return moving;
-    }
-
-    private static String number(double x) {
-        return String.format(Locale.ROOT, "%.3g", x);
-    }
-
-    /** The list of conditions that hold and that do not. */
+    /** The conditions that hold and those that do not, in the order of the task. */
     private static final class Report {
         private final List<String> names;
         private final List<String> lines = new ArrayList<>();
@@ -154,18 +138,21 @@ final class SceneDesign implements Exercise {
             this.names = names;
         }
 
-        void hold(int wanted, boolean holds, String found) {
+        void hold(boolean holds, String found) {
             right &= holds;
-            lines.add((holds ? "holds: " : "does not hold: ") + names.get(wanted) + " (here: " + found + ")");
+            lines.add((holds ? "holds: " : "does not hold: ") + names.get(lines.size()) + " (here: " + found + ")");
+        }
+
+        void holdPart(DoublePredicate holds, double energy, double scale) {
+            hold(scale > 0 && holds.test(energy / scale), String.format(Locale.ROOT, "%.3g", scale > 0 ? energy / scale
+                    : 0));
         }
 
         /** A condition that could not be checked counts as not met. */
         Mark mark() {
-            for (int k = lines.size(); k < names.size(); k++) {
-                right = false;
-                lines.add("not looked at: " + names.get(k));
-            }
-            return new Mark(right, lines);
+            int found = lines.size();
+            names.stream().skip(found).forEach(name -> lines.add("not looked at: " + name));
+            return new Mark(right && found == names.size(), lines);
         }
     }
 
@@ -186,11 +173,8 @@ final class SceneDesign implements Exercise {
                 return;
             }
             for (int i = 0; i < after.length; i += Particles.STRIDE) {
-                boolean turned = false;
-                for (int k = i + Particles.STRIDE / 2; k < i + Particles.STRIDE; k++) {
-                    turned |= before[k] * after[k] < 0;
-                }
-                count += turned ? 1 : 0;
+                int first = i + Particles.STRIDE / 2;           // of its velocity
+                count += IntStream.range(first, i + Particles.STRIDE).anyMatch(k -> before[k] * after[k] < 0) ? 1 : 0;
             }
         }
     }

@@ -9,8 +9,6 @@ import particles.teaching.marking.Draw.Picks;
  * An exercise with a number as its answer. Numbers with which two answers look alike are not used: others are drawn.
  */
 public abstract class NumericExercise implements Exercise {
-    /** Four significant digits, with a rounding on the way forgiven. */
-    public static final double FOUR_DIGITS = 1e-3;
     private static final int MOST_DRAWS = 1000;
     private static final double CLOSE = 0.02;
 
@@ -40,11 +38,6 @@ public abstract class NumericExercise implements Exercise {
         hints = parts[1].lines().toList();
     }
 
-    /** @return the relative error allowed */
-    protected double tolerance() {
-        return FOUR_DIGITS;
-    }
-
     /**
      * @param answer   the right answer
      * @param smallest the smallest size of an answer that is used
@@ -54,7 +47,7 @@ public abstract class NumericExercise implements Exercise {
      */
     protected final Question question(double answer, double smallest, List<?> numbers, double... mistakes) {
         return new Question(task.formatted(numbers.stream().map(x -> x instanceof Double d ? Draw.text(d) : x)
-                .toArray()), unit, tolerance(), answer, smallest, IntStream.range(0, Math.max(mistakes.length,
+                .toArray()), unit, answer, smallest, IntStream.range(0, Math.max(mistakes.length,
                 hints.size() - 1)).mapToObj(i -> new CommonMistake(mistakes[i], hints.get(i + 1))).toList());
     }
 
@@ -83,11 +76,9 @@ public abstract class NumericExercise implements Exercise {
     @Override
     public final String text(Draw draw) {
         Question question = question(draw);
-        return question.text() + "\n" + (question.tolerance() <= FOUR_DIGITS ? "Give four significant digits"
-                : "Give three significant digits") + "; accepted within "
-                + Draw.text(100 * question.tolerance()) + " %. "
-                + (question.unit().isEmpty() ? "The answer is a pure number" : "The answer is in " + question.unit())
-                + " and lies between " + Draw.text(lowest) + " and " + Draw.text(highest) + ".";
+        return question.text() + "\nGive four significant digits; accepted within " + Draw.text(100
+                * Question.TOLERANCE) + " %. The answer is " + (question.unit().isEmpty() ? "a pure number" : "in "
+                + question.unit()) + " and lies between " + Draw.text(lowest) + " and " + Draw.text(highest) + ".";
     }
 
     @Override
@@ -127,7 +118,7 @@ public abstract class NumericExercise implements Exercise {
             }
         }
         if (Math.abs(value - answer) < CLOSE * Math.abs(answer)) {
-            return "This is close, but off by more than " + Draw.text(100 * question.tolerance())
+            return "This is close, but off by more than " + Draw.text(100 * Question.TOLERANCE)
                     + " %: calculate with all digits and round at the very end.";
         }
         return "This is not right yet. " + hint;

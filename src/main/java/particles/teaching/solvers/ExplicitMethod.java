@@ -17,23 +17,17 @@ import particles.teaching.sources.StudentSource;
 /**
  * Identifies a method whose step is a combination with fixed weights, and its mistakes: first those that all methods
  * can have, then the difference from the nearest known method.
+ *
+ * @param maker    makes a new solver
+ * @param promise  of its name
+ * @param measured measures its order
  */
-final class ExplicitMethod {
+record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<OrderMeasurement> measured) {
     /** No power of 2, so that a deltaT in float arithmetic shows. */
     private static final double H = 0.2;
     /** Up to this number of evaluations a method should have full order; one with more may aim at stability instead. */
     private static final int MANY = 4;
     private static final double ALMOST = 0.3;
-
-    private final Supplier<DESolver> maker;
-    private final NamePromise promise;
-    private final Supplier<OrderMeasurement> measured;
-
-    ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<OrderMeasurement> measured) {
-        this.maker = maker;
-        this.promise = promise;
-        this.measured = measured;
-    }
 
     /**
      * @param size the size of the derivatives in the reading: 1, or so small that an adaptive method accepts its first

@@ -1,6 +1,5 @@
 package particles.teaching.solvers;
 
-import java.util.Arrays;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -150,7 +149,6 @@ enum Phrase {
     /** @return the finding; numbers with a fraction are written as people do */
     Finding of(Object... values) {
         String[] parts = TEXTS.get(name() + ":");
-        return new Finding(Kind.valueOf(parts[0].toUpperCase(Locale.ROOT)), String.format(Locale.ROOT, parts[2],
-                Arrays.stream(values).map(value -> value instanceof Double x ? Formula.number(x) : value).toArray()));
+        return new Finding(Kind.valueOf(parts[0].toUpperCase(Locale.ROOT)), Formula.text(parts[2], values));
     }
 }

@@ -4,8 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -23,7 +21,7 @@ import org.snakeyaml.engine.v2.api.Load;
 import org.snakeyaml.engine.v2.api.LoadSettings;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
-import particles.app.cli.Program;
+import particles.app.cli.Screen;
 import particles.teaching.exercises.Exercises;
 import particles.teaching.marking.Draw;
 import particles.teaching.marking.NumericExercise;
@@ -48,10 +46,8 @@ class AutogradingCommandTest {
     /** One right answer of two; a solver whose exception has lines that could be taken for a grade. */
     @BeforeEach
     void writeFiles() throws Exception {
-        StringWriter out = new StringWriter();
-        PrintWriter both = new PrintWriter(out);
-        assertEquals(ExitCode.DONE, new Program(List.of(new AutogradingCommand()), OptionStyle.GRADLE, both, both)
-                .execute("autograding", "--out=" + folder.resolve("made")), out.toString());
+        Screen.of(ExitCode.DONE, List.of(new AutogradingCommand()), OptionStyle.GRADLE, "autograding", "--out="
+                + folder.resolve("made"));
         NumericExercise second = (NumericExercise) Exercises.all().get(1);
         write("answers.yaml", "3: 1\n2: " + second.question(new Draw("ann", 2)).answer() + "\n");
         write("assignment.yaml", "exercises: {2: 3, 3: 4}\nsolvers: {BadSolver: heun}\n");

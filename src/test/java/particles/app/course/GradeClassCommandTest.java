@@ -5,8 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystem;
 import java.nio.file.FileSystems;
@@ -24,7 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
-import particles.app.cli.Program;
+import particles.app.cli.Screen;
 import particles.app.student.SolverSkeleton;
 import particles.teaching.exercises.Exercises;
 import particles.teaching.marking.Draw;
@@ -132,11 +130,8 @@ class GradeClassCommandTest {
     }
 
     private String grade(ExitCode expected, String... options) {
-        StringWriter out = new StringWriter();
-        PrintWriter both = new PrintWriter(out);
-        assertEquals(expected, new Program(List.of(new GradeClassCommand(), new GradeCommand(folder)),
-                OptionStyle.GRADLE, both, both).execute(options), out.toString());
-        return out.toString();
+        return Screen.of(expected, List.of(new GradeClassCommand(), new GradeCommand(folder)), OptionStyle.GRADLE,
+                options);
     }
 
     private String[] options(String... more) {

@@ -4,8 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -22,8 +20,7 @@ import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
-import particles.app.cli.Program;
-import particles.app.cli.ProgramCommand;
+import particles.app.cli.Screen;
 import particles.app.student.ExerciseCommand;
 import particles.app.student.ExercisesCommand;
 import particles.teaching.effects.EffectSkeleton;
@@ -62,13 +59,8 @@ class GradeCommandTest {
     }
 
     private String run(ExitCode expected, String... args) {
-        StringWriter out = new StringWriter();
-        PrintWriter both = new PrintWriter(out);
-        List<ProgramCommand> commands = List.of(new ExercisesCommand(),
-                new ExerciseCommand(),
-                new GradeCommand(classes));
-        assertEquals(expected, new Program(commands, OptionStyle.GRADLE, both, both).execute(args), out.toString());
-        return out.toString();
+        return Screen.of(expected, List.of(new ExercisesCommand(), new ExerciseCommand(), new GradeCommand(classes)),
+                OptionStyle.GRADLE, args);
     }
 
     private String grade(ExitCode expected, String... more) {
@@ -272,8 +264,8 @@ class GradeCommandTest {
         Files.writeString(classes.resolve("HereForce.java"), law.replace("RightForce", "HereForce").replace("-mass", """
                 java.util.Arrays.stream(Thread.currentThread().getStackTrace()).anyMatch(frame ->
                         frame.getClassName().startsWith("particles.teaching.")) ? -mass : 0"""));
-        String screen = grade(ExitCode.BAD_INPUT, assignment("effects: {RightForce: 1, WrongForce: 1, HereForce: 1,"
-                + " NoForce: 1}"));
+        String screen = grade(ExitCode.BAD_INPUT, assignment(
+                "effects: {RightForce: 1, WrongForce: 1, HereForce: 1, NoForce: 1}"));
         assertTrue(screen.contains("in a scene, or after many calls, its forces are others than in this"), screen);
         assertTrue(screen.contains("mark      effect RightForce"), screen);
         assertTrue(screen.contains("no mark   effect WrongForce"), screen);

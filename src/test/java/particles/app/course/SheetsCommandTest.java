@@ -3,8 +3,6 @@ package particles.app.course;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -16,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
-import particles.app.cli.Program;
+import particles.app.cli.Screen;
 import particles.teaching.exercises.Exercises;
 import particles.teaching.marking.Draw;
 import particles.teaching.marking.NumericExercise;
@@ -28,11 +26,8 @@ class SheetsCommandTest {
     private Path folder;
 
     private String run(ExitCode expected, String... args) {
-        StringWriter out = new StringWriter();
-        PrintWriter both = new PrintWriter(out);
-        assertEquals(expected, new Program(List.of(new SheetsCommand(), new GradeCommand(folder.resolve("classes"))),
-                OptionStyle.GRADLE, both, both).execute(args), out.toString());
-        return out.toString();
+        return Screen.of(expected, List.of(new SheetsCommand(), new GradeCommand(folder.resolve("classes"))),
+                OptionStyle.GRADLE, args);
     }
 
     private Map<String, List<String>> sheets(int students) throws Exception {

@@ -1,29 +1,20 @@
 package particles.app.student;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
-import java.util.Set;
 import java.util.function.Function;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import particles.app.CheckProcess;
-import particles.app.Main;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
-import particles.app.cli.Program;
-import particles.app.run.StopRequest;
+import particles.app.cli.Screen;
 import particles.effects.EffectContext;
 import particles.effects.EffectKind;
 import particles.law.Effect;
@@ -86,82 +77,6 @@ class CheckEffectCommandTest {
         }
     }
 
-    /** Never ends: i stays what it is. */
-    public static final class Loops extends Planted {
-        public Loops(Particles particles) {
-            super(particles);
-        }
-
-        @Override
-        public void addForces(double[] state, double time, double[] force) {
-            int i = 0;
-            while (i < particles.count()) {
-                force[6 * i + 4] -= 9.81 * particles.mass(i);
-            }
-        }
-
-        /** For the check. */
-        public static final class Keys extends PlantedKeys {
-            public Keys() {
-                super(Loops.class, Loops::new);
-            }
-        }
-    }
-
-    /** Calls itself, in its energy. */
-    public static final class Overflows extends Planted {
-        public Overflows(Particles particles) {
-            super(particles);
-        }
-
-        @Override
-        public Set<Trait> getTraits() {
-            return EnumSet.of(Trait.CONSERVATIVE);
-        }
-
-        @Override
-        public void addForces(double[] state, double time, double[] force) {
-            for (int i = 0; i < particles.count(); i++) {
-                force[6 * i + 4] -= 9.81 * particles.mass(i);
-            }
-        }
-
-        @Override
-        public double getPotentialEnergy(double[] state, double time) {
-            return getPotentialEnergy(state, time) + 1;
-        }
-
-        /** For the check. */
-        public static final class Keys extends PlantedKeys {
-            public Keys() {
-                super(Overflows.class, Overflows::new);
-            }
-        }
-    }
-
-    /** Asks for more than there is. */
-    public static final class Hoards extends Planted {
-        private final List<double[]> kept = new ArrayList<>();
-
-        public Hoards(Particles particles) {
-            super(particles);
-        }
-
-        @Override
-        public void addForces(double[] state, double time, double[] force) {
-            while (kept.size() < 1_000_000) {
-                kept.add(new double[10_000_000]);
-            }
-        }
-
-        /** For the check. */
-        public static final class Keys extends PlantedKeys {
-            public Keys() {
-                super(Hoards.class, Hoards::new);
-            }
-        }
-    }
-
     /** Does not even begin. */
     public static final class ExitsAtOnce extends Planted {
         public ExitsAtOnce(Particles particles) {
@@ -183,12 +98,8 @@ class CheckEffectCommandTest {
     }
 
     private static String here(ExitCode expected, String effect, Path folder) {
-        StringWriter out = new StringWriter();
-        PrintWriter both = new PrintWriter(out);
-        ExitCode code = new Program(Main.commands(new StopRequest()), OptionStyle.SHELL, both, both)
-                .execute("checkEffect", "--effect=" + effect, "--inThisProcess", "--out=" + folder.resolve("report"));
-        assertEquals(expected, code, out.toString());
-        return out.toString();
+        return Screen.of(expected, List.of(new CheckEffectCommand()), OptionStyle.SHELL, "checkEffect",
+                "--effect=" + effect, "--inThisProcess", "--out=" + folder.resolve("report"));
     }
 
     @Test
@@ -210,25 +121,11 @@ class CheckEffectCommandTest {
                 newEffect writes one to start from)"""));
     }
 
-    /** Java counts 247 MB of 256 MB as usable with its serial collector. */
     @ParameterizedTest
-    @CsvSource(delimiter = '|', textBlock = """
-            Exits       | the class ends the whole program (System.exit), in Exits.addForces, line
-            ExitsAtOnce | the class ends the whole program (System.exit), in ExitsAtOnce.<init>, line
-            Overflows   | the stack overflows: a method calls itself without end, in Overflows.getPotentialEnergy, line
-            Hoards      | it asks for more memory than the 247 MB that there are, in Hoards.addForces, line
-            """)
-    void aClassThatDoesNotComeBackIsFoundOut(String planted, String failure, @TempDir Path folder) throws Exception {
-        String found = CheckProcess.failureOf("checkEffect", "--effect=",
-                Class.forName(CheckEffectCommandTest.class.getName() + "$" + planted), folder);
-        assertTrue(found.startsWith("failure: " + failure), found);
-        assertTrue(found.endsWith(" of CheckEffectCommandTest.java"), "the place is named: " + found);
-    }
-
-    @Tag("slow")
-    @Test
-    void anEndlessLoopEndsTheCheckAndNotTheRun(@TempDir Path folder) throws Exception {
-        aClassThatDoesNotComeBackIsFoundOut("Loops",
-                "it did not come back within 7 s of CPU time: an endless loop, in Loops.addForces, line ", folder);
+    @ValueSource(classes = {Exits.class, ExitsAtOnce.class})
+    void aClassThatEndsTheProgramIsFoundOut(Class<?> planted, @TempDir Path folder) throws Exception {
+        String found = CheckProcess.failureOf("checkEffect", "--effect=", planted, folder);
+        assertTrue(found.matches("failure: the class ends the whole program .System.exit., in "
+                + planted.getSimpleName() + "[.](addForces|<init>), line \\d+ of CheckEffectCommandTest.java"), found);
     }
 }

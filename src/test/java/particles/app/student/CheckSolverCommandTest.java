@@ -1,31 +1,22 @@
 package particles.app.student;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;
-import java.io.File;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.app.CheckProcess;
-import particles.app.Main;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
-import particles.app.cli.Program;
-import particles.app.run.StopRequest;
+import particles.app.cli.Screen;
 
 /** The check of a solver through the program: its screen, its report, and a class that ends the program. */
 class CheckSolverCommandTest {
@@ -107,12 +98,8 @@ class CheckSolverCommandTest {
     }
 
     private static String here(ExitCode expected, String solver, Path folder) {
-        StringWriter out = new StringWriter();
-        PrintWriter both = new PrintWriter(out);
-        ExitCode code = new Program(Main.commands(new StopRequest()), OptionStyle.SHELL, both, both)
-                .execute("checkSolver", "--solver=" + solver, "--inThisProcess", "--out=" + folder.resolve("report"));
-        assertEquals(expected, code, out.toString());
-        return out.toString();
+        return Screen.of(expected, List.of(new CheckSolverCommand()), OptionStyle.SHELL, "checkSolver",
+                "--solver=" + solver, "--inThisProcess", "--out=" + folder.resolve("report"));
     }
 
     @Test
@@ -178,28 +165,5 @@ class CheckSolverCommandTest {
     void anEndlessLoopEndsTheCheckAndNotTheRun(@TempDir Path folder) throws Exception {
         aClassThatDoesNotComeBackIsFoundOut("Loops",
                 "it did not come back within 7 s of CPU time: an endless loop, in Loops.stepState, line ", folder);
-    }
-
-    @Test
-    void everyErrorOfTheCompilerHasALine(@TempDir Path folder) throws IOException, InterruptedException {
-        Path classes = Files.createDirectories(folder.resolve("src/main/java/exercises"));
-        Files.writeString(classes.resolve("BrokenSolver.java"), """
-                package exercises;
-                public class BrokenSolver extends deSolvers.FixedStepSolver {
-                    protected void step(deSolvers.DEStateSource source, double[] s, double deltaT) {
-                        s[0] = unknown;
-                        s[1] = nowhere(s);
-                    }
-                }
-                """);
-        String path = Stream.of(System.getProperty("java.class.path").split(File.pathSeparator))
-                .map(part -> Path.of(part).toAbsolutePath().toString()).collect(Collectors.joining(File.pathSeparator));
-        Process process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-XX:TieredStopAtLevel=1", "-cp", path, Main.class.getName(), "checkSolver",
-                "--solver=BrokenSolver").directory(folder.toFile()).redirectErrorStream(true).start();
-        String screen = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        assertEquals(ExitCode.BAD_INPUT.code(), process.waitFor(), screen);
-        assertTrue(screen.contains("BrokenSolver.java:4: cannot find symbol: variable unknown"), screen);
-        assertTrue(screen.contains("BrokenSolver.java:5: cannot find symbol: method nowhere"), screen);
     }
 }

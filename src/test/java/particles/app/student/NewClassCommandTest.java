@@ -6,8 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.lang.reflect.Constructor;
 import java.net.URL;
 import java.net.URLClassLoader;
@@ -21,11 +19,11 @@ import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
-import particles.app.cli.Program;
-import particles.app.cli.ProgramCommand;
+import particles.app.cli.Screen;
 import particles.law.Effect;
 import particles.law.Particles;
 import particles.teaching.Finding;
@@ -39,16 +37,12 @@ class NewClassCommandTest {
     private Path folder;
 
     private String run(ExitCode expected, String command, String name, String... options) {
-        StringWriter out = new StringWriter();
-        PrintWriter both = new PrintWriter(out);
-        List<ProgramCommand> commands = List.of(new NewClassCommand.NewSolver(folder.resolve("exercises")),
-                new NewClassCommand.NewEffect(folder.resolve("exercises")));
-        List<String> args = new ArrayList<>(List.of(command, "--class=" + name));
+        List<String> args = new ArrayList<>(List.of(command));
+        args.addAll(name.isEmpty() ? List.of() : List.of("--class=" + name));
         args.addAll(List.of(options));
-        assertEquals(expected, new Program(commands, OptionStyle.GRADLE, both,
-                both).execute(args.toArray(new String[0])),
-                out.toString());
-        return out.toString();
+        return Screen.of(expected, List.of(new NewClassCommand.NewSolver(folder.resolve("exercises")),
+                new NewClassCommand.NewEffect(folder.resolve("exercises"))), OptionStyle.GRADLE,
+                args.toArray(new String[0]));
     }
 
     private Class<?> compiled(String name) throws ReflectiveOperationException, IOException {
@@ -63,33 +57,14 @@ class NewClassCommandTest {
         }
     }
 
-    @Test
-    void aSolverCompilesAndIsToldWhatIsMissing() throws ReflectiveOperationException, IOException {
-        assertTrue(run(ExitCode.DONE, "newSolver",
-                "MyRK4Solver").contains("gradle checkSolver -Psolver=exercises.MyRK4Solver"));
-        assertTrue(Files.readString(folder.resolve("exercises/MyRK4Solver.java"))
-                .contains("// 4. k4 = deltaT * derivative at (s + k3, t + deltaT)"));
-        Class<?> solver = compiled("MyRK4Solver");
-        List<String> wrong = SolverCheck.check(() -> make(solver),
-                "MyRK4Solver").wrong().stream().map(Finding::toString).toList();
-        assertEquals(List.of("not yet: the step does nothing yet: write it, then check again"), wrong);
-    }
-
-    @Test
-    void aSolverOnFixedStepSolverCompilesAndIsToldTheSame() throws ReflectiveOperationException, IOException {
-        run(ExitCode.DONE, "newSolver", "HeunSolver", "--from=FixedStepSolver");
-        Class<?> solver = compiled("HeunSolver");
-        List<String> wrong = SolverCheck.check(() -> make(solver),
-                "HeunSolver").wrong().stream().map(Finding::toString).toList();
-        assertEquals(List.of("not yet: the step does nothing yet: write it, then check again"), wrong);
-    }
-
-    @Test
-    void aSolverExtendsOneOfTwoClasses() {
-        assertTrue(run(ExitCode.BAD_INPUT, "newSolver", "HeunSolver",
-                "--from=RK4Solver").startsWith(
-                "option -Pfrom: 'RK4Solver' cannot be extended here; allowed are: DESolver, FixedStepSolver"));
-        assertFalse(Files.exists(folder.resolve("exercises/HeunSolver.java")));
+    @ParameterizedTest
+    @CsvSource({"MyRK4Solver, DESolver", "HeunSolver, FixedStepSolver"})
+    void aSolverCompilesAndIsToldWhatIsMissing(String name, String base) throws Exception {
+        assertTrue(run(ExitCode.DONE, "newSolver", name, "--from=" + base).contains(
+                "gradle checkSolver -Psolver=exercises." + name));
+        Class<?> solver = compiled(name);
+        assertEquals(List.of("not yet: the step does nothing yet: write it, then check again"), SolverCheck.check(() ->
+                make(solver), name).wrong().stream().map(Finding::toString).toList());
     }
 
     private static DESolver make(Class<?> solver) {
@@ -158,20 +133,11 @@ class NewClassCommandTest {
     @ValueSource(strings = {"euler", "heun", "midpoint"})
     void anExampleIsARightSolver(String method) throws ReflectiveOperationException, IOException {
         String name = method.substring(0, 1).toUpperCase(Locale.ROOT) + method.substring(1) + "Example";
-        StringWriter out = new StringWriter();
-        assertEquals(ExitCode.DONE, new Program(List.of(new NewClassCommand.NewSolver(folder.resolve("exercises"))),
-                OptionStyle.GRADLE, new PrintWriter(out), new PrintWriter(out)).execute("newSolver",
-                "--example=" + method), out.toString());
+        run(ExitCode.DONE, "newSolver", "", "--example=" + method);
         Class<?> solver = compiled(name);
         SolverVerdict verdict = SolverCheck.check(() -> make(solver), name);
         assertEquals(List.of(), verdict.wrong());
         assertTrue(verdict.identity().toLowerCase(Locale.ROOT).contains(method), verdict.identity());
-    }
-
-    @Test
-    void anExampleThatThereIsNotIsRefused() {
-        assertTrue(run(ExitCode.BAD_INPUT, "newSolver", "Mine", "--example=rk5").startsWith("option -Pexample: there is"
-                + " no example 'rk5'; allowed are: euler, heun, midpoint"));
     }
 
     @Test
@@ -185,11 +151,19 @@ class NewClassCommandTest {
         assertEquals("my work", Files.readString(file));
     }
 
-    @Test
-    void namesThatAreNoneAreRefused() {
-        for (String name : List.of("3rd", "class", "My Solver", "../Up", "a.B")) {
-            assertTrue(run(ExitCode.BAD_INPUT, "newSolver", name).startsWith("option -Pclass: '" + name
-                    + "' is not a class name"), name);
-        }
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            3rd       |                  | class: '3rd' is not a class name
+            class     |                  | class: 'class' is not a class name
+            My Solver |                  | class: 'My Solver' is not a class name
+            ../Up     |                  | class: '../Up' is not a class name
+            a.B       |                  | class: 'a.B' is not a class name
+            Mine      | --example=rk5    | example: there is no example 'rk5'; allowed are: euler, heun, midpoint
+            Mine      | --from=RK4Solver | from: 'RK4Solver' cannot be extended here; allowed are: DESolver, Fixed
+            """)
+    void whatCannotBeWrittenIsRefused(String name, String option, String why) {
+        String[] options = option == null ? new String[0] : new String[] {option};     // null: an empty cell
+        assertTrue(run(ExitCode.BAD_INPUT, "newSolver", name, options).startsWith("option -P" + why), name);
+        assertFalse(Files.exists(folder.resolve("exercises/Mine.java")));
     }
 }

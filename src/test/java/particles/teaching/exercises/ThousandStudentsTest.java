@@ -74,7 +74,7 @@ class ThousandStudentsTest {
     private static int mostThatOneGuessFits(List<Question> questions) {
         int most = 0;
         for (Question guessed : questions) {
-            for (double edge : new double[] {1 - guessed.tolerance(), 1, 1 + guessed.tolerance()}) {
+            for (double edge : new double[] {1 - Question.TOLERANCE, 1, 1 + Question.TOLERANCE}) {
                 double guess = guessed.answer() * edge;
                 most = Math.max(most, (int) questions.stream().filter(of -> of.isNear(guess, of.answer())).count());
             }
@@ -118,12 +118,12 @@ class ThousandStudentsTest {
 
     @Test
     void whatLooksLikeTheAnswerIsNotClear() {
-        assertTrue(new Question("", "", 1e-3, 1, 0, List.of(new CommonMistake(1.01, ""), new CommonMistake(1.02, "")))
+        assertTrue(new Question("", "", 1, 0, List.of(new CommonMistake(1.01, ""), new CommonMistake(1.02, "")))
                 .isClear());
-        assertFalse(new Question("", "", 1e-3, 1, 0, List.of(new CommonMistake(1.004, ""))).isClear());
-        assertFalse(new Question("", "", 1e-3, 1, 0, List.of(new CommonMistake(2, ""), new CommonMistake(2.008, "")))
+        assertFalse(new Question("", "", 1, 0, List.of(new CommonMistake(1.004, ""))).isClear());
+        assertFalse(new Question("", "", 1, 0, List.of(new CommonMistake(2, ""), new CommonMistake(2.008, "")))
                 .isClear());
-        assertFalse(new Question("", "", 1e-3, 1, 1.5, List.of()).isClear());
-        assertFalse(new Question("", "", 1e-3, Double.NaN, 0, List.of()).isClear());
+        assertFalse(new Question("", "", 1, 1.5, List.of()).isClear());
+        assertFalse(new Question("", "", Double.NaN, 0, List.of()).isClear());
     }
 }
