@@ -30,17 +30,7 @@ class AllocationTest {
     private static final int STEPS = 1000;
 
     /** Wind that grows with time; it uses no StrictMath.cos, which allocates from JDK 21 on. */
-    private static final class RisingAir implements Wind {
-        @Override
-        public void getVelocities(double[] state, double time, double[] wind, int from, int to) {
-            Arrays.fill(wind, 6 * from, 6 * to, time);
-        }
-
-        @Override
-        public boolean isUniform() {
-            return true;
-        }
-    }
+    private static final Wind RISING_AIR = (state, time, wind, from, to) -> Arrays.fill(wind, 6 * from, 6 * to, time);
 
     private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
@@ -68,7 +58,7 @@ class AllocationTest {
         ParticleSystem cloth = Cloth.hanging(6, 20, 0.02);
         Particles particles = cloth.getParticles();
         cloth.addEffect(new LinearDrag(particles, 0.01, Wind.STILL));
-        cloth.addEffect(new QuadraticDrag(particles, 0.01, new RisingAir()));
+        cloth.addEffect(new QuadraticDrag(particles, 0.01, RISING_AIR));
         cloth.addEffect(new PointAttraction(particles, Vector3.ZERO, 0.1, 0.1));
         cloth.addEffect(new Penalty(particles, new Plane(new Vector3(0, -0.2, 0), new Vector3(0, 1, 0)), 10, 0.1));
         cloth.addEffect(new Penalty(particles, new Sphere(Vector3.ZERO, 0.2, false), 10, 0.1));

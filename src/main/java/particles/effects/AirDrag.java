@@ -19,7 +19,7 @@ abstract class AirDrag implements PerParticleEffect, DifferentiableEffect {
     private double[] relative = {};
     private final double[] w = new double[3];
     private final double[] gradient = new double[9];
-    private final double[] dFdX = new double[9];        // stays 0 in wind that is the same everywhere
+    private final double[] dFdX = new double[9];
     private final double[] dFdV = new double[9];
 
     AirDrag(Particles particles, double c, Wind wind) {
@@ -87,17 +87,10 @@ abstract class AirDrag implements PerParticleEffect, DifferentiableEffect {
         return sum;
     }
 
-    /** {@inheritDoc} They are known if the wind's gradient is. */
-    @Override
-    public final boolean hasForceDerivatives() {
-        return wind == Wind.STILL || wind.hasGradient();
-    }
-
     /** {@inheritDoc} dF/dv = -c - c' w w<sup>T</sup>/|w|, and dF/dx = -dF/dv times the wind's gradient. */
     @Override
     public final void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
         double[] through = velocityThroughAir(state, time, 0, particles.count());
-        boolean varies = wind != Wind.STILL && !wind.isUniform();
         for (int i = 0; i < particles.count(); i++) {
             System.arraycopy(through, STRIDE * i + 3, w, 0, 3);
             double square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
@@ -106,13 +99,11 @@ abstract class AirDrag implements PerParticleEffect, DifferentiableEffect {
             for (int e = 0; e < 9; e++) {
                 dFdV[e] = -(e % 4 == 0 ? coefficientAt(speed) : 0) - growth * w[e / 3] * w[e % 3];
             }
-            if (varies) {
-                wind.getGradient(state, time, i, gradient);
-                for (int e = 0; e < 9; e++) {
-                    int row = e - e % 3;
-                    dFdX[e] = -(dFdV[row] * gradient[e % 3] + dFdV[row + 1] * gradient[3 + e % 3]
-                            + dFdV[row + 2] * gradient[6 + e % 3]);
-                }
+            wind.getGradient(state, time, i, gradient);
+            for (int e = 0; e < 9; e++) {
+                int row = e - e % 3;
+                dFdX[e] = -(dFdV[row] * gradient[e % 3] + dFdV[row + 1] * gradient[3 + e % 3]
+                        + dFdV[row + 2] * gradient[6 + e % 3]);
             }
             derivatives.add(i, i, dFdX, dFdV);
         }

@@ -38,11 +38,6 @@ public final class GustyWind implements Wind {
     }
 
     @Override
-    public boolean isUniform() {
-        return true;
-    }
-
-    @Override
     public void getVelocities(double[] state, double time, double[] wind, int from, int to) {
         Vector3 u = velocityAt(time);
         for (int v = 6 * from + 3; v < 6 * to; v += 6) {

@@ -27,9 +27,7 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
     private static final int STRIDE = Particles.STRIDE;
 
     private final Particles particles;
-    private final double cx;
-    private final double cy;
-    private final double cz;
+    private final Vector3 centre;
     private final double strength;
     private final double softeningSquare;
     private final double[] r = new double[3];
@@ -44,14 +42,11 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
      * @throws IllegalArgumentException if a number is not finite or the softening negative
      */
     public PointAttraction(Particles particles, Vector3 centre, double strength, double softening) {
-        centre.requireFinite("the centre of attraction");
         if (!Double.isFinite(strength)) {
             throw new IllegalArgumentException("an attraction needs a finite strength, not " + strength);
         }
         this.particles = particles;
-        cx = centre.x();
-        cy = centre.y();
-        cz = centre.z();
+        this.centre = centre.requireFinite("the centre of attraction");
         this.strength = strength;
         softeningSquare = softening * Require.notNegative("softening", softening);
     }
@@ -78,15 +73,23 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
             if (particles.isFixed(i)) {
                 continue;                               // a sun that is drawn may stand at the very centre
             }
-            double rx = state[x] - cx;
-            double ry = state[x + 1] - cy;
-            double rz = state[x + 2] - cz;
+            double rx = state[x] - centre.x();
+            double ry = state[x + 1] - centre.y();
+            double rz = state[x + 2] - centre.z();
             double square = rx * rx + ry * ry + rz * rz + softeningSquare;
             double pull = masses[i] * strength / (square * Math.sqrt(square));
             force[x + 3] -= pull * rx;
             force[x + 4] -= pull * ry;
             force[x + 5] -= pull * rz;
         }
+    }
+
+    /** Writes r of the particle whose state begins at x; returns |r|&sup2; + s&sup2;. */
+    private double findPlace(double[] state, int x) {
+        r[0] = state[x] - centre.x();
+        r[1] = state[x + 1] - centre.y();
+        r[2] = state[x + 2] - centre.z();
+        return r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + softeningSquare;
     }
 
     /** {@inheritDoc} dF/dx = -m mu (1 - 3 r r<sup>T</sup>/q&sup2;)/q&sup3; with q&sup2; = |r|&sup2; + s&sup2;. */
@@ -96,10 +99,7 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
             if (particles.isFixed(i)) {
                 continue;
             }
-            r[0] = state[x] - cx;
-            r[1] = state[x + 1] - cy;
-            r[2] = state[x + 2] - cz;
-            double square = r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + softeningSquare;
+            double square = findPlace(state, x);
             double pull = particles.mass(i) * strength / (square * Math.sqrt(square));
             for (int e = 0; e < 9; e++) {
                 dFdX[e] = pull * (3 * r[e / 3] * r[e % 3] / square - (e % 4 == 0 ? 1 : 0));
@@ -114,10 +114,7 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
         double energy = 0;
         for (int i = 0, x = 0; i < particles.count(); i++, x += STRIDE) {
             if (!particles.isFixed(i)) {
-                double rx = state[x] - cx;
-                double ry = state[x + 1] - cy;
-                double rz = state[x + 2] - cz;
-                energy -= particles.mass(i) * strength / Math.sqrt(rx * rx + ry * ry + rz * rz + softeningSquare);
+                energy -= particles.mass(i) * strength / Math.sqrt(findPlace(state, x));
             }
         }
         return energy;

@@ -88,11 +88,6 @@ public final class TurbulentWind implements Wind {
     }
 
     @Override
-    public boolean hasGradient() {
-        return true;
-    }
-
-    @Override
     public void getGradient(double[] state, double time, int i, double[] gradient) {
         Arrays.fill(gradient, 0);
         for (int w = 0, a = 0; w < WAVES; w++, a += 3) {

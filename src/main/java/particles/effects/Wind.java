@@ -22,18 +22,8 @@ public interface Wind {
      */
     void getVelocities(double[] state, double time, double[] wind, int from, int to);
 
-    /** @return whether the wind is the same everywhere */
-    default boolean isUniform() {
-        return false;
-    }
-
-    /** @return whether {@link #getGradient} is known */
-    default boolean hasGradient() {
-        return isUniform();
-    }
-
     /**
-     * Computes the gradient of the air's velocity at a particle; it is 0 in a uniform wind.
+     * Computes the gradient of the air's velocity at a particle; by default 0, as in wind that is the same everywhere.
      *
      * @param state    the particles' state, to be read only
      * @param time     t (s)

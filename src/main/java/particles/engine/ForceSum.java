@@ -130,7 +130,7 @@ public final class ForceSum {
     /** Whether all effects and active reactions know their derivatives. */
     public boolean hasDerivatives() {
         for (int e = 0; e < effects.size(); e++) {
-            if (!(effects.get(e) instanceof DifferentiableEffect effect && effect.hasForceDerivatives())) {
+            if (!(effects.get(e) instanceof DifferentiableEffect)) {
                 return false;
             }
         }

@@ -5,11 +5,6 @@ import deSolvers.ForceDerivatives;
 /** An effect that knows the derivatives of its forces, which implicit solvers use instead of finite differences. */
 public interface DifferentiableEffect extends Effect {
 
-    /** @return whether {@link #addForceDerivatives} adds all derivatives; if not, solvers use finite differences */
-    default boolean hasForceDerivatives() {
-        return true;
-    }
-
     /**
      * Adds the derivatives of all forces with respect to positions and velocities. The default adds none, which is
      * right only for a force that is the same everywhere and at every velocity.

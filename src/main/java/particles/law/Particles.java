@@ -1,6 +1,8 @@
 package particles.law;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * The constant data of all particles: id, mass, whether they are fixed. Positions and velocities are in the state: the
@@ -10,12 +12,12 @@ public final class Particles {
     /** Doubles per particle in a state: three positions, three velocities. */
     public static final int STRIDE = 6;
 
-    private int count;
-    private String[] ids = new String[8];
+    private final List<Life> lives = new ArrayList<>();
     private double[] masses = new double[8];
     private double[] inverseMasses = new double[8];
-    private double[] birthTimes = new double[8];
-    private double[] deathTimes = new double[8];
+
+    private record Life(String id, double birthTime, double deathTime) {
+    }
 
     /** Throws if a position or velocity is not finite, or a fixed particle has a velocity. */
     public static void requirePossible(String id, Vector3 position, Vector3 velocity, boolean fixed) {
@@ -44,51 +46,42 @@ public final class Particles {
             throw new IllegalArgumentException("particle '" + id + "' has mass " + mass
                     + "; it has to be positive and finite (a particle that stays where it is, is fixed)");
         }
-        if (count == ids.length) {
-            int capacity = count + count / 2;
-            ids = Arrays.copyOf(ids, capacity);
-            masses = Arrays.copyOf(masses, capacity);
-            inverseMasses = Arrays.copyOf(inverseMasses, capacity);
-            birthTimes = Arrays.copyOf(birthTimes, capacity);
-            deathTimes = Arrays.copyOf(deathTimes, capacity);
+        int i = count();
+        if (i == masses.length) {
+            masses = Arrays.copyOf(masses, i + i / 2);
+            inverseMasses = Arrays.copyOf(inverseMasses, i + i / 2);
         }
-        ids[count] = id;
-        masses[count] = mass;
-        inverseMasses[count] = fixed ? 0 : 1 / mass;
-        birthTimes[count] = birthTime;
-        deathTimes[count] = Double.POSITIVE_INFINITY;
-        return count++;
+        lives.add(new Life(id, birthTime, Double.POSITIVE_INFINITY));
+        masses[i] = mass;
+        inverseMasses[i] = fixed ? 0 : 1 / mass;
+        return i;
     }
 
     /** Moves a particle's data to a smaller index. */
     public void move(int from, int to) {
-        ids[to] = ids[from];
+        lives.set(to, lives.get(from));
         masses[to] = masses[from];
         inverseMasses[to] = inverseMasses[from];
-        birthTimes[to] = birthTimes[from];
-        deathTimes[to] = deathTimes[from];
     }
 
     /** Sets the times of birth and death of particle i (s). */
     public void setLife(int i, double birthTime, double deathTime) {
-        birthTimes[i] = birthTime;
-        deathTimes[i] = deathTime;
+        lives.set(i, new Life(id(i), birthTime, deathTime));
     }
 
     /** Removes all particles from this index on. */
     public void shrinkTo(int count) {
-        Arrays.fill(ids, count, this.count, null);
-        this.count = count;
+        lives.subList(count, count()).clear();
     }
 
     /** @return the number of particles */
     public int count() {
-        return count;
+        return lives.size();
     }
 
     /** @return the id of particle i, unique in the whole run */
     public String id(int i) {
-        return ids[i];
+        return lives.get(i).id();
     }
 
     /** @return the mass of particle i (kg), also if it is fixed */
@@ -103,12 +96,12 @@ public final class Particles {
 
     /** @return the simulated time at which particle i was born (s) */
     public double birthTime(int i) {
-        return birthTimes[i];
+        return lives.get(i).birthTime();
     }
 
     /** @return the simulated time at which the lifetime of particle i ends (s); infinity if it has no lifetime */
     public double deathTime(int i) {
-        return deathTimes[i];
+        return lives.get(i).deathTime();
     }
 
     /**
@@ -127,7 +120,7 @@ public final class Particles {
     /** @return the mass of all free particles (kg) */
     public double freeMass() {
         double mass = 0;
-        for (int i = 0; i < count; i++) {
+        for (int i = 0; i < count(); i++) {
             mass += isFixed(i) ? 0 : masses[i];
         }
         return mass;
@@ -136,7 +129,7 @@ public final class Particles {
     /** The sum of m v&sup2;/2 over all particles that are not fixed, in the order of their indices (J). */
     public double kineticEnergy(double[] state) {
         double twice = 0;
-        for (int i = 0, v = 3; i < count; i++, v += STRIDE) {
+        for (int i = 0, v = 3; i < count(); i++, v += STRIDE) {
             if (inverseMasses[i] != 0) {
                 twice += masses[i] * (state[v] * state[v] + state[v + 1] * state[v + 1] + state[v + 2] * state[v + 2]);
             }

@@ -158,8 +158,8 @@ public final class BlowUpMessage {
         if (scene.system().getReactions().stream().anyMatch(RigidConstraints.class::isInstance)) {
             return "no spring is too stiff for this deltaT, but what turns fast on rods or wires needs shorter steps";
         }
-        Optional<String> own = scene.system().getEffects().stream().filter(effect -> !(effect instanceof
-                DifferentiableEffect known && known.hasForceDerivatives())).map(Effect::getName).findFirst();
+        Optional<String> own = scene.system().getEffects().stream()
+                .filter(effect -> !(effect instanceof DifferentiableEffect)).map(Effect::getName).findFirst();
         if (own.isPresent()) {
             return "springs are not the cause; how long deltaT may be for the force '" + own.get() + "' is not known";
         }

@@ -2,7 +2,6 @@ package particles.effects;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -29,9 +28,6 @@ class EffectFactsTest {
 
     private static final Plane GROUND = Plane.ground(0);
     private static final Sphere BALL = new Sphere(Vector3.ZERO, 1, false);
-    /** Wind that grows with height and has no known gradient. */
-    private static final Wind SHEAR = (state, time, wind, from, to) ->
-            Arrays.fill(wind, 6 * from, 6 * to, state[6 * from + 1]);
 
     private final Particles particles = new ParticleSystem().getParticles();
 
@@ -40,8 +36,7 @@ class EffectFactsTest {
         assertEquals(name, effect.getName());
         assertEquals(perParticle, effect instanceof PerParticleEffect, name + " acts on each particle by itself");
         assertEquals(byVelocity, effect.dependsOnVelocity(), name + " depends on velocity");
-        assertTrue(effect instanceof DifferentiableEffect known && known.hasForceDerivatives(), name
-                + " knows its derivatives");
+        assertTrue(effect instanceof DifferentiableEffect, name + " knows its derivatives");
         assertTrue(effect.getTraits().contains(trait), name + " is " + effect.getTraits());
     }
 
@@ -72,26 +67,6 @@ class EffectFactsTest {
         springs.addSpring(0, 1, 1, 1, damping);
         springs.addSpring(1, 0, 1, 1, 0);
         return springs;
-    }
-
-    /** The derivative of drag with respect to position needs the wind's gradient. */
-    @Test
-    void dragHasDerivativesOnlyIfTheWindHasAGradient() {
-        TurbulentWind turbulence = new TurbulentWind(Vector3.ZERO, 1, 1, 1);
-        GustyWind gusts = new GustyWind(Vector3.ZERO, new Vector3(1, 0, 0), 1);
-        assertTrue(turbulence.hasGradient());
-        assertFalse(turbulence.isUniform());
-        assertTrue(gusts.hasGradient());
-        assertTrue(gusts.isUniform());
-        assertFalse(SHEAR.hasGradient());
-        for (Wind wind : List.of(turbulence, gusts, Wind.STILL)) {
-            assertTrue(new LinearDrag(particles, 1, wind).hasForceDerivatives());
-        }
-        assertFalse(new LinearDrag(particles, 1, SHEAR).hasForceDerivatives());
-        assertFalse(new QuadraticDrag(particles, 1, SHEAR).hasForceDerivatives());
-        double[] gradient = {1, 2, 3, 4, 5, 6, 7, 8, 9};
-        gusts.getGradient(new double[6], 0, 0, gradient);
-        assertArrayEquals(new double[9], gradient, "the same everywhere");
     }
 
     /** u = mean + gust sin(2 pi t / period). */

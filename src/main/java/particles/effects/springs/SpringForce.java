@@ -143,20 +143,14 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
 
     /** d|r|/dt of spring s (m/s), 0 where its ends are at the same place. */
     private double lengthRate(double[] state, int s) {
-        int i = table.from[s];
-        int j = table.to[s];
-        double rx = state[j] - state[i];
-        double ry = state[j + 1] - state[i + 1];
-        double rz = state[j + 2] - state[i + 2];
-        double vx = state[j + 3] - state[i + 3];
-        double vy = state[j + 4] - state[i + 4];
-        double vz = state[j + 5] - state[i + 5];
-        double square = rx * rx + ry * ry + rz * rz;
-        if (SpringKernel.isOrdinary(square)) {
-            return (rx * vx + ry * vy + rz * vz) / Math.sqrt(square);
-        }
-        double length = new Vector3(rx, ry, rz).length();
-        return length > 0 ? rx / length * vx + ry / length * vy + rz / length * vz : 0;
+        double length = length(state, s);
+        Vector3 r = way(state, s, 0);
+        return length > 0 ? new Vector3(r.x() / length, r.y() / length, r.z() / length).dot(way(state, s, 3)) : 0;
+    }
+
+    /** r = x_j - x_i of spring s, or r' with an offset of 3. */
+    private Vector3 way(double[] state, int s, int offset) {
+        return Vector3.at(state, table.to[s] + offset).minus(Vector3.at(state, table.from[s] + offset));
     }
 
     /**
@@ -165,13 +159,9 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
      * @return its present length |r| (m)
      */
     public double length(double[] state, int s) {
-        int i = table.from[s];
-        int j = table.to[s];
-        double rx = state[j] - state[i];
-        double ry = state[j + 1] - state[i + 1];
-        double rz = state[j + 2] - state[i + 2];
-        double square = rx * rx + ry * ry + rz * rz;
-        return SpringKernel.isOrdinary(square) ? Math.sqrt(square) : new Vector3(rx, ry, rz).length();
+        Vector3 r = way(state, s, 0);
+        double square = r.dot(r);
+        return SpringKernel.isOrdinary(square) ? Math.sqrt(square) : r.length();
     }
 
     /** {@inheritDoc} A spring is removed with either of its ends. */

@@ -171,20 +171,15 @@ final class SpringKernel {
     private static void addExtremeForce(SpringTable table, int s, double[] state, double[] force) {
         int i = table.from[s];
         int j = table.to[s];
-        Vector3 r = new Vector3(state[j] - state[i], state[j + 1] - state[i + 1], state[j + 2] - state[i + 2]);
+        Vector3 r = Vector3.at(state, j).minus(Vector3.at(state, i));
         double length = r.length();
         if (length == 0) {
             return;                                     // no direction, no force
         }
-        double[] n = {r.x() / length, r.y() / length, r.z() / length};
-        double rate = 0;
-        for (int c = 0; c < 3; c++) {
-            rate += n[c] * (state[j + 3 + c] - state[i + 3 + c]);
-        }
-        double tension = table.stiffness[s] * (length - table.restLength[s]) + table.damping[s] * rate;
-        for (int c = 0; c < 3; c++) {
-            force[i + 3 + c] += tension * n[c];
-            force[j + 3 + c] -= tension * n[c];
-        }
+        Vector3 n = new Vector3(r.x() / length, r.y() / length, r.z() / length);
+        double rate = n.dot(Vector3.at(state, j + 3).minus(Vector3.at(state, i + 3)));
+        Vector3 pull = n.times(table.stiffness[s] * (length - table.restLength[s]) + table.damping[s] * rate);
+        Vector3.at(force, i + 3).plus(pull).put(force, i + 3);
+        Vector3.at(force, j + 3).minus(pull).put(force, j + 3);
     }
 }

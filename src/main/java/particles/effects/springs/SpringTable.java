@@ -18,29 +18,24 @@ final class SpringTable {
     // how many particles begin springs, in the order of the table
     private int owners;
     private boolean arranged;
-    private boolean sorted = true;
     private final SpringBlocks blocks = new SpringBlocks();
 
     void add(int i, int j, double stiffness, double restLength, double damping) {
         if (count == from.length) {
-            setCapacity(Math.max(8, count + count / 2));
+            int capacity = Math.max(8, count + count / 2);
+            from = Arrays.copyOf(from, capacity);
+            to = Arrays.copyOf(to, capacity);
+            this.stiffness = Arrays.copyOf(this.stiffness, capacity);
+            this.restLength = Arrays.copyOf(this.restLength, capacity);
+            this.damping = Arrays.copyOf(this.damping, capacity);
         }
         from[count] = Particles.STRIDE * i;
         to[count] = Particles.STRIDE * j;
         this.stiffness[count] = stiffness;
         this.restLength[count] = restLength;
         this.damping[count] = damping;
-        sorted &= count == 0 || from[count - 1] <= from[count];
         count++;
         arranged = false;
-    }
-
-    private void setCapacity(int capacity) {
-        from = Arrays.copyOf(from, capacity);
-        to = Arrays.copyOf(to, capacity);
-        stiffness = Arrays.copyOf(stiffness, capacity);
-        restLength = Arrays.copyOf(restLength, capacity);
-        damping = Arrays.copyOf(damping, capacity);
     }
 
     /** A spring is removed with either of its ends. */
@@ -57,22 +52,8 @@ final class SpringTable {
     }
 
     void remove(boolean[] gone) {
-        int stay = 0;
-        for (int s = 0; s < count; s++) {
-            if (!gone[s]) {
-                move(s, stay++);
-            }
-        }
-        count = stay;
+        put(IntStream.range(0, count).filter(s -> !gone[s]).toArray());
         arranged = false;
-    }
-
-    private void move(int s, int stay) {
-        from[stay] = from[s];
-        to[stay] = to[s];
-        stiffness[stay] = stiffness[s];
-        restLength[stay] = restLength[s];
-        damping[stay] = damping[s];
     }
 
     /**
@@ -83,11 +64,9 @@ final class SpringTable {
         if (arranged) {
             return;
         }
-        if (!sorted) {
-            sort();
-        }
+        put(IntStream.range(0, count).mapToLong(s -> (long) from[s] << Integer.SIZE | s).sorted()
+                .mapToInt(key -> (int) key).toArray());
         put(blocks.divide(from, to, count));
-        sorted = blocks.count() == 1;
         arranged = true;
         owners = 0;
         for (int s = 0; s < count; s++) {
@@ -105,17 +84,14 @@ final class SpringTable {
         return count >= 2L * owners;
     }
 
-    private void sort() {
-        put(IntStream.range(0, count).mapToLong(s -> (long) from[s] << Integer.SIZE | s).sorted()
-                .mapToInt(key -> (int) key).toArray());
-    }
-
+    /** Keeps these springs, in this order. */
     private void put(int[] order) {
         from = Arrays.stream(order).map(s -> from[s]).toArray();
         to = Arrays.stream(order).map(s -> to[s]).toArray();
         stiffness = permuted(stiffness, order);
         restLength = permuted(restLength, order);
         damping = permuted(damping, order);
+        count = order.length;
     }
 
     private static double[] permuted(double[] values, int[] order) {

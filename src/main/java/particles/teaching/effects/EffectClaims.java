@@ -69,7 +69,7 @@ public final class EffectClaims {
         if (!trial.effect().dependsOnVelocity()) {
             expectSame("velocity", force, trial.force(trial.changed(k -> k % 6 > 2, v -> v + 1)), ROUNDING * n);
         }
-        if (trial.effect() instanceof DifferentiableEffect differentiable && differentiable.hasForceDerivatives()) {
+        if (trial.effect() instanceof DifferentiableEffect differentiable) {
             checkDerivatives(differentiable);
         }
     }
