@@ -1,8 +1,6 @@
 package particles.output;
 
 import deSolvers.DESolver;
-import java.io.IOException;
-import java.io.OutputStream;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -37,7 +35,6 @@ public class FrameBenchmark {
     public String scene;
 
     private final FrameState state = new FrameState();
-    private final PngEncoder encoder = new PngEncoder(WIDTH, HEIGHT);
     private FrameRenderer renderer;
 
     /** Runs the scene for a while, so that there are folds and shadows. */
@@ -56,12 +53,9 @@ public class FrameBenchmark {
                 built.description().title(), ""), WIDTH, HEIGHT, 2);
     }
 
-    /** @return the pixels */
+    /** @return the file */
     @Benchmark
-    public int[] draw() throws IOException {
-        int[] pixels = renderer.render(state);
-        encoder.encode(pixels);
-        encoder.writeTo(OutputStream.nullOutputStream());
-        return pixels;
+    public byte[] draw() {
+        return PngEncoder.file(WIDTH, HEIGHT, renderer.render(state));
     }
 }

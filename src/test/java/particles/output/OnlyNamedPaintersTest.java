@@ -14,10 +14,9 @@ import java.util.Collection;
 import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.law.Plane;
@@ -31,15 +30,18 @@ import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
 import particles.view.Surface;
 
-/** A renderer creates painters only for what a picture shows; all its painters are counted after a frame. */
+/** A renderer has memory only for layers that a picture shows; all its layers are counted after a frame. */
 class OnlyNamedPaintersTest {
     private static final RenderOptions BALLS = look(ParticleStyle.Kind.BALLS, 1, 0);
     // seen from above
     private static final Plane SLOPE = new Plane(new Vector3(0, -3, 0), new Vector3(0, 0.8, 0.6));
     private static final CurveView LINE = curve(Double.POSITIVE_INFINITY, u -> new Vector3(u, 0, 0));
 
-    /** A picture, and the painters that it needs besides the particle painter. */
-    private record Case(String what, RenderOptions look, Scenery scenery, boolean spring, Set<String> painters) {
+    /** What takes memory for each pixel or particle. */
+    private static final Set<String> LAYERS = Set.of("BlobPainter", "GlowPainter", "TrailPainter", "ShadowMap");
+
+    /** A picture, and the layers that it needs. */
+    private record Case(String what, RenderOptions look, Scenery scenery, boolean spring, Set<String> layers) {
     }
 
     static List<Case> cases() {
@@ -50,51 +52,45 @@ class OnlyNamedPaintersTest {
                 new Case("blobs", look(ParticleStyle.Kind.BLOBS, 1, 0), Scenery.NONE, false, Set.of("BlobPainter")),
                 new Case("glow", look(ParticleStyle.Kind.GLOW, 1, 0), Scenery.NONE, false, Set.of("GlowPainter")),
                 new Case("trails", look(ParticleStyle.Kind.BALLS, 1, 0.5), Scenery.NONE, false, Set.of("TrailPainter")),
-                new Case("a spring", BALLS, Scenery.NONE, true, Set.of("SpringPainter")),
+                new Case("a spring", BALLS, Scenery.NONE, true, Set.of()),
                 new Case("a hidden spring", noSprings, Scenery.NONE, true, Set.of()),
                 new Case("a surface", BALLS, new Scenery(List.of(new Surface(new int[] {0, 1, 2}, false)), List.of(),
                 List.of(),
-                        List.of()), false, Set.of("SurfacePainter")),
+                        List.of()), false, Set.of()),
                 new Case("a slope", BALLS, new Scenery(List.of(), List.of(SLOPE), List.of(), List.of()), false,
-                        Set.of("ShadowPainter")),
+                        Set.of("ShadowMap")),
                 new Case("a wire", BALLS, new Scenery(List.of(), List.of(), List.of(), List.of(LINE)), false,
-                        Set.of("WirePainter")));
+                        Set.of()));
     }
 
     @ParameterizedTest
     @MethodSource("cases")
-    void onlyNeededPaintersAreCreated(Case shown) throws IllegalAccessException {
+    void onlyNeededLayersAreCreated(Case shown) throws IllegalAccessException {
         FrameRenderer renderer = renderer(FRONT, shown.look(), shown.scenery());
         double[] places = {0, 0, 0, 2, 0, 0, 0, 2, 0};
         FrameState state = shown.spring() ? spring(2, 0, places) : state(places);
         renderer.render(state);
-        Map<String, Integer> expected = new TreeMap<>(Map.of("ParticlePainter", 1));
-        shown.painters().forEach(name -> expected.put(name, 1));
-        Map<String, Integer> built = new TreeMap<>();
-        count(renderer, built, Collections.newSetFromMap(new IdentityHashMap<>()));
-        assertEquals(expected, built, shown.what());
+        Set<Object> parts = Collections.newSetFromMap(new IdentityHashMap<>());
+        collect(renderer, parts);
+        assertEquals(shown.layers(), parts.stream().map(part -> part.getClass().getSimpleName())
+                .filter(LAYERS::contains).collect(Collectors.toSet()), shown.what());
     }
 
     /** Follows all fields of our own objects, optional values and collections. */
-    private static void count(Object object, Map<String, Integer> painters, Set<Object> seen)
-            throws IllegalAccessException {
+    private static void collect(Object object, Set<Object> seen) throws IllegalAccessException {
         if (object instanceof Optional<?> optional) {
             if (optional.isPresent()) {
-                count(optional.get(), painters, seen);
+                collect(optional.get(), seen);
             }
         } else if (object instanceof Collection<?> several) {
             for (Object each : several) {
-                count(each, painters, seen);
+                collect(each, seen);
             }
         } else if (object != null && object.getClass().getName().startsWith("particles.output.") && seen.add(object)) {
-            String name = object.getClass().getSimpleName();
-            if (name.endsWith("Painter")) {
-                painters.merge(name, 1, Integer::sum);
-            }
             for (Field field : object.getClass().getDeclaredFields()) {
                 if (!Modifier.isStatic(field.getModifiers()) && !field.getType().isPrimitive()) {
                     field.setAccessible(true);
-                    count(field.get(object), painters, seen);
+                    collect(field.get(object), seen);
                 }
             }
         }

@@ -1,5 +1,6 @@
 package particles.output.animation;
 
+import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBuffer;
 import java.awt.image.IndexColorModel;
@@ -45,10 +46,11 @@ public final class GifAnimation implements FrameSink {
     private MemoryCacheImageOutputStream stream;
     private ImageWriter writer;
     private int first;
-    private int pending = -1;
-    private BufferedImage pendingImage;
-    private int pendingX;
-    private int pendingY;
+    private Pending pending;
+
+    /** A picture whose display time is not known yet: the part of it that has changed, at its place. */
+    private record Pending(int index, Rectangle place, BufferedImage image) {
+    }
 
     /**
      * @param folder   the output folder
@@ -84,13 +86,12 @@ public final class GifAnimation implements FrameSink {
 
     @Override
     public Runnable prepare(int index, int[] rgb) {
-        int[] small = new int[width * height];
-        shrinker.shrink(rgb, small);
+        int[] small = shrinker.shrink(rgb);
         return () -> add(index, small);
     }
 
     private void add(int index, int[] small) {
-        if (writer != null && due(index) - due(pending) < SHORTEST) {
+        if (writer != null && due(index) - due(pending.index) < SHORTEST) {
             return;         // too fast to be shown
         }
         try {
@@ -98,7 +99,7 @@ public final class GifAnimation implements FrameSink {
             if (first) {
                 begin(index, small);
             } else {
-                writePending(due(index) - due(pending));
+                writePending(due(index) - due(pending.index));
             }
             for (int y = 0, p = 0; y < height; y++) {
                 for (int x = 0; x < width; x++, p++) {
@@ -107,7 +108,7 @@ public final class GifAnimation implements FrameSink {
                     }
                 }
             }
-            keepChanges(index);
+            pending = changes(index);
             before = small;
         } catch (IOException e) {
             throw new OutputException(folder.getPath().resolve(FILE), "write", e);
@@ -127,46 +128,33 @@ public final class GifAnimation implements FrameSink {
         Arrays.fill(shown, (byte) TRANSPARENT);
     }
 
-    /** Keeps the changes from the previous picture until its display time is known. */
-    private void keepChanges(int index) {
-        int left = width;
-        int right = 0;
-        int top = height;
-        int bottom = 0;
-        for (int y = 0, p = 0; y < height; y++) {
-            for (int x = 0; x < width; x++, p++) {
-                if (current[p] != shown[p]) {
-                    left = Math.min(left, x);
-                    right = Math.max(right, x + 1);
-                    top = Math.min(top, y);
-                    bottom = y + 1;
-                }
+    /** What differs from the previous picture. */
+    private Pending changes(int index) {
+        Rectangle place = new Rectangle(0, 0, -1, -1);
+        for (int p = 0; p < current.length; p++) {
+            if (current[p] != shown[p]) {
+                place.add(new Rectangle(p % width, p / width, 1, 1));
             }
         }
-        if (left >= right) {
-            left = top = 0;
-            right = bottom = 1;         // nothing moved, and the format has no picture of nothing
+        if (place.isEmpty()) {
+            place.setSize(1, 1);        // nothing moved, and the format has no picture of nothing
         }
-        pendingImage = new BufferedImage(right - left, bottom - top, BufferedImage.TYPE_BYTE_INDEXED, colours);
-        byte[] row = new byte[right - left];
-        for (int y = top; y < bottom; y++) {
-            for (int x = left; x < right; x++) {
-                int p = y * width + x;
-                row[x - left] = current[p] == shown[p] ? (byte) TRANSPARENT : current[p];
-                shown[p] = current[p];
-            }
-            pendingImage.getRaster().setDataElements(0, y - top, right - left, 1, row);
+        BufferedImage image = new BufferedImage(place.width, place.height, BufferedImage.TYPE_BYTE_INDEXED, colours);
+        byte[] pixels = new byte[place.width * place.height];
+        for (int k = 0; k < pixels.length; k++) {
+            int p = (place.y + k / place.width) * width + place.x + k % place.width;
+            pixels[k] = current[p] == shown[p] ? (byte) TRANSPARENT : current[p];
+            shown[p] = current[p];
         }
-        pending = index;
-        pendingX = left;
-        pendingY = top;
+        image.getRaster().setDataElements(0, 0, place.width, place.height, pixels);
+        return new Pending(index, place, image);
     }
 
     private void writePending(long hundredths) throws IOException {
-        IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(pendingImage), null);
-        GifMetadata.describeFrame(metadata, pendingX, pendingY, TRANSPARENT, (int) Math.min(LONGEST, hundredths),
-                pending == first);
-        writer.writeToSequence(new IIOImage(pendingImage, null, metadata), null);
+        IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(pending.image), null);
+        GifMetadata.describeFrame(metadata, pending.place, TRANSPARENT, (int) Math.min(LONGEST, hundredths),
+                pending.index == first);
+        writer.writeToSequence(new IIOImage(pending.image, null, metadata), null);
         stream.flushBefore(stream.getStreamPosition());     // so that it is not all in memory
     }
 
@@ -178,7 +166,7 @@ public final class GifAnimation implements FrameSink {
         }
         try (OutputFile whole = file) {
             try (MemoryCacheImageOutputStream out = stream) {
-                writePending(Math.max(SHORTEST, due(pending + 1) - due(pending)));
+                writePending(Math.max(SHORTEST, due(pending.index + 1) - due(pending.index)));
                 writer.endWriteSequence();
                 out.flush();
             } finally {

@@ -1,5 +1,6 @@
 package particles.output.animation;
 
+import java.awt.Rectangle;
 import javax.imageio.metadata.IIOInvalidTreeException;
 import javax.imageio.metadata.IIOMetadata;
 import javax.imageio.metadata.IIOMetadataNode;
@@ -14,37 +15,24 @@ final class GifMetadata {
     }
 
     /**
-     * A frame that stays under the next one.
+     * Describes a frame that stays under the next one.
      *
+     * @param place where it is (pixels)
      * @param delay the delay in hundredths of a second
      */
-    static void describeFrame(IIOMetadata metadata, int x, int y, int transparent, int delay, boolean first)
+    static void describeFrame(IIOMetadata metadata, Rectangle place, int transparent, int delay, boolean first)
             throws IIOInvalidTreeException {
-        IIOMetadataNode root = (IIOMetadataNode) metadata.getAsTree(IMAGE);
-        IIOMetadataNode place = child(root, "ImageDescriptor");
-        place.setAttribute("imageLeftPosition", Integer.toString(x));
-        place.setAttribute("imageTopPosition", Integer.toString(y));
-        IIOMetadataNode control = child(root, "GraphicControlExtension");
-        control.setAttribute("disposalMethod", "doNotDispose");
-        control.setAttribute("userInputFlag", "FALSE");
-        control.setAttribute("transparentColorFlag", "TRUE");
-        control.setAttribute("transparentColorIndex", Integer.toString(transparent));
-        control.setAttribute("delayTime", Integer.toString(delay));
+        IIOMetadataNode root = new IIOMetadataNode(IMAGE);
+        add(root, "ImageDescriptor", "imageLeftPosition", place.x, "imageTopPosition", place.y, "imageWidth",
+                place.width, "imageHeight", place.height, "interlaceFlag", "TRUE");
+        add(root, "GraphicControlExtension", "disposalMethod", "doNotDispose", "userInputFlag", "FALSE",
+                "transparentColorFlag", "TRUE", "transparentColorIndex", transparent, "delayTime", delay);
         if (first) {
-            IIOMetadataNode extensions = child(root, "ApplicationExtensions");
+            IIOMetadataNode extensions = add(root, "ApplicationExtensions");
             add(extensions, "ApplicationExtension", "applicationID", "NETSCAPE", "authenticationCode", "2.0")
                     .setUserObject(FOR_EVER.clone());
         }
-        metadata.setFromTree(IMAGE, root);
-    }
-
-    private static IIOMetadataNode child(IIOMetadataNode parent, String name) {
-        for (int k = 0; k < parent.getLength(); k++) {
-            if (parent.item(k).getNodeName().equals(name)) {
-                return (IIOMetadataNode) parent.item(k);
-            }
-        }
-        return add(parent, name);
+        metadata.mergeTree(IMAGE, root);
     }
 
     /** @param attributes names and values in turn */

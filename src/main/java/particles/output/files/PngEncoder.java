@@ -1,18 +1,18 @@
 package particles.output.files;
 
 import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.zip.CRC32;
 import java.util.zip.Deflater;
+import java.util.zip.DeflaterOutputStream;
 
 /**
- * Fast encoder of 8-bit RGB pictures as PNG: one pass of filters, fast compression, reused buffers. ImageIO's writer
- * takes four times as long for a frame (50 ms against 12 for 1280 x 720).
+ * Fast encoder of 8-bit RGB pictures as PNG: one pass of filters, fast compression. ImageIO's writer takes four times
+ * as long for a frame (50 ms against 12 for 1280 x 720).
  *
  * <p>Source: Portable Network Graphics (PNG) Specification, W3C (2003), sections 5 (chunks) and 9 (filters).
  */
@@ -21,19 +21,7 @@ public final class PngEncoder {
     private static final byte SUB = 1;
     private static final byte UP = 2;
 
-    private final int width;
-    private final int height;
-    private final Deflater deflater = new Deflater(Deflater.BEST_SPEED);
-    private final CRC32 crc = new CRC32();
-    private final byte[] filtered;
-    private byte[] compressed = new byte[1 << 16];
-    private int length;
-
-    /** Creates an encoder for pictures of this size (pixels). */
-    public PngEncoder(int width, int height) {
-        this.width = width;
-        this.height = height;
-        filtered = new byte[height * (1 + 3 * width)];
+    private PngEncoder() {
     }
 
     /**
@@ -43,50 +31,37 @@ public final class PngEncoder {
      * @return the whole file
      */
     public static byte[] file(int width, int height, int[] rgb) {
-        PngEncoder encoder = new PngEncoder(width, height);
+        byte[] header = ByteBuffer.allocate(13).putInt(width).putInt(height)
+                .put((byte) 8).put((byte) 2)                    // 8 bits of each of red, green, blue
+                .array();
         ByteArrayOutputStream file = new ByteArrayOutputStream();
-        try {
-            encoder.encode(rgb);
-            encoder.writeTo(file);
+        try (DataOutputStream out = new DataOutputStream(file)) {
+            out.write(SIGNATURE);
+            writeChunk(out, "IHDR", header);
+            writeChunk(out, "IDAT", compressed(filtered(width, height, rgb)));
+            writeChunk(out, "IEND", new byte[0]);
         } catch (IOException e) {
             throw new UncheckedIOException("memory takes all that is written", e);
-        } finally {
-            encoder.close();
         }
         return file.toByteArray();
     }
 
-    /** @param rgb the pixels of the picture that the next {@link #writeTo} writes, 0xRRGGBB, row by row from the top */
-    public void encode(int[] rgb) {
-        for (int y = 0; y < height; y++) {
-            filter(rgb, y);
-        }
-        length = compress();
-    }
-
-    /** @param out receives the whole file of the encoded picture */
-    public void writeTo(OutputStream out) throws IOException {
-        out.write(SIGNATURE);
-        byte[] header = ByteBuffer.allocate(13).putInt(width).putInt(height)
-                .put((byte) 8).put((byte) 2)                    // 8 bits of each of red, green, blue
-                .put((byte) 0).put((byte) 0).put((byte) 0).array();
-        writeChunk(out, "IHDR", header, header.length);
-        writeChunk(out, "IDAT", compressed, length);
-        writeChunk(out, "IEND", compressed, 0);
-    }
-
     /** Filters each row by left or upper neighbours, whichever gives smaller differences in a sample of the row. */
-    private void filter(int[] rgb, int y) {
-        int row = y * width;
-        int at = y * (1 + 3 * width);
-        if (y > 0 && isSmoother(rgb, row)) {
-            filtered[at] = UP;
-            subtract(rgb, row, row - width, width, filtered, at + 1);
-        } else {
-            filtered[at] = SUB;
-            put(rgb[row], 0, filtered, at + 1);
-            subtract(rgb, row + 1, row, width - 1, filtered, at + 4);
+    private static byte[] filtered(int width, int height, int[] rgb) {
+        byte[] filtered = new byte[height * (1 + 3 * width)];
+        for (int y = 0; y < height; y++) {
+            int row = y * width;
+            int at = y * (1 + 3 * width);
+            if (y > 0 && isSmoother(rgb, row, width)) {
+                filtered[at] = UP;
+                subtract(rgb, row, row - width, width, filtered, at + 1);
+            } else {
+                filtered[at] = SUB;
+                put(rgb[row], 0, filtered, at + 1);
+                subtract(rgb, row + 1, row, width - 1, filtered, at + 4);
+            }
         }
+        return filtered;
     }
 
     /** Both filters share one short loop: its compilation is a noticeable part of a run that draws two charts. */
@@ -102,7 +77,7 @@ public final class PngEncoder {
         to[at + 2] = (byte) (a - b);
     }
 
-    private boolean isSmoother(int[] rgb, int row) {
+    private static boolean isSmoother(int[] rgb, int row, int width) {
         int up = 0;
         int left = 0;
         for (int p = row + 1; p < row + width; p += 4) {
@@ -113,33 +88,25 @@ public final class PngEncoder {
         return up < left;
     }
 
-    private int compress() {
-        deflater.reset();
-        deflater.setInput(filtered);
-        deflater.finish();
-        int length = 0;
-        while (!deflater.finished()) {
-            if (length == compressed.length) {
-                compressed = Arrays.copyOf(compressed, 2 * length);
-            }
-            length += deflater.deflate(compressed, length, compressed.length - length);
+    private static byte[] compressed(byte[] data) throws IOException {
+        ByteArrayOutputStream compressed = new ByteArrayOutputStream(1 << 16);
+        Deflater deflater = new Deflater(Deflater.BEST_SPEED);
+        try (DeflaterOutputStream out = new DeflaterOutputStream(compressed, deflater, 1 << 16)) {
+            out.write(data);
+        } finally {
+            deflater.end();
         }
-        return length;
+        return compressed.toByteArray();
     }
 
-    private void writeChunk(OutputStream out, String type, byte[] data, int length) throws IOException {
+    private static void writeChunk(DataOutputStream out, String type, byte[] data) throws IOException {
         byte[] name = type.getBytes(StandardCharsets.US_ASCII);
-        out.write(ByteBuffer.allocate(4).putInt(length).array());
-        out.write(name);
-        out.write(data, 0, length);
-        crc.reset();
+        CRC32 crc = new CRC32();
         crc.update(name);
-        crc.update(data, 0, length);
-        out.write(ByteBuffer.allocate(4).putInt((int) crc.getValue()).array());
-    }
-
-    /** Frees the compressor's native memory. */
-    public void close() {
-        deflater.end();
+        crc.update(data);
+        out.writeInt(data.length);
+        out.write(name);
+        out.write(data);
+        out.writeInt((int) crc.getValue());
     }
 }

@@ -3,7 +3,6 @@ package particles.output.frames;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
-import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.IntStream;
@@ -11,15 +10,10 @@ import particles.output.painters.BlobPainter;
 import particles.output.painters.DrawnSizes;
 import particles.output.painters.FrameState;
 import particles.output.painters.GlowPainter;
-import particles.output.painters.IntactTriangles;
-import particles.output.painters.ParticlePainter;
-import particles.output.painters.ProjectedParticles;
+import particles.output.painters.OpaquePainter;
 import particles.output.painters.ShadowPainter;
-import particles.output.painters.SpringPainter;
-import particles.output.painters.SurfacePainter;
 import particles.output.painters.TrailPainter;
 import particles.output.painters.VisibilityFilter;
-import particles.output.painters.WirePainter;
 import particles.output.raster.Backdrop;
 import particles.output.raster.CameraProjection;
 import particles.output.raster.Colours;
@@ -28,12 +22,10 @@ import particles.output.raster.LightLayer;
 import particles.output.raster.Lighting;
 import particles.output.raster.Raster;
 import particles.output.raster.RoundShapes;
-import particles.output.raster.ShadowMap;
 import particles.output.raster.Sky;
 import particles.view.ParticleMark;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
-import particles.view.RenderOptions.Visibility;
 
 /**
  * Software renderer of frames, without a screen: surfaces shaded on both sides, springs coloured by their strain,
@@ -46,13 +38,10 @@ public final class FrameRenderer {
     private final FrameSetup stage;
     private final BufferedImage image;
     private final int[] pixels;
-    private final CameraProjection view;
-    private final Lighting lighting;
-    private final Raster raster;
-    private final VisibilityFilter shown;
     private final RoundShapes shapes;
-    // only the painters that the settings need
-    private final Optional<SurfacePainter> surfaces;
+    private final CameraProjection view;
+    private final VisibilityFilter shown;
+    // only the layers that the settings need
     private final Optional<BlobPainter> blobs;
     private final Optional<GlowPainter> glow;
     private final Optional<TrailPainter> trails;
@@ -60,13 +49,9 @@ public final class FrameRenderer {
     private final Optional<FrameText> text;
     // set by the first frame
     private DrawnSizes sizes;
-    private Optional<WirePainter> wires;
-    private ParticlePainter particles;
-    private Optional<ShadowPainter> shadows;
-    private List<ShadowMap> maps;
     private Backdrop backdrop;
-    /** Created at the first frame with springs to draw. */
-    private Optional<SpringPainter> springs = Optional.empty();
+    private OpaquePainter opaque;
+    private Optional<ShadowPainter> shadows;
     /** Whether a spring was visible; the scale of strain then stays in the picture. */
     private boolean springsSeen;
 
@@ -91,15 +76,10 @@ public final class FrameRenderer {
         image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         pixels = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
         view = new CameraProjection(stage.camera(), width, height);
-        lighting = new Lighting(view, stage.camera().up());
-        raster = new Raster(width, height);
+        shapes = new RoundShapes(new Raster(width, height), view, new Lighting(view, stage.camera().up()));
         shown = new VisibilityFilter(stage.look(), stage.scenery().surfaces());
-        surfaces = stage.scenery().surfaces().isEmpty() ? Optional.empty()
-                : Optional.of(new SurfacePainter(raster, view, lighting, stage.look(),
-                        stage.scenery().surfaces().stream().map(IntactTriangles::new).toList()));
-        shapes = new RoundShapes(raster, view, lighting);
-        blobs = style().kind() == ParticleStyle.Kind.BLOBS ? Optional.of(new BlobPainter(raster, view, lighting))
-                : Optional.empty();
+        blobs = style().kind() == ParticleStyle.Kind.BLOBS
+                ? Optional.of(new BlobPainter(stage.look().colours().particle())) : Optional.empty();
         glow = style().kind() == ParticleStyle.Kind.GLOW ? Optional.of(new GlowPainter(style().ageColours(),
                 new LightLayer(width, height)))
                 : Optional.empty();
@@ -120,8 +100,7 @@ public final class FrameRenderer {
             return this;
         }
         FrameRenderer other = new FrameRenderer(stage, getWidth(), getHeight(), text);
-        other.setSizes(sizes);
-        other.setBackdrop(backdrop);
+        other.prepare(sizes, backdrop);
         return other;
     }
 
@@ -180,20 +159,14 @@ public final class FrameRenderer {
 
     /** Draws a frame without its text, and returns whether a spring is visible whose colour shows its strain. */
     boolean draw(FrameState state) {
-        ProjectedParticles projected = new ProjectedParticles(view, state.positions, state.particles);
-        raster.clear();
-        surfaces.ifPresent(painter -> painter.paint(state, projected));
-        if (springs.isEmpty() && state.springs > 0 && stage.look().springs() != Visibility.NEVER) {
-            springs = Optional.of(new SpringPainter(shapes, view, stage.look(), sizes));
-        }
-        boolean strained = springs.isPresent() && springs.get().paint(state, projected, shown);
-        wires.ifPresent(WirePainter::paint);
-        particles.paint(state, projected);
-        shadows.ifPresent(painter -> maps.forEach(map -> painter.paint(map, state)));
+        shapes.raster().clear();
+        blobs.ifPresent(painter -> painter.build(state, shown, sizes.ball(), view.viewHeight / view.height));
+        boolean strained = opaque.paint(state, blobs);
+        shadows.ifPresent(painter -> painter.paint(state, blobs));
         compose();
-        Foreground drawn = new Foreground(raster, backdrop);
+        Foreground drawn = new Foreground(shapes.raster(), backdrop);
         trails.ifPresent(layer -> layer.paint(state, shown, stage.look().colours().particle(), drawn, pixels));
-        glow.ifPresent(layer -> layer.paint(state, projected, shown, sizes.ball(), drawn, pixels));
+        glow.ifPresent(layer -> layer.paint(state, view, shown, sizes.ball(), drawn, pixels));
         return strained;
     }
 
@@ -210,36 +183,34 @@ public final class FrameRenderer {
 
     /** @return the background without shadows, after the last frame */
     public int[] renderBackdrop() {
-        maps.forEach(ShadowMap::clear);
-        backdrop.paint(pixels, maps);
+        backdrop.paint(pixels, Optional.empty());
         return pixels;
     }
 
     private void prepare(FrameState state) {
-        setSizes(DrawnSizes.of(state, stage.look(), view.viewHeight));
-        setBackdrop(new Backdrop(view, lighting, stage.scenery(), Sky.of(style().night()), stage.camera(),
-                particles.reach(state)));
+        DrawnSizes drawn = DrawnSizes.of(state, stage.look(), view.viewHeight);
+        prepare(drawn, new Backdrop(view, shapes.lighting(), stage.scenery(), Sky.of(style().night()), stage.camera(),
+                drawn.reach(state, stage.look(), shown)));
     }
 
-    private void setSizes(DrawnSizes sizes) {
-        this.sizes = sizes;
-        particles = new ParticlePainter(shapes, blobs, view, stage.look(), shown, sizes);
-        wires = stage.scenery().wires().isEmpty() ? Optional.empty() : Optional.of(new WirePainter(shapes, view,
-                stage.scenery().wires(), stage.camera().target(), sizes.railing()));
+    private void prepare(DrawnSizes drawn, Backdrop behind) {
+        sizes = drawn;
+        backdrop = behind;
+        opaque = painter(shapes);
+        shadows = behind.newShadows().map(map ->
+                new ShadowPainter(map, painter(map.getShapes()), stage.scenery().spheres()));
     }
 
-    private void setBackdrop(Backdrop backdrop) {
-        this.backdrop = backdrop;
-        maps = backdrop.newShadows();
-        shadows = maps.isEmpty() ? Optional.empty() : Optional.of(new ShadowPainter(shown, sizes, stage.scenery(),
-                particles, blobs.map(BlobPainter::getSurface), wires));
+    private OpaquePainter painter(RoundShapes camera) {
+        return OpaquePainter.of(camera, stage.look(), stage.scenery(), stage.camera().target(), sizes);
     }
 
     /**
      * Computes each pixel as the mean of its samples; empty samples, and those behind a plane, show the background.
      */
     private void compose() {
-        backdrop.paint(pixels, maps);
+        backdrop.paint(pixels, shadows.map(ShadowPainter::map));
+        Raster raster = shapes.raster();
         for (int y = raster.firstRow(); y < raster.endRow(); y++) {
             for (int x = raster.firstColumn(); x < raster.endColumn(); x++) {
                 int p = y * getWidth() + x;

@@ -1,11 +1,11 @@
 package particles.output.painters;
 
+import java.util.stream.IntStream;
 import particles.law.Vector3;
-import particles.output.raster.CameraProjection;
 import particles.output.raster.Colours;
 import particles.output.raster.Direction;
 import particles.output.raster.Lighting;
-import particles.output.raster.Raster;
+import particles.output.raster.RoundShapes;
 
 /** Draws particles as a smooth wet surface, with a sharp highlight and a reflection of the sky at its rim. */
 public final class BlobPainter {
@@ -13,50 +13,47 @@ public final class BlobPainter {
     /** The smallest useful cell (pixels). */
     private static final double FINEST = 2.5;
 
-    private final Raster raster;
-    private final CameraProjection view;
-    private final Lighting lighting;
+    private final int rgb;
     private final BlobField field = new BlobField();
     private final BlobSurface surface = new BlobSurface();
 
-    /** Creates a painter that draws onto this raster. */
-    public BlobPainter(Raster raster, CameraProjection view, Lighting lighting) {
-        this.raster = raster;
-        this.view = view;
-        this.lighting = lighting;
-    }
-
-    /** @return the surface that was drawn last */
-    public BlobSurface getSurface() {
-        return surface;
+    /** @param rgb the colour of the particles */
+    public BlobPainter(int rgb) {
+        this.rgb = rgb;
     }
 
     /**
-     * @param places the balls' middles, three coordinates each (m)
-     * @param count  the number of balls
+     * Makes the surface of a frame.
+     *
      * @param radius the radius of a single ball (m)
+     * @param pixel  the width of a pixel in the middle of the picture (m)
      */
-    void paint(double[] places, int count, double radius, int rgb) {
-        field.clear(radius, count, FINEST * view.viewHeight / view.height);
-        for (int i = 0; i < 3 * count; i += 3) {
-            field.add(places[i], places[i + 1], places[i + 2]);
+    public void build(FrameState state, VisibilityFilter shown, double radius, double pixel) {
+        int[] balls = IntStream.range(0, state.particles).filter(i -> !state.fixed[i] && shown.particle(i)).toArray();
+        field.clear(radius, balls.length, FINEST * pixel);
+        for (int i : balls) {
+            field.add(state.positions[3 * i], state.positions[3 * i + 1], state.positions[3 * i + 2]);
         }
         surface.build(field);
-        ProjectedParticles projected = new ProjectedParticles(view, surface.places, surface.vertices);
+    }
+
+    /** Draws the surface as a camera sees it. */
+    void paint(RoundShapes shapes) {
+        ProjectedParticles projected = new ProjectedParticles(shapes.view(), surface.places, surface.vertices);
         int[] colours = new int[surface.vertices];
         for (int i = 0, x = 0; i < surface.vertices; i++, x += 3) {
-            colours[i] = colour(surface.normals[x], surface.normals[x + 1], surface.normals[x + 2], rgb);
+            Vector3 normal = new Vector3(surface.normals[x], surface.normals[x + 1], surface.normals[x + 2]);
+            colours[i] = colour(shapes.view().turned(normal), shapes.lighting());
         }
         int[] t = surface.corners;
         for (int k = 0; k < surface.cornerCount; k += 3) {
             if (projected.visible[t[k]] && projected.visible[t[k + 1]] && projected.visible[t[k + 2]]) {
-                raster.triangle(t, k, projected.x, projected.y, projected.near, colours);
+                shapes.raster().triangle(t, k, projected.x, projected.y, projected.near, colours);
             }
         }
     }
 
-    private int colour(float x, float y, float z, int rgb) {
-        Direction normal = view.turned(new Vector3(x, y, z));
+    private int colour(Direction normal, Lighting lighting) {
         float grazing = 1 - Math.max(0, normal.back());
         int wet = Colours.mix(rgb, SKY_IN_IT,
                 0.45 * grazing * grazing * grazing * Math.max(0, 0.6f + 0.4f * normal.up()));

@@ -2,6 +2,7 @@ package particles.output.painters;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 
 /**
@@ -10,12 +11,14 @@ import particles.view.RenderOptions;
  * @param ball      the radius of a ball (m)
  * @param coilBelow springs of less than this stiffness (N/m) are drawn as coils: all of them if there are few,
  *                  otherwise those that are far softer than the others
+ * @param point     the radius of a point (m)
  */
-public record DrawnSizes(double ball, double coilBelow) {
+public record DrawnSizes(double ball, double coilBelow, double point) {
     private static final int MOST_COILS = 40;
     /** The fraction of the stiffest spring's stiffness below which a spring is far softer. */
     private static final double SOFT = 0.01;
     private static final double PART_OF_PICTURE = 0.028;
+    private static final double POINT = 0.0026;
     private static final double PART_OF_SPRING = 0.26;
     /** Fraction of the spacing of particles spread evenly over a cube as high as the picture. */
     private static final double PART_OF_DISTANCE = 0.3;
@@ -31,7 +34,15 @@ public record DrawnSizes(double ball, double coilBelow) {
         if (mean > 0) {
             ball = Math.min(ball, PART_OF_SPRING * mean);
         }
-        return new DrawnSizes(look.particleRadius() > 0 ? look.particleRadius() : ball, coilBelow(state));
+        return new DrawnSizes(look.particleRadius() > 0 ? look.particleRadius() : ball, coilBelow(state),
+                POINT * viewHeight);
+    }
+
+    /** @return the distance by which a particle at rest on a plane extends below its centre (m) */
+    public double reach(FrameState state, RenderOptions look, VisibilityFilter shown) {
+        ParticleStyle.Kind kind = look.style().kind();
+        boolean thick = kind == ParticleStyle.Kind.BALLS || kind == ParticleStyle.Kind.BLOBS;
+        return thick && IntStream.range(0, state.particles).anyMatch(shown::particle) ? ball : point;
     }
 
     private static double coilBelow(FrameState state) {

@@ -1,6 +1,7 @@
 package particles.output.painters;
 
 import java.util.List;
+import particles.output.raster.CameraProjection;
 import particles.output.raster.Colours;
 import particles.output.raster.Foreground;
 import particles.output.raster.LightLayer;
@@ -39,8 +40,9 @@ public record GlowPainter(List<Integer> colours, LightLayer layer) {
     }
 
     /** Adds the particles' light to a layer. */
-    public void paint(FrameState state, ProjectedParticles projected, VisibilityFilter shown, double radius,
+    public void paint(FrameState state, CameraProjection view, VisibilityFilter shown, double radius,
             Foreground foreground, int[] pixels) {
+        ProjectedParticles projected = new ProjectedParticles(view, state.positions, state.particles);
         layer.clear(foreground);
         for (int i = 0; i < state.particles; i++) {
             if (projected.visible[i] && !state.fixed[i] && shown.particle(i)) {

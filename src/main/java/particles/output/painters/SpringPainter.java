@@ -10,7 +10,7 @@ import particles.view.RenderOptions;
  * Draws springs, coloured by their strain: as coils if they are few or soft, as straight tubes if they are many. Rods,
  * and springs between fixed particles, are drawn as bars.
  */
-public record SpringPainter(RoundShapes shapes, CameraProjection view, RenderOptions look, DrawnSizes sizes) {
+public record SpringPainter(RoundShapes shapes, RenderOptions look, DrawnSizes sizes) {
     private static final int ROD = 0x6c7683;
     private static final int SEGMENTS_A_TURN = 18;
     /**
@@ -23,7 +23,7 @@ public record SpringPainter(RoundShapes shapes, CameraProjection view, RenderOpt
     private static final double LIFT = 0.004;
 
     /** @return whether any spring with strain is visible so far */
-    public boolean paint(FrameState state, ProjectedParticles projected, VisibilityFilter shown) {
+    boolean paint(FrameState state, ProjectedParticles projected, VisibilityFilter shown) {
         boolean seen = false;
         for (int s = 0; s < state.springs; s++) {
             if (shown.spring(state.from[s], state.to[s])) {
@@ -62,12 +62,13 @@ public record SpringPainter(RoundShapes shapes, CameraProjection view, RenderOpt
 
     /** The nearness of an end, a little increased, so that a surface spanned by springs does not hide half of each. */
     private double lifted(ProjectedParticles projected, int i) {
-        return view.nearness(projected.depth[i] - LIFT * view.viewHeight);
+        return shapes.view().nearness(projected.depth[i] - LIFT * shapes.view().viewHeight);
     }
 
     /** Draws a helix from particle to particle; the number of turns does not change with length. */
     private boolean paintCoil(Vector3 from, Vector3 along, double length, double rest, int rgb) {
         // two directions across, the first of them as far as possible towards the viewer
+        CameraProjection view = shapes.view();
         Vector3 towards = Math.abs(along.dot(view.back)) > 0.999 ? view.right : view.back;
         Vector3 across = towards.minus(along.times(along.dot(towards)));
         double size = Math.sqrt(across.dot(across));

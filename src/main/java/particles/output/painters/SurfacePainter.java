@@ -3,9 +3,7 @@ package particles.output.painters;
 import java.util.Arrays;
 import java.util.List;
 import particles.law.Vector3;
-import particles.output.raster.CameraProjection;
-import particles.output.raster.Lighting;
-import particles.output.raster.Raster;
+import particles.output.raster.RoundShapes;
 import particles.view.RenderOptions;
 
 /**
@@ -13,13 +11,12 @@ import particles.view.RenderOptions;
  * the triangles around, and interpolated. A triangle that is bent far from that mean, as at an edge, uses its own
  * normal.
  */
-public record SurfacePainter(Raster raster, CameraProjection view, Lighting lighting, RenderOptions look,
-        List<IntactTriangles> surfaces) {
+public record SurfacePainter(RoundShapes shapes, RenderOptions look, List<IntactTriangles> surfaces) {
     /** The cosine between a triangle's normal and a particle's from which the surface counts as smooth. */
     private static final double SMOOTH = 0.85;
 
     /** Draws all surfaces. */
-    public void paint(FrameState state, ProjectedParticles projected) {
+    void paint(FrameState state, ProjectedParticles projected) {
         surfaces.forEach(surface -> paint(surface, state, projected));
     }
 
@@ -45,7 +42,7 @@ public record SurfacePainter(Raster raster, CameraProjection view, Lighting ligh
             if (whole[t / 3] && projected.visible[corners[t]] && projected.visible[corners[t + 1]]
                     && projected.visible[corners[t + 2]]) {
                 shade(corners, t, isFront(corners, t, projected), normal(state, corners, t), normals, colours);
-                raster.triangle(corners, t, projected.x, projected.y, projected.near, colours);
+                shapes.raster().triangle(corners, t, projected.x, projected.y, projected.near, colours);
             }
         }
     }
@@ -79,8 +76,8 @@ public record SurfacePainter(Raster raster, CameraProjection view, Lighting ligh
         for (int c = t; c < t + 3; c++) {
             Vector3 smooth = normals[corners[c]];
             Vector3 used = normal.dot(smooth) / length >= SMOOTH ? smooth : normal.times(1 / length);
-            colours[corners[c]] = lighting.shade(front ? look.colours().front() : look.colours().back(),
-                    view.turned(front ? used : used.times(-1)), 0.35f);
+            colours[corners[c]] = shapes.lighting().shade(front ? look.colours().front() : look.colours().back(),
+                    shapes.view().turned(front ? used : used.times(-1)), 0.35f);
         }
     }
 }

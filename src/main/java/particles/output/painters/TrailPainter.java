@@ -17,8 +17,6 @@ public final class TrailPainter {
     private final double half;
     private final float[] cover;
     private final int[] colours;
-    private int top;
-    private int bottom;
 
     /** Creates a painter for trails of this duration (s). */
     public TrailPainter(CameraProjection view, double duration) {
@@ -31,17 +29,13 @@ public final class TrailPainter {
 
     /** Draws all trails of a frame. */
     public void paint(FrameState state, VisibilityFilter shown, int rgb, Foreground foreground, int[] pixels) {
-        if (top < bottom) {
-            Arrays.fill(cover, top * view.width, bottom * view.width, 0);
-        }
-        top = view.height;
-        bottom = 0;
+        Arrays.fill(cover, 0);
         for (int i = 0; i < state.particles; i++) {
             if (!state.fixed[i] && shown.particle(i)) {
                 follow(state, i, state.colour(i, rgb), foreground);
             }
         }
-        for (int p = top * view.width; p < bottom * view.width; p++) {
+        for (int p = 0; p < cover.length; p++) {
             if (cover[p] > 0) {
                 pixels[p] = Colours.mix(pixels[p], colours[p], cover[p]);
             }
@@ -104,8 +98,6 @@ public final class TrailPainter {
                 if (covered > cover[p] && foreground.shows(near, x, y)) {
                     cover[p] = covered;
                     colours[p] = rgb;
-                    top = Math.min(top, y);
-                    bottom = Math.max(bottom, y + 1);
                 }
             }
         }

@@ -1,6 +1,5 @@
 package particles.output.painters;
 
-import java.util.Arrays;
 import java.util.List;
 import particles.law.Vector3;
 import particles.output.raster.CameraProjection;
@@ -24,18 +23,17 @@ public final class WirePainter {
     private final double radius;
     /** Each wire's points, projected by the camera. */
     private final List<ProjectedParticles> wires;
-    private final double[][] places;
 
     /**
      * @param target the middle of the picture (m)
      * @param radius the radius of the wires (m)
      */
-    public WirePainter(RoundShapes shapes, CameraProjection view, List<CurveView> curves, Vector3 target,
-            double radius) {
+    public WirePainter(RoundShapes shapes, List<CurveView> curves, Vector3 target, double radius) {
         this.shapes = shapes;
         this.radius = radius;
-        places = curves.stream().map(curve -> points(curve, view, target)).toArray(double[][]::new);
-        wires = Arrays.stream(places).map(wire -> new ProjectedParticles(view, wire, wire.length / 3)).toList();
+        CameraProjection view = shapes.view();
+        wires = curves.stream().map(curve -> points(curve, view, target))
+                .map(wire -> new ProjectedParticles(view, wire, wire.length / 3)).toList();
     }
 
     private static double[] points(CurveView curve, CameraProjection view, Vector3 target) {
@@ -65,18 +63,8 @@ public final class WirePainter {
         return points;
     }
 
-    /** @return each wire's points, three coordinates each (m) */
-    List<double[]> places() {
-        return List.of(places);
-    }
-
-    /** @return the radius of the wires (m) */
-    double getRadius() {
-        return radius;
-    }
-
     /** Draws all wires. */
-    public void paint() {
+    void paint() {
         for (ProjectedParticles wire : wires) {
             for (int k = 0; k + 1 < wire.x.length; k++) {
                 if (wire.visible[k] && wire.visible[k + 1]) {

@@ -1,6 +1,7 @@
 package particles.output.raster;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Supplier;
 import particles.law.Plane;
 import particles.law.Vector3;
@@ -19,19 +20,20 @@ public final class Backdrop {
     private static final double LINES = 7;
     /** Planes fade into the haze within this many heights of the picture. */
     private static final double HAZE = 5;
-    private static final double SHADOWED = 4.5;
+    /** The column of the shadow map at a pixel without shadows. */
+    static final float NO_SHADOWS = -1;
 
-    private final Supplier<List<ShadowMap>> shadows;
+    private final Supplier<Optional<ShadowMap>> shadows;
     private final Sky sky;
     final int width;
     private final int[] colour;
     private final float[] near;
-    private final byte[] planeAt;
+    /** The places of pixels in the shadow map. */
     private final float[] column;
     private final float[] row;
 
     /** The ground and the lamp as the camera sees them; the spacing is that of the grid (m). */
-    private record Setting(CameraProjection view, Lighting lighting, List<Plane> planes, List<ShadowMap> maps,
+    private record Setting(CameraProjection view, Lighting lighting, CameraProjection lampView, List<Plane> planes,
             Vector3 target, Vector3 up, double spacing) {
     }
 
@@ -42,16 +44,15 @@ public final class Backdrop {
         width = view.width;
         colour = new int[n];
         near = new float[n];
-        planeAt = new byte[n];
         column = new float[n];
         row = new float[n];
         List<Plane> seen = scenery.planes().stream()
                 .map(plane -> new Plane(plane.point().minus(plane.normal().times(inset)), plane.normal()))
-                .filter(plane -> isSeen(view, plane)).limit(Byte.MAX_VALUE).toList();
-        double shadowed = SHADOWED * view.viewHeight;
-        shadows = () -> seen.stream()
-                .map(plane -> new ShadowMap(plane, lighting.lamp, camera.target(), shadowed)).toList();
-        Setting setting = new Setting(view, lighting, seen, shadows.get(), camera.target(), camera.up().normalized(),
+                .filter(plane -> isSeen(view, plane)).toList();
+        CameraProjection lampView = ShadowMap.view(lighting, camera, view.viewHeight);
+        shadows = () -> seen.stream().anyMatch(plane -> isLit(plane, lighting))
+                ? Optional.of(new ShadowMap(lampView, lighting)) : Optional.empty();
+        Setting setting = new Setting(view, lighting, lampView, seen, camera.target(), camera.up().normalized(),
                 new DecimalTicks().getCeilingTickUnit(view.viewHeight / LINES).getSize());
         for (int y = 0; y < view.height; y++) {
             for (int x = 0; x < width; x++) {
@@ -59,16 +60,17 @@ public final class Backdrop {
             }
         }
         if (!scenery.spheres().isEmpty()) {
-            boolean[] covered = new BackdropSpheres(view, lighting).paint(scenery.spheres(), inset, colour, near);
-            for (int p = 0; p < n; p++) {
-                planeAt[p] = covered[p] ? -1 : planeAt[p];
-            }
+            new BackdropSpheres(view, lighting).paint(scenery.spheres(), inset, colour, near, column);
         }
     }
 
-    /** @return empty shadow maps of the visible planes; each thread has its own */
-    public List<ShadowMap> newShadows() {
+    /** @return an empty shadow map, if the lamp shines on a visible plane; each thread has its own */
+    public Optional<ShadowMap> newShadows() {
         return shadows.get();
+    }
+
+    private static boolean isLit(Plane plane, Lighting lighting) {
+        return lighting.lamp.dot(plane.normal()) > 0.05;
     }
 
     private static boolean isSeen(CameraProjection view, Plane plane) {
@@ -95,35 +97,35 @@ public final class Backdrop {
         }
         colour[p] = behind(view, ray, up, y, planes.isEmpty());
         near[p] = Float.NEGATIVE_INFINITY;
-        planeAt[p] = -1;
+        column[p] = NO_SHADOWS;
         if (nearest < 0) {
             return;
         }
         Plane plane = planes.get(nearest);
-        ShadowMap map = setting.maps.get(nearest);
         Vector3 hit = start.plus(ray.times(depth));
         double way = hit.minus(setting.target).length() / (HAZE * view.viewHeight);
         double haze = 1 - StrictMath.exp(-way * way);
         Vector3 normal = plane.normal();
         float light = 1 + 0.35f * (lighting.light(view.turned(normal)) - lighting.light(view.turned(up)));
+        Vector3 axisV = normal.cross(Math.abs(normal.x()) < 0.7 ? new Vector3(1, 0, 0) : new Vector3(0, 0, 1))
+                .normalized();
+        Vector3 axisU = axisV.cross(normal);
         Vector3 from = hit.minus(plane.point());
-        double u = from.dot(map.axisU) / setting.spacing;
-        double v = from.dot(map.axisV) / setting.spacing;
         // the distance of two neighbouring pixels on the plane
         Vector3 beside = on(view, plane, x + 1.5, y + 0.5, hit);
         Vector3 below = on(view, plane, x + 0.5, y + 1.5, hit);
-        double footU = (Math.abs(beside.minus(hit).dot(map.axisU)) + Math.abs(below.minus(hit).dot(map.axisU)))
-                / setting.spacing;
-        double footV = (Math.abs(beside.minus(hit).dot(map.axisV)) + Math.abs(below.minus(hit).dot(map.axisV)))
-                / setting.spacing;
-        double line = Math.max(GridLines.coverage(u, footU), GridLines.coverage(v, footV));
+        double line = 0;
+        for (Vector3 axis : List.of(axisU, axisV)) {
+            double foot = Math.abs(beside.minus(hit).dot(axis)) + Math.abs(below.minus(hit).dot(axis));
+            line = Math.max(line, GridLines.coverage(from.dot(axis) / setting.spacing, foot / setting.spacing));
+        }
         colour[p] = Colours.mix(Colours.lit(Colours.mix(sky.ground, sky.line, line), Math.max(0.5f, light), 0),
                 sky.horizon, haze);
         near[p] = (float) view.nearness(depth);
-        if (ShadowMap.isLit(plane, lighting.lamp) && haze < 0.9) {
-            planeAt[p] = (byte) nearest;
-            column[p] = (float) map.column(hit.x(), hit.y(), hit.z());
-            row[p] = (float) map.row(hit.x(), hit.y(), hit.z());
+        CameraProjection.Place seen = setting.lampView.place(hit.x(), hit.y(), hit.z());
+        if (isLit(plane, lighting) && haze < 0.9 && ShadowMap.contains(seen.x(), seen.y())) {
+            column[p] = (float) seen.x();
+            row[p] = (float) seen.y();
         }
     }
 
@@ -156,18 +158,17 @@ public final class Backdrop {
         return near[p];
     }
 
-    /** Paints the background with the shadows of this frame, one map for each visible plane. */
-    public void paint(int[] pixels, List<ShadowMap> shadows) {
+    /** Paints the background with the shadows of this frame. */
+    public void paint(int[] pixels, Optional<ShadowMap> shadows) {
         System.arraycopy(colour, 0, pixels, 0, colour.length);
-        for (int k = 0; k < shadows.size(); k++) {
-            ShadowMap map = shadows.get(k);
-            for (int p = 0; p < pixels.length; p++) {
-                if (planeAt[p] == k && map.isTouched(column[p], row[p])) {
-                    float light = 1 - (1 - DARKEST_SHADOW) * map.at(column[p], row[p]);
-                    int rgb = pixels[p];
-                    pixels[p] = (int) ((rgb >> 16 & 255) * light) << 16 | (int) ((rgb >> 8 & 255) * light) << 8
-                            | (int) ((rgb & 255) * light);
-                }
+        if (shadows.isEmpty()) {
+            return;
+        }
+        ShadowMap map = shadows.get();
+        for (int p = 0; p < pixels.length; p++) {
+            float covered = column[p] == NO_SHADOWS ? 0 : map.at(column[p], row[p]);
+            if (covered > 0) {
+                pixels[p] = Colours.lit(pixels[p], 1 - (1 - DARKEST_SHADOW) * covered, 0);
             }
         }
     }

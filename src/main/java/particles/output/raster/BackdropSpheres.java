@@ -31,21 +31,19 @@ final class BackdropSpheres {
      * @param inset  the length by which balls are drawn smaller (m)
      * @param colour the picture so far, row by row; painted over
      * @param near   its nearness; changed where a sphere is nearer
-     * @return for each pixel, whether it shows a sphere now
+     * @param shadow the columns of its pixels in the shadow map; spheres bear no shadows
      */
-    boolean[] paint(List<Sphere> spheres, double inset, int[] colour, float[] near) {
-        boolean[] covered = new boolean[colour.length];
+    void paint(List<Sphere> spheres, double inset, int[] colour, float[] near, float[] shadow) {
         for (Sphere sphere : spheres) {
             double radius = sphere.hollow() ? sphere.radius() + inset : Math.max(0.3 * sphere.radius(),
                     sphere.radius() - inset);
             for (int p = 0; p < colour.length; p++) {
-                paint(sphere, radius, p, colour, near, covered);
+                paint(sphere, radius, p, colour, near, shadow);
             }
         }
-        return covered;
     }
 
-    private void paint(Sphere sphere, double radius, int p, int[] colour, float[] near, boolean[] covered) {
+    private void paint(Sphere sphere, double radius, int p, int[] colour, float[] near, float[] shadow) {
         int x = p % view.width;
         int y = p / view.width;
         int hits = 0;
@@ -66,7 +64,7 @@ final class BackdropSpheres {
             colour[p] = Colours.mean(redBlue, green, 4 - hits, colour[p]);
             if (hits > 1) {
                 near[p] = nearest;
-                covered[p] = true;
+                shadow[p] = Backdrop.NO_SHADOWS;
             }
         }
     }

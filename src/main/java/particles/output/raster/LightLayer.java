@@ -13,8 +13,6 @@ public final class LightLayer {
     private final float[] light;
     private final float[] passed = new float[(int) (MOST * STEPS_PER_UNIT) + 1];
     private Foreground foreground;
-    private int top;
-    private int bottom;
 
     /** Creates a layer for pictures of this size (pixels). */
     public LightLayer(int width, int height) {
@@ -24,17 +22,12 @@ public final class LightLayer {
         for (int k = 0; k < passed.length; k++) {
             passed[k] = (float) Math.exp(-(double) k / STEPS_PER_UNIT);
         }
-        top = height;
     }
 
     /** Clears the layer; {@code foreground} is what hides the light that is added next. */
     public void clear(Foreground foreground) {
         this.foreground = foreground;
-        if (top < bottom) {
-            Arrays.fill(light, 3 * width * top, 3 * width * bottom, 0);
-        }
-        top = height;
-        bottom = 0;
+        Arrays.fill(light, 0);
     }
 
     /**
@@ -52,11 +45,6 @@ public final class LightLayer {
         int x1 = Raster.last(x + radius, width - 1);
         int y0 = Raster.first(y - radius, 0);
         int y1 = Raster.last(y + radius, height - 1);
-        if (x0 > x1 || y0 > y1) {
-            return;
-        }
-        top = Math.min(top, y0);
-        bottom = Math.max(bottom, y1 + 1);
         float red = (float) (brightness * (rgb >> 16 & 255) / 255);
         float green = (float) (brightness * (rgb >> 8 & 255) / 255);
         float blue = (float) (brightness * (rgb & 255) / 255);
@@ -78,7 +66,7 @@ public final class LightLayer {
 
     /** Brightens a picture. */
     public void addTo(int[] pixels) {
-        for (int p = top * width; p < bottom * width; p++) {
+        for (int p = 0; p < pixels.length; p++) {
             float red = light[3 * p];
             float green = light[3 * p + 1];
             float blue = light[3 * p + 2];

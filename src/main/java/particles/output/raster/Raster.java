@@ -57,6 +57,15 @@ public final class Raster {
         return near[SAMPLES * (y * width + x)];
     }
 
+    /** @return how many of a pixel's four samples were drawn on */
+    int covered(int x, int y) {
+        int count = 0;
+        for (int k = 0; k < 4; k++) {
+            count += near[(SAMPLES * y + k / 2) * width + SAMPLES * x + k % 2] > Float.NEGATIVE_INFINITY ? 1 : 0;
+        }
+        return count;
+    }
+
     private void forget() {
         left = width;
         top = height;

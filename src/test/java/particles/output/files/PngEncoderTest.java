@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.Random;
 import java.util.function.IntBinaryOperator;
@@ -14,16 +13,12 @@ import org.junit.jupiter.api.Test;
 /** The encoder's pictures, decoded by ImageIO. */
 class PngEncoderTest {
 
-    private static void assertReadsBack(PngEncoder encoder, int width, int height, IntBinaryOperator colour)
-            throws IOException {
+    private static void assertReadsBack(int width, int height, IntBinaryOperator colour) throws IOException {
         int[] rgb = new int[width * height];
         for (int p = 0; p < rgb.length; p++) {
             rgb[p] = colour.applyAsInt(p % width, p / width);
         }
-        ByteArrayOutputStream out = new ByteArrayOutputStream();
-        encoder.encode(rgb);
-        encoder.writeTo(out);
-        BufferedImage read = ImageIO.read(new ByteArrayInputStream(out.toByteArray()));
+        BufferedImage read = ImageIO.read(new ByteArrayInputStream(PngEncoder.file(width, height, rgb)));
         assertEquals(width, read.getWidth());
         assertEquals(height, read.getHeight());
         for (int p = 0; p < rgb.length; p++) {
@@ -31,19 +26,14 @@ class PngEncoderTest {
         }
     }
 
-    /**
-     * The top byte, which text drawn by Java sets, is left out. Noise overflows the initial buffer; the smooth pictures
-     * after it use both filters.
-     */
+    /** The top byte, which text drawn by Java sets, is left out. The smooth pictures use both filters. */
     @Test
     void everyPixelReadsBack() throws IOException {
-        PngEncoder encoder = new PngEncoder(317, 211);
         Random random = new Random(715);
-        assertReadsBack(encoder, 317, 211, (x, y) -> random.nextInt());
-        assertReadsBack(encoder, 317, 211, (x, y) -> x << 16 | y << 8 | 255 - y);
-        assertReadsBack(encoder, 317, 211, (x, y) -> y * 0x010203);
-        assertReadsBack(encoder, 317, 211, (x, y) -> x / 7 * 0x030201);
-        encoder.close();
-        assertReadsBack(new PngEncoder(1, 1), 1, 1, (x, y) -> 0x123456);
+        assertReadsBack(317, 211, (x, y) -> random.nextInt());
+        assertReadsBack(317, 211, (x, y) -> x << 16 | y << 8 | 255 - y);
+        assertReadsBack(317, 211, (x, y) -> y * 0x010203);
+        assertReadsBack(317, 211, (x, y) -> x / 7 * 0x030201);
+        assertReadsBack(1, 1, (x, y) -> 0x123456);
     }
 }
