@@ -22,7 +22,7 @@ import particles.teaching.sources.WindyOscillators;
 public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean multistep) {
     private static final double H = 1.0 / 16;
     /** Two runs of one method differ by rounding only: measured 0 for all of ours. */
-    private static final double SAME = 1e-11;
+    private static final double SAME = 1e-9;
     private static final int STEPS = 6;
     private static final double LATER = 3;
     private static final String FORGET = ". What is remembered of earlier steps may be used only while source, time, "
@@ -57,11 +57,7 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
         WindyOscillators twin = source.copy();
         maker.get().stepState(twin, deltaT);
         solver.stepState(source, deltaT);
-        return isSame(twin, source);
-    }
-
-    private static boolean isSame(WindyOscillators one, WindyOscillators two) {
-        return SolverContract.distance(one.getState(), two.getState()) <= SAME;
+        return SolverContract.distance(twin.getState(), source.getState()) <= SAME;
     }
 
     /** Makes steps and a change from outside; the next step has to be that of a new solver. */
@@ -126,8 +122,9 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
             first.stepState(one, H);
             second.stepState(two, H);
         }
-        return isSame(alone, one) ? Optional.empty() : Optional.of("two solvers of this class step in turn, each its"
-                + " own source, and one disturbs the other: something is static, and shared by all of them");
+        return SolverContract.distance(alone.getState(), one.getState()) <= SAME ? Optional.empty() : Optional.of(
+                "two solvers of this class step in turn, each its own source, and one disturbs the other: something is"
+                + " static, and shared by all of them");
     }
 
     /** The simulation shortens the last step before an event, so that deltaT changes from step to step. */

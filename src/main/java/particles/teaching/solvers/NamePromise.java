@@ -70,7 +70,8 @@ record NamePromise(String says, int order, List<String> methods, String kind, St
             a strong-stability-preserving method | 2 | ssp ssprk shuosher | |
             a Runge-Kutta method of order 4 | 4 | rk4 rungekutta4 rungekutta classicalrk gill ralston4 ralstonrk4 | |
             Kutta's 3/8 rule | 4 | rk38 rungekutta38 kutta38 threeeighth | Kutta's 3/8 rule |
-            a method of order 4 or 5 | 4 | rkf45 rk45 ode45 fehlberg rungekuttafehlberg cashkarp dormandprince dopri | |
+            a method of order 4 or 5 | 4 | rkf45 rk45 ode45 fehlberg rungekuttafehlberg cashkarp dormandprince dopri \
+            merson kuttamerson | |
             a Runge-Kutta method of order 5 | 5 | rk5 rungekutta5 fifth-rungekutta dopri5 rkf5 | |
             velocity or position Verlet | 2 | verlet velocity-verlet position-verlet stormer-verlet stoermer-verlet \
             leapfrog kickdriftkick driftkickdrift stormer stoermer | velocity Verlet (leapfrog: kick, drift, kick); \

@@ -87,7 +87,7 @@ enum Phrase {
             name EXPLICIT: this is %s, which is explicit, and not %s, as its name says: the equation for the new \
                 state is not solved; an iteration has to go on until nothing changes
             method ROUNDS: the iteration for the new state ends too early, after %s: the equation of %s has to be \
-                iterated until nothing changes any more
+                iterated until nothing changes any more%s
             name OLD_VELOCITY: the position is updated with the old velocity, which is the Euler method; the slides' \
                 simple algorithm takes the new one: first v += a deltaT, then x += v deltaT with that v
             name NEW_VELOCITY: the position is updated with the new velocity; the slide's Euler method takes the old \

@@ -33,6 +33,9 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
     /** Newton iterations to 1e-10 leave 5e-14, simple ones to 1e-6 leave 1e-6; a tolerance of 1e-2 leaves 3e-5. */
     private static final double SOLVED = 1e-5;
     private static final double START = 0.5;
+    /** In this step (s) an accurate method is off these equations by 1e-3 or more. */
+    private static final double NEAR_STEP = 1.0 / 8;
+    private static final double NEAR = 1e-4;
     private static final double[] STEPS = {1.0 / 8, 1.0 / 4, 3.0 / 16, 3.0 / 32, 1.0 / 16, 3.0 / 64, 1.0 / 32, 1.0 / 64,
         1.0 / 128};
     private static final List<SolvedEquation> ALL = KnownMethods.EQUATIONS.lines().map(line -> line.split(" *[|] *",
@@ -71,6 +74,12 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
             return ALL.stream().filter(known -> known.old() > 1 == earlier && !known.isAdams())
                     .flatMap(SolvedEquation::clocks).filter(known -> made.misfit(known) < FITS * h).limit(1);
         }).findFirst();
+    }
+
+    /** @return the name of a method with one step whose equation is nearly fulfilled, as by a loose iteration */
+    static Optional<String> near(Supplier<DESolver> maker) {
+        return ALL.stream().filter(known -> known.isOneStep() && known.residual(maker, NEAR_STEP, 1) < NEAR)
+                .map(SolvedEquation::name).findFirst();
     }
 
     /** @return the weights of the seventh step of a multistep method; empty if they are not fixed */
@@ -151,7 +160,8 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
                 && (promise.isGiven() ? promise.methods().contains(known.name) : rounds > 1 || known == ALL.get(0))
                 && known.residual(maker, 1.0 / 8, 1) > StrictMath.pow(2, rounds + 1.6) * known.residual(maker, 1.0 / 16,
                 1)).findFirst().map(known -> Phrase.ROUNDS.of(rounds == 1 ? "one round"
-                : rounds + " rounds", known.name));
+                : rounds + " rounds", known.name, rounds == 1 && !promise.isGiven() ? "; or, if Heun's method is meant,"
+                + " its two derivatives are one array, which the second evaluation writes over" : ""));
     }
 
     /**

@@ -25,6 +25,8 @@ record UnreadMethod(Supplier<DESolver> maker) {
     private static final double START = 0.5;
     private static final double LONG = 4;
     private static final int MOST = 100_000;
+    /** Shorter than a sub-step of fixed length would be. */
+    private static final double BRIEF = 1e-4;
     private static final int SHORT_STEPS = 16;
     /** The oscillators start at 1.5. */
     private static final double FAR = 0.5;
@@ -102,7 +104,7 @@ record UnreadMethod(Supplier<DESolver> maker) {
         int trial = IntStream.range(0, made.size()).filter(i -> !Arrays.equals(made.get(i).state(), start)).findFirst()
                 .orElse(0);
         return Phrase.REJECTED_CLOCK.when(trial > 0 && made.get(0).time() == START && made.stream().skip(trial)
-                .anyMatch(later -> later.time() != START && Arrays.equals(later.state(), start)));
+                .anyMatch(later -> !Formula.sameTime(later.time(), START) && Arrays.equals(later.state(), start)));
     }
 
     /** @return the mistake of a method that solves with a matrix and is not stable; empty if it is stable */
@@ -139,6 +141,18 @@ record UnreadMethod(Supplier<DESolver> maker) {
 
     private Optional<Finding> uncut(double deltaT) {
         return otherTime(deltaT, LITTLE).filter(place -> place > 1).map(place -> Phrase.PARTS.of(Formula.time(place)));
+    }
+
+    /** @return the mistake if a very short step does not move the state by deltaT times the derivative */
+    Optional<Finding> moves() {
+        WindyOscillators source = windy(1, START);
+        double[] start = source.getState();
+        double[] dSdt = new double[start.length];
+        source.getStateDerivative(dSdt);
+        double[] end = after(source, BRIEF).getState();
+        double moved = IntStream.range(0, end.length).mapToDouble(k -> (end[k] - start[k]) * dSdt[k]).sum()
+                / Arrays.stream(dSdt).map(x -> x * x).sum() / BRIEF;
+        return Phrase.ELSEWHERE.when(!(Math.abs(moved - 1) < MUCH_BETTER), BRIEF, Formula.time(moved), moved);
     }
 
     /** @return the mistake if the state after a step is that of another time than t + deltaT */
