@@ -8,7 +8,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -77,7 +76,8 @@ public final class GradeClassCommand extends ResultsCommand {
             if (collect == null) {
                 results.addAll(marked(found(words, problems), assignment, copies, problems, out));
             } else {
-                results.addAll(collected());
+                inside(collect, "collect").stream().map(each -> each.resolve(Result.FILE)).filter(Files::isRegularFile)
+                        .map(Result::read).forEach(results::add);
             }
             for (String id : words.keySet()) {
                 if (results.stream().noneMatch(result -> result.student().equalsIgnoreCase(id))) {
@@ -96,25 +96,21 @@ public final class GradeClassCommand extends ResultsCommand {
         }
     }
 
-    private List<Result> collected() {
-        try {
-            return Result.readAll(collect);
+    private List<Path> inside(Path given, String option) {
+        try (Stream<Path> all = Files.list(given)) {
+            return all.sorted().toList();
         } catch (IOException e) {
-            throw wrong("collect", "'" + collect + "' is not a folder that can be read");
+            throw wrong(option, "'" + given + "' is not a folder that can be read");
         }
     }
 
     /** Finds each student's hand-ins, the last one first. */
     private Map<String, List<Submission>> found(Map<String, List<String>> words, List<String> problems) {
-        List<Path> paths;
-        try (Stream<Path> all = Files.list(folder)) {
-            paths = all.filter(path -> Files.isDirectory(path) || path.toString().toLowerCase(Locale.ROOT)
-                    .endsWith(".zip")).sorted().toList();
-        } catch (IOException e) {
-            throw wrong("folder", "'" + folder + "' is not a folder that can be read");
-        }
         Map<String, List<Submission>> found = new TreeMap<>();
-        for (Path path : paths) {
+        for (Path path : inside(folder, "folder")) {
+            if (!Files.isDirectory(path) && !Submission.isZip(path)) {
+                continue;
+            }
             Submission read;
             try {
                 read = Submission.read(path);

@@ -12,7 +12,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.spec.documents.JsonText;
@@ -162,14 +161,6 @@ record Result(String student, String handedIn, Instant date, String program, Str
                 return in.getBooleanValue();
             default:
                 return in.getDoubleValue();
-        }
-    }
-
-    /** @return all results in the folders of this folder */
-    static List<Result> readAll(Path folder) throws IOException {
-        try (Stream<Path> folders = Files.list(folder)) {
-            return folders.map(each -> each.resolve(FILE)).filter(Files::isRegularFile).sorted().map(Result::read)
-                    .toList();
         }
     }
 }

@@ -52,7 +52,7 @@ record Submission(String name, Map<String, byte[]> files, Instant newest) {
         return isZip(path) ? found.withZip(path) : found.with(path, true);
     }
 
-    private static boolean isZip(Path path) {
+    static boolean isZip(Path path) {
         return path.toString().toLowerCase(Locale.ROOT).endsWith(".zip");
     }
 

@@ -25,10 +25,18 @@ public abstract class NewClassCommand extends ProgramCommand {
     private String className;
 
     private final Path folder;
+    private final String check;
+    private final String use;
 
-    /** @param folder the folder of students' classes */
-    NewClassCommand(Path folder) {
+    /**
+     * @param folder the folder of students' classes
+     * @param check  the command that checks such a class, with %s for its full name
+     * @param use    the way to use it, likewise
+     */
+    NewClassCommand(Path folder, String check, String use) {
         this.folder = folder;
+        this.check = check;
+        this.use = use;
     }
 
     /** @return the class's name if none is given; empty if one has to be */
@@ -38,12 +46,6 @@ public abstract class NewClassCommand extends ProgramCommand {
 
     /** @return the class's text */
     abstract String text(String name);
-
-    /** @return the command that checks such a class, without the class's name */
-    abstract String check();
-
-    /** @return the way to use a class with this full name, as text that follows a colon */
-    abstract String use(String fullName);
 
     @Override
     public final void run(PrintWriter out) throws IOException {
@@ -64,8 +66,8 @@ public abstract class NewClassCommand extends ProgramCommand {
                     + " exists already and was not changed; choose another name or remove it first");
         }
         out.println("written: " + file);
-        out.println("to check it: gradle " + check() + "exercises." + name);
-        out.println("to use it: " + use("exercises." + name));
+        out.println("to check it: " + check.formatted("exercises." + name));
+        out.println("to use it: " + use.formatted("exercises." + name));
     }
 
     /** {@code gradle newSolver}: writes the skeleton of a solver. */
@@ -82,7 +84,7 @@ public abstract class NewClassCommand extends ProgramCommand {
 
         /** Creates the command; see {@link NewClassCommand}. */
         public NewSolver(Path folder) {
-            super(folder);
+            super(folder, "gradle checkSolver -Psolver=%s", "gradle run -Pscene=2 -Psolver=%s");
         }
 
         @Override
@@ -103,16 +105,6 @@ public abstract class NewClassCommand extends ProgramCommand {
             }
             return example == null ? SolverSkeleton.solver(name, from) : SolverSkeleton.example(name, example);
         }
-
-        @Override
-        String check() {
-            return "checkSolver -Psolver=";
-        }
-
-        @Override
-        String use(String fullName) {
-            return "gradle run -Pscene=2 -Psolver=" + fullName;
-        }
     }
 
     /** {@code gradle newEffect}: writes the skeleton of a force law. */
@@ -124,22 +116,12 @@ public abstract class NewClassCommand extends ProgramCommand {
 
         /** Creates the command; see {@link NewClassCommand}. */
         public NewEffect(Path folder) {
-            super(folder);
+            super(folder, "gradle checkEffect -Peffect=%s", "in a scene, under effects:  - %s: {strength: 2}");
         }
 
         @Override
         String text(String name) {
             return EffectSkeleton.effect(name, conservative);
-        }
-
-        @Override
-        String check() {
-            return "checkEffect -Peffect=";
-        }
-
-        @Override
-        String use(String fullName) {
-            return "in a scene, under effects:  - " + fullName + ": {strength: 2}";
         }
     }
 }

@@ -10,26 +10,18 @@ import particles.law.Effect;
 import particles.law.Effect.Trait;
 import particles.teaching.Formula;
 
-/** Tests the properties that an effect declares, on random states of a system. */
-public final class EffectClaims {
+/**
+ * Tests the properties that an effect declares, on random states of a system.
+ *
+ * @param trial  the effect in one state
+ * @param force  its forces there
+ * @param broken receives a line for every declared property that does not hold
+ */
+public record EffectClaims(EffectTrial trial, double[] force, List<String> broken) {
     private static final double STEP = 1e-5;
     private static final double BOUND = 1e-6;
     private static final double ROUNDING = 1e-12;
     private static final int TRIALS = 20;
-
-    private final EffectTrial trial;
-    private final List<String> broken;
-    private final int n;
-    private final double[] force;
-    private final double size;
-
-    private EffectClaims(EffectTrial trial, List<String> broken) {
-        this.trial = trial;
-        this.broken = broken;
-        n = trial.size();
-        force = trial.force();
-        size = EffectTrial.largest(force);
-    }
 
     /**
      * @param system the particles; about a unit apart, so that the random states make sense
@@ -42,12 +34,18 @@ public final class EffectClaims {
         Random random = new Random(seed);
         for (int j = 0; j < TRIALS; j++) {
             EffectTrial here = EffectTrial.random(system, effect, random, 0);
-            new EffectClaims(new EffectTrial(system, effect, here.state(), 3 * random.nextDouble()), broken).check();
+            EffectTrial trial = new EffectTrial(system, effect, here.state(), 3 * random.nextDouble());
+            new EffectClaims(trial, trial.force(), broken).check();
         }
         return broken;
     }
 
+    private double size() {
+        return EffectTrial.largest(force);
+    }
+
     private void check() {
+        int n = trial.size();
         if (trial.claims(Trait.INTERNAL)) {
             checkThirdLaw();
         }
@@ -76,6 +74,7 @@ public final class EffectClaims {
 
     /** F . v = -dV/dt - dissipated + driven, of the particles that can move. */
     private void checkPower() {
+        int n = trial.size();
         double[] state = trial.state();
         double power = trial.work(state);
         double stored = trial.stored(state);
@@ -88,7 +87,7 @@ public final class EffectClaims {
                 driven);
         double speed = trial.velocities().mapToDouble(k -> Math.abs(state[k])).reduce(1, Math::max);
         boolean none = stored == 0 && dissipated == 0 && driven == 0;
-        expect(Math.abs(power + stored + dissipated - driven) <= BOUND * Math.max(size * speed * n, Math.abs(stored)),
+        expect(Math.abs(power + stored + dissipated - driven) <= BOUND * Math.max(size() * speed * n, Math.abs(stored)),
                 "power: the force does work at %s W; " + (none
                 ? "none of getPotentialEnergy, getDissipatedPower and getDrivenPower accounts for it"
                 : "accounted for are %s W: getPotentialEnergy gives %s W, getDissipatedPower takes %s W and"
@@ -103,6 +102,7 @@ public final class EffectClaims {
 
     /** Every entry of the force's derivative by positions and velocities; differences of 1e-5. */
     private void checkDerivatives(DifferentiableEffect differentiable) {
+        int n = trial.size();
         double[][] exact = new double[n][n];
         differentiable.addForceDerivatives(trial.state(), trial.time(), new ForceDerivatives() {
             @Override
@@ -138,7 +138,7 @@ public final class EffectClaims {
             double[] behind = trial.force(trial.moved(column, -STEP));
             for (int row = 0; row < n; row++) {
                 double slope = (ahead[row] - behind[row]) / (2 * STEP);
-                expect(Math.abs(exact[row][column] - slope) <= BOUND * Math.max(size, Math.abs(slope)),
+                expect(Math.abs(exact[row][column] - slope) <= BOUND * Math.max(size(), Math.abs(slope)),
                         "derivative: entry %s, %s is %s where differences give %s", row, column, exact[row][column],
                         slope);
             }
@@ -149,8 +149,8 @@ public final class EffectClaims {
         double[] sum = new double[3];
         trial.velocities().forEach(k -> sum[k % 3] += force[k]);
         for (double total : sum) {
-            expect(Math.abs(total) <= ROUNDING * size * n || leavesFixedOut(trial), "third law: the forces on all"
-                    + " particles add up to %s N and not to 0: F_ji has to be -F_ij", total);
+            expect(Math.abs(total) <= ROUNDING * size() * trial.size() || leavesFixedOut(trial), "third law: the"
+                    + " forces on all particles add up to %s N and not to 0: F_ji has to be -F_ij", total);
         }
     }
 
@@ -164,8 +164,8 @@ public final class EffectClaims {
 
     /** A turn about all three axes: a cyclic exchange of the axes, then 0.6, 0.8 about z. */
     private double[] rotated(double[] values) {
-        double[] turned = new double[n];
-        for (int k = 0; k < n; k += 3) {
+        double[] turned = new double[values.length];
+        for (int k = 0; k < turned.length; k += 3) {
             double a = values[k + 1];
             double b = values[k + 2];
             turned[k] = 0.6 * a - 0.8 * b;
@@ -176,8 +176,8 @@ public final class EffectClaims {
     }
 
     private void expectSame(String claim, double[] expected, double[] actual, double bound) {
-        for (int k = 0; k < n; k++) {
-            expect(Math.abs(expected[k] - actual[k]) <= bound * size, "%s: entry %s is %s instead of %s", claim, k,
+        for (int k = 0; k < trial.size(); k++) {
+            expect(Math.abs(expected[k] - actual[k]) <= bound * size(), "%s: entry %s is %s instead of %s", claim, k,
                     actual[k], expected[k]);
         }
     }

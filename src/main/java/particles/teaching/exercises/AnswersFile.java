@@ -28,12 +28,6 @@ public record AnswersFile(Map<Integer, String> answers, List<String> problems) {
             "The answer to this exercise.")).toList();
     private static final MappingType FORMAT = MappingType.of("the file of answers", KEYS.toArray(new Key<?>[0]));
 
-    /** Copies both collections. */
-    public AnswersFile {
-        answers = Map.copyOf(answers);
-        problems = List.copyOf(problems);
-    }
-
     /**
      * Reads the file line by line, so that a mistake costs no other answer.
      *

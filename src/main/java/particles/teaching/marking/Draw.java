@@ -64,10 +64,13 @@ public final class Draw {
 
     /** @return the sequence, from its beginning */
     public Picks picks() {
+        return new Picks(ByteBuffer.wrap(hash("exercise " + exercise + " of " + student)).getLong());
+    }
+
+    /** @return the SHA-256 of a text */
+    public static byte[] hash(String text) {
         try {
-            byte[] hash = MessageDigest.getInstance("SHA-256")
-                    .digest(("exercise " + exercise + " of " + student).getBytes(StandardCharsets.UTF_8));
-            return new Picks(ByteBuffer.wrap(hash).getLong());
+            return MessageDigest.getInstance("SHA-256").digest(text.getBytes(StandardCharsets.UTF_8));
         } catch (NoSuchAlgorithmException e) {
             throw new AssertionError("every Java has SHA-256", e);
         }

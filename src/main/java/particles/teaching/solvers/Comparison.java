@@ -1,5 +1,6 @@
 package particles.teaching.solvers;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
@@ -26,11 +27,16 @@ final class Comparison {
     private final Scheme known;
     private final Scheme found;
     private final StepReading step;
-    private Optional<Finding> first = Optional.empty();
-    private int count;
-    private int unexplained;
-    private boolean rounded = true;
-    private int distance;
+    private final List<Difference> differences = new ArrayList<>();
+
+    /**
+     * A difference.
+     *
+     * @param hint the known mistake behind it, after a colon; empty for none
+     * @param cost how far it takes the methods apart
+     */
+    private record Difference(Finding finding, String hint, int cost) {
+    }
 
     private Comparison(Scheme known, Scheme found, StepReading step) {
         this.known = known;
@@ -65,7 +71,7 @@ final class Comparison {
      */
     static Comparison nearest(List<Scheme> methods, Scheme found, StepReading step) {
         return methods.stream().map(known -> new Comparison(known, found, step)).min(Comparator.comparingInt(one ->
-                one.distance)).orElseThrow();
+                one.differences.stream().mapToInt(Difference::cost).sum())).orElseThrow();
     }
 
     Scheme known() {
@@ -74,25 +80,22 @@ final class Comparison {
 
     /** @return whether little differs, or all of it by known mistakes */
     boolean isNear() {
-        return count <= FEW || unexplained == 0;
+        return differences.size() <= FEW || differences.stream().noneMatch(one -> one.hint.isEmpty());
     }
 
     /** @return whether the first seven digits of all weights are those of the method */
     boolean isRounded() {
-        return rounded;
+        return differences.stream().allMatch(one -> one.hint.equals(FLOAT));
     }
 
     /** @return the first difference; empty if it is the method */
     Optional<Finding> first() {
-        return first;
+        return differences.stream().findFirst().map(Difference::finding).map(finding -> new Finding(finding.kind(),
+                known.words(finding.text())));
     }
 
     private void wrong(Finding finding, String hint, int cost) {
-        first = first.or(() -> Optional.of(new Finding(finding.kind(), known.words(finding.text()))));
-        count++;
-        unexplained += hint.isEmpty() ? 1 : 0;
-        rounded &= hint.equals(FLOAT);
-        distance += cost;
+        differences.add(new Difference(finding, hint, cost));
     }
 
     /** Compares the row of a stage, or that of the new state after the last stage. */

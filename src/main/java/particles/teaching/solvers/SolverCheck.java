@@ -175,9 +175,10 @@ public final class SolverCheck {
     private Diagnosis measured() {
         boolean far = !vanishes();
         return new Diagnosis(UNREAD, clock.or(() -> Search.first(unread::entryByEntry, () -> far
-                ? unread.rejectedClock() : Optional.empty(), unread::moves, () -> firstSubStep(finding -> finding.kind()
+                ? unread.rejectedClock() : Optional.empty(), () -> firstSubStep(finding -> finding.kind()
                 != Finding.Kind.METHOD), unread::uncut, () -> poorOrder(false, () -> firstSubStep(finding -> true),
-                unread::unstable), this::stageClocks, unread::uncontrolled, unread::asymmetric, unread::unstable)));
+                unread::unstable), unread::moves, this::stageClocks, unread::uncontrolled, unread::asymmetric,
+                unread::unstable)));
     }
 
     /** A mistake in the first sub-step of an adaptive method, which it accepts where derivatives are tiny. */

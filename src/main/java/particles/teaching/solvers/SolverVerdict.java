@@ -12,18 +12,8 @@ import particles.teaching.Finding;
  */
 public record SolverVerdict(String identity, List<Finding> findings, boolean multistep) {
 
-    /** Copies the list. */
-    public SolverVerdict {
-        findings = List.copyOf(findings);
-    }
-
     /** @return the mistakes */
     public List<Finding> wrong() {
         return findings.stream().filter(Finding::isWrong).toList();
-    }
-
-    /** @return the advice */
-    public List<Finding> advice() {
-        return findings.stream().filter(finding -> !finding.isWrong()).toList();
     }
 }

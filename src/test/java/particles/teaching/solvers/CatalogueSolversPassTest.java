@@ -35,10 +35,10 @@ class CatalogueSolversPassTest {
                 SolverCatalog.create(name).getClass().getSimpleName());
         assertEquals(List.of(), verdict.wrong());
         boolean refuses = List.of("symplectic-euler", "verlet", "yoshida4").contains(name);
-        assertEquals(refuses ? 1 : 0, verdict.advice().size(), verdict.advice().toString());
-        assertTrue(verdict.advice().stream().allMatch(note -> note.text().startsWith(
+        assertEquals(refuses ? 1 : 0, verdict.findings().size(), verdict.findings().toString());
+        assertTrue(verdict.findings().stream().allMatch(note -> note.text().startsWith(
                 "it works on systems of positions and velocities only, such as particles, and refuses others")),
-                verdict.advice().toString());
+                verdict.findings().toString());
         assertEquals(IDENTITIES.getOrDefault(name, "This is a method without fixed"
                 + " coefficients, adaptive or implicit."),
                 verdict.identity());
@@ -65,7 +65,7 @@ class CatalogueSolversPassTest {
         SolverVerdict verdict = SolverCheck.check(SlideEuler::new, "SlideEuler");
         assertEquals(List.of(), verdict.wrong());
         assertEquals("This is the Euler method.", verdict.identity());
-        assertTrue(verdict.advice().stream().anyMatch(advice -> advice.text().contains("the NaN goes unnoticed")),
-                verdict.advice().toString());
+        assertTrue(verdict.findings().stream().anyMatch(advice -> advice.text().contains("the NaN goes unnoticed")),
+                verdict.findings().toString());
     }
 }
