@@ -42,6 +42,20 @@ public record ChartData(String title, String xLabel, String yLabel, boolean xLog
         return with(names, series);
     }
 
+    /**
+     * Adds a row for each item below this chart, over the same x axis.
+     *
+     * @param yLabel the label of the rows
+     * @param rows   their names
+     * @param series points (x, row), of which those without any are left out
+     * @return this chart, and the rows if there are points in them
+     */
+    public List<ChartData> above(String yLabel, List<String> rows, List<Series> series) {
+        List<Series> drawn = series.stream().filter(one -> one.x().length > 0).toList();
+        return drawn.isEmpty() ? List.of(this)
+                : List.of(this, new ChartData("", xLabel, yLabel, xLog, false, drawn).inRows(rows));
+    }
+
     /** @return a part of the chart, on the same axes */
     public ChartData with(List<String> names, List<Series> drawn) {
         return new ChartData(title, xLabel, yLabel, xLog, yLog, names, drawn, scale);

@@ -62,9 +62,13 @@ public record DataTable(String name, String title, List<Column> columns, List<Li
     @SafeVarargs
     @SuppressWarnings("varargs")            // the cells are only read
     public static <T> DataTable of(String name, String title, List<T> items, Cells<T>... cells) {
-        List<Cells<T>> all = List.of(cells);
-        return new DataTable(name, title, all.stream().map(Cells::column).toList(),
-                items.stream().map(item -> all.stream().<Object>map(c -> c.cell.apply(item)).toList()).toList());
+        return of(name, title, items, List.of(cells));
+    }
+
+    /** As {@link #of(String, String, List, Cells...)}, with a list of columns. */
+    public static <T> DataTable of(String name, String title, List<T> items, List<Cells<T>> cells) {
+        return new DataTable(name, title, cells.stream().map(Cells::column).toList(),
+                items.stream().map(item -> cells.stream().<Object>map(c -> c.cell.apply(item)).toList()).toList());
     }
 
     /**

@@ -86,7 +86,7 @@ public final class LectureFiguresCommand extends ExperimentCommand {
             Panel panel = Panel.phase(LectureFigures.chart(result, title(result)),
                     Optional.of(LectureFigures.field(LectureFigures.reach(result))));
             panels.add(panel);
-            pictures.add(Picture.of(fileName(result.figure()), caption(result), panel).again());
+            pictures.add(Picture.of(fileName(result.figure()), panel.title() + ".", panel).again());
         }
         pictures.add(0, Picture.panels("all-figures", "All figures beside each other; each has its own scale.",
                 "Euler and midpoint spiral outwards, RK4 inwards: how fast depends on the step", panels)
@@ -111,13 +111,6 @@ public final class LectureFiguresCommand extends ExperimentCommand {
                 + Digits.format("amplitude\u00a0\u00d7\u00a0%.4g, phase\u00a0%+.3g\u00a0rad",
                 result.amplitude(),
                 result.phaseError()).replace('-', '\u2212');
-    }
-
-    private static String caption(Result result) {
-        return Digits.format("%s, deltaT = %s s, %d steps: the amplitude is multiplied by %.6f, the energy by %.6f,"
-                + " and the phase %s by %.6f rad.", result.figure().solver(), Digits.exact(result.figure().deltaT()),
-                result.figure().steps(), result.amplitude(), result.amplitude() * result.amplitude(),
-                result.phaseError() > 0 ? "runs ahead" : "lags", Math.abs(result.phaseError()));
     }
 
     private static String fileName(Figure figure) {

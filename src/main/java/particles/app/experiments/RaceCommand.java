@@ -2,7 +2,8 @@ package particles.app.experiments;
 
 import deSolvers.text.Digits;
 import java.math.BigDecimal;
-import java.util.Arrays;
+import java.math.MathContext;
+import java.math.RoundingMode;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -39,7 +40,6 @@ public final class RaceCommand extends ExperimentCommand {
      * cloth, is over its first part unless a duration is asked for.
      */
     private static final double MOST_WORK = 1e7;
-    private static final int[] ROUND = {10, 15, 20, 30, 50, 70};
     /** The part of the time that the runs take, and not the film. */
     private static final double RUNS = 0.6;
 
@@ -88,10 +88,8 @@ public final class RaceCommand extends ExperimentCommand {
         if (!(work > MOST_WORK)) {
             return scene.duration();
         }
-        double part = scene.duration() * MOST_WORK / work;
-        int exponent = (int) StrictMath.floor(StrictMath.log10(part)) - 1;
-        return Arrays.stream(ROUND).mapToDouble(digits -> new BigDecimal(digits).scaleByPowerOfTen(exponent)
-                .doubleValue()).filter(round -> round <= part).max().orElse(0);
+        return new BigDecimal(scene.duration() * MOST_WORK / work).round(new MathContext(1, RoundingMode.DOWN))
+                .doubleValue();
     }
 
     @Override

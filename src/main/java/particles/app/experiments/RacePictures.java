@@ -85,8 +85,7 @@ final class RacePictures implements Race.ObserverFactory, AutoCloseable {
      */
     ChartPage write(OutputFolder folder, Result race, DoubleConsumer progress) {
         List<RaceFilm.Words> words = race.lanes().stream().map(lane -> new RaceFilm.Words(
-                lane.label(), step(lane), cost(lane, race.equalTime()), lane.left()))
-                .toList();
+                lane.label(), step(lane) + ", " + cost(lane, race.equalTime()), lane.left())).toList();
         RaceFilm.Head head = new RaceFilm.Head(race.scene() + ": " + RaceCharts.work(race),
                 RaceCharts.finding(race), "Grey ghost: the reference, " + Race.REFERENCE + ".", words);
         ChartData strip = RaceCharts.energy(race);

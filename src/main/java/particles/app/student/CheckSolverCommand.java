@@ -108,7 +108,7 @@ public final class CheckSolverCommand extends CheckCommand {
                 Panel.chart(figures.order())));
         figures.region().ifPresent(region -> pictures.add(Picture.of("region",
                 "Where a step makes nothing larger, measured on its own steps. Every mode of a system has to lie"
-                        + " there: deltaT times its eigenvalue lambda or, of a spring, deltaT omega and deltaT c/m."
+                        + " there: deltaT times its eigenvalue lambda."
                         + " Pale: the built-in solver that is nearest.", Panel.map(region))));
         pictures.add(Picture.of("energy", "The energy of an undamped spring, which should stay constant.",
                 Panel.chart(figures.energy())));

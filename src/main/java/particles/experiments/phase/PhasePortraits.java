@@ -82,18 +82,16 @@ public final class PhasePortraits {
             }
         }
         boolean angles = axes.contains(Axis.ANGLE);
-        String position = angles ? "angle" : "position";
-        String velocity = angles ? "angular velocity" : "velocity";
-        String length = angles ? " (rad)" : " (m)";
-        String speed = angles ? " (rad/s)" : " (m/s)";
+        String position = angles ? "angle%s (rad)" : "position%s (m)";
+        String velocity = angles ? "angular velocity%s (rad/s)" : "velocity%s (m/s)";
         return new Portraits(portraits, DataTable.of("ends",
                 "Where the particle was at the end, and how far its path was from the reference's curve on the way",
                 rows, column("particle", row -> row.subject().particle()),
                 column("axis", row -> row.subject().axis().symbol()), column("solver", Portrait::solver),
-                column(position + length, row -> last(row.path().x())),
-                column(velocity + speed, row -> last(row.path().y())),
-                column(position + " error" + length, 3, row -> row.error(Series::x)),
-                column(velocity + " error" + speed, 3, row -> row.error(Series::y)),
+                column(position.formatted(""), row -> last(row.path().x())),
+                column(velocity.formatted(""), row -> last(row.path().y())),
+                column(position.formatted(" error"), 3, row -> row.error(Series::x)),
+                column(velocity.formatted(" error"), 3, row -> row.error(Series::y)),
                 column("off the curve (%)", 2, row -> 100 * row.off()),
                 column("evaluations", row -> row.outcome().evaluations()),
                 column("why it ended", row -> row.outcome().failure().orElse(""))));

@@ -58,23 +58,20 @@ public final class EqualWork {
     }
 
     private final SceneDescription scene;
-    private final double duration;
     private final long target;
     /** The numbers of steps to try for an adaptive solver, the best first. */
     private final List<Long> adaptiveSteps;
 
     /**
-     * @param scene    the scene to run
-     * @param duration the duration of the run (s)
-     * @param target   the number of evaluations wanted, 1 or more
+     * @param scene  the scene to run, for its duration
+     * @param target the number of evaluations wanted, 1 or more
      */
-    public EqualWork(SceneDescription scene, double duration, long target) {
-        this(scene, duration, target, List.of(adaptiveSteps(target)));
+    public EqualWork(SceneDescription scene, long target) {
+        this(scene, target, List.of(adaptiveSteps(target)));
     }
 
-    private EqualWork(SceneDescription scene, double duration, long target, List<Long> adaptiveSteps) {
+    private EqualWork(SceneDescription scene, long target, List<Long> adaptiveSteps) {
         this.scene = scene;
-        this.duration = duration;
         this.target = target;
         this.adaptiveSteps = adaptiveSteps;
     }
@@ -93,7 +90,7 @@ public final class EqualWork {
                 .filter(d -> frames % d == 0 && FAR * d >= best && d <= FAR * best).boxed()
                 .sorted(Comparator.comparingDouble(d -> Math.abs(StrictMath.log((double) d / best)))).limit(CANDIDATES)
                 .toList();
-        return new EqualWork(scene, scene.duration(), target, divisors.isEmpty() ? List.of((long) frames) : divisors);
+        return new EqualWork(scene, target, divisors.isEmpty() ? List.of((long) frames) : divisors);
     }
 
     private static long adaptiveSteps(long target) {
@@ -115,7 +112,7 @@ public final class EqualWork {
         Match best = byTolerance(solver, steps, LOOSEST, target);
         while (steps > 1 && best.evaluations() - target > best.aStep()) {
             steps /= 2;
-            best = better(Optional.of(best), byTolerance(solver, steps, LOOSEST, target), target);
+            best = better(best, byTolerance(solver, steps, LOOSEST, target), target);
         }
         return best;
     }
@@ -138,7 +135,7 @@ public final class EqualWork {
         Match best = byTolerance(solver, adaptiveSteps.get(0), loosest, wanted);
         boolean least = best.evaluations() > wanted && best.setting().tolerance().equals(Optional.of(loosest));
         for (int k = 1; k < adaptiveSteps.size() && !least && off(best, wanted) >= best.aStep(); k++) {
-            best = better(Optional.of(best), byTolerance(solver, adaptiveSteps.get(k), loosest, wanted), wanted);
+            best = better(best, byTolerance(solver, adaptiveSteps.get(k), loosest, wanted), wanted);
         }
         return best;
     }
@@ -147,11 +144,11 @@ public final class EqualWork {
      * About the cheapest run that reaches its end: steps too long for Newton's method are shortened until it converges.
      */
     private Match shortened(Match match) {
-        long steps = Math.round(duration / match.setting().deltaT());
+        long steps = Math.round(scene.duration() / match.setting().deltaT());
         long most = Math.round(MOST_RAISE * target) + FEW;
         for (int trial = 0; trial < TRIALS; trial++) {
             steps = Math.max(steps + 1, Math.round(SHORTER * steps));
-            Match next = measure(Setting.of(match.setting().solver(), duration / steps), steps, most);
+            Match next = measure(Setting.of(match.setting().solver(), scene.duration() / steps), most);
             if (next.whole()) {
                 return next;
             }
@@ -188,18 +185,19 @@ public final class EqualWork {
     /** Searches over the number of steps: the cost of a step changes little, so proportion finds the number. */
     private Match byStep(SolverChoice solver, long wanted) {
         long steps = Math.max(1, Math.round(wanted / 4.0));
-        Optional<Match> best = Optional.empty();
-        for (int trial = 0; trial < TRIALS; trial++) {
-            Match match = measure(Setting.of(solver, duration / steps), steps,
-                    Math.round(MOST_RAISE * wanted) + FEW);
-            best = Optional.of(better(best, match, wanted));
+        long most = Math.round(MOST_RAISE * wanted) + FEW;
+        Match match = measure(Setting.of(solver, scene.duration() / steps), most);
+        Match best = match;
+        for (int trial = 1; trial < TRIALS && off(match, wanted) >= match.aStep() / 2; trial++) {
             long next = Math.max(1, Math.round(wanted / match.aStep()));
-            if (next == steps || off(match, wanted) < match.aStep() / 2) {
+            if (next == steps) {
                 break;
             }
             steps = next;
+            match = measure(Setting.of(solver, scene.duration() / steps), most);
+            best = better(best, match, wanted);
         }
-        return best.orElseThrow();
+        return best;
     }
 
     /**
@@ -208,10 +206,10 @@ public final class EqualWork {
     private Match byTolerance(SolverChoice solver, long steps, double loosest, long wanted) {
         long most = Math.round(MOST_RAISE * wanted) + FEW;
         double first = loosest;
-        Match best = measure(setting(solver, steps, first), 0, most);
+        Match best = measure(setting(solver, steps, first), most);
         while (!best.whole() && first > 2 * LEAST_LOOSE) {
             first /= 10;
-            best = measure(setting(solver, steps, first), 0, most);
+            best = measure(setting(solver, steps, first), most);
         }
         double loose = StrictMath.log10(first);
         double tight = StrictMath.log10(TIGHTEST);
@@ -219,8 +217,8 @@ public final class EqualWork {
         for (int trial = 1; trial < TRIALS && cheap && off(best, wanted) > best.aStep() / 4; trial++) {
             double middle = (loose + tight) / 2;
             // that a run costs more than twice as much is enough to know
-            Match match = measure(setting(solver, steps, StrictMath.pow(10, middle)), 0, 2 * wanted + FEW);
-            best = better(Optional.of(best), match, wanted);
+            Match match = measure(setting(solver, steps, StrictMath.pow(10, middle)), 2 * wanted + FEW);
+            best = better(best, match, wanted);
             if (match.evaluations() < wanted) {
                 loose = middle;
             } else {
@@ -240,24 +238,23 @@ public final class EqualWork {
     }
 
     private Setting setting(SolverChoice solver, long steps, double tolerance) {
-        return new Setting(solver, duration / steps, Optional.of(tolerance));
+        return new Setting(solver, scene.duration() / steps, Optional.of(tolerance));
     }
 
     private static double off(Match match, long wanted) {
         return Math.abs(match.evaluations() - wanted);
     }
 
-    private static Match better(Optional<Match> best, Match match, long wanted) {
-        return best.isEmpty() || off(match, wanted) < off(best.get(), wanted) ? match : best.get();
+    private static Match better(Match best, Match match, long wanted) {
+        return off(match, wanted) < off(best, wanted) ? match : best;
     }
 
     /** @param most the number of evaluations at which the run is given up */
-    private Match measure(Setting setting, long steps, long most) {
-        Outcome outcome = SceneRun.run(SceneRun.build(scene, setting, duration), most, List.of());
+    private Match measure(Setting setting, long most) {
+        Outcome outcome = SceneRun.run(SceneRun.build(scene, setting), most, List.of());
         boolean whole = outcome.failure().isEmpty();
-        double part = whole ? 1 : Math.max(outcome.endTime() / duration, 1e-9);
-        double made = Math.max(1, whole && steps > 0 ? steps : outcome.steps());
+        double part = whole ? 1 : Math.max(outcome.endTime() / scene.duration(), 1e-9);
         return new Match(setting, Math.round(outcome.evaluations() / part), OptionalDouble.empty(),
-                Math.max(1, outcome.evaluations() / made), whole);
+                Math.max(1, outcome.evaluations() / Math.max(1.0, outcome.steps())), whole);
     }
 }

@@ -36,7 +36,6 @@ public final class Amplification {
     private final Supplier<DESolver> maker;
     private final boolean ofSprings;
     private final boolean manySteps;
-    private long evaluations;
 
     /**
      * @param maker     creates solvers without memory
@@ -72,11 +71,6 @@ public final class Amplification {
         return manySteps;
     }
 
-    /** @return the number of evaluations of the derivative so far */
-    public long getEvaluations() {
-        return evaluations;
-    }
-
     /**
      * @param re real part of deltaT lambda
      * @param im its imaginary part
@@ -103,8 +97,6 @@ public final class Amplification {
             return Double.isNaN(growth) ? Double.POSITIVE_INFINITY : growth;
         } catch (DESolverException | IllegalStateException | ArithmeticException e) {
             return Double.POSITIVE_INFINITY;            // refused, or overflown: no step that anyone could take
-        } finally {
-            evaluations += source.getEvaluations();
         }
     }
 

@@ -110,28 +110,17 @@ final class PerturbationGrowth {
      * @return the pair
      */
     Twins run(Setting setting, Mode mode, int steps) {
-        return run(setting, mode, steps, 1);
-    }
-
-    /**
-     * @param setting solver and step
-     * @param mode    the mode along which the runs differ at the beginning
-     * @param steps   the number of steps
-     * @param parts   the number of parts of each step; the setting's step is that of a part
-     * @return the pair, with a distance for each step
-     */
-    Twins run(Setting setting, Mode mode, int steps, int parts) {
-        Recorder first = run(setting, steps, parts, Optional.empty());
-        Recorder second = run(setting, steps, parts, Optional.of(mode));
+        Recorder first = run(setting, steps, Optional.empty());
+        Recorder second = run(setting, steps, Optional.of(mode));
         double[] distances = IntStream.range(0, Math.min(first.states.size(), second.states.size())).mapToDouble(k ->
                 distance(first.masses, first.states.get(k), second.states.get(k), mode.size())).toArray();
-        return new Twins(parts * setting.deltaT(), first.steps, distances, first.failure.or(() -> second.failure));
+        return new Twins(setting.deltaT(), first.steps, distances, first.failure.or(() -> second.failure));
     }
 
-    private Recorder run(Setting setting, int steps, int parts, Optional<Mode> mode) {
-        Scene built = SceneRun.build(scene, setting, steps * parts * setting.deltaT());
+    private Recorder run(Setting setting, int steps, Optional<Mode> mode) {
+        Scene built = SceneRun.build(scene, setting, steps * setting.deltaT());
         mode.ifPresent(along -> displace(built.system(), along));
-        Recorder recorder = new Recorder(built.system(), parts);
+        Recorder recorder = new Recorder(built.system());
         recorder.failure = SceneRun.run(built, List.of(recorder)).failure();
         return recorder;
     }
@@ -175,29 +164,27 @@ final class PerturbationGrowth {
         private final List<double[]> states = new ArrayList<>();
         private final List<Integer> steps = new ArrayList<>();
         private final double[] masses;
-        private final int parts;
         private Optional<String> failure = Optional.empty();
-        private int part;
+        private int step;
         private boolean comparable = true;
 
-        Recorder(ParticleSystem system, int parts) {
+        Recorder(ParticleSystem system) {
             masses = system.getParticles().getMasses().clone();
-            this.parts = parts;
             add(system, system.getOwnState());
         }
 
         @Override
         public void moved(Motion motion) {
-            part++;
+            step++;
             comparable &= motion.getSystem().getStateSize() == states.get(0).length;
-            if (comparable && part % parts == 0 && (part < EVERY * parts || part / parts % EVERY == 0)) {
+            if (comparable && (step < EVERY || step % EVERY == 0)) {
                 add(motion.getSystem(), motion.getEndState());
             }
         }
 
         private void add(ParticleSystem system, double[] state) {
             states.add(Arrays.copyOf(state, system.getStateSize()));
-            steps.add(part / parts);
+            steps.add(step);
         }
     }
 }

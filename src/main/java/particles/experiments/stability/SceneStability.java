@@ -53,8 +53,8 @@ public final class SceneStability {
     /** The part of the rk4 limit at which twins show the effect of the motion itself on a distance. */
     private static final double FINE = 0.5;
     private static final double RK4 = 2.8284;
-    /** |lambda| deltaT at which a step of rk4 changes an amplitude by 1e-10, far less than a growth that matters. */
-    private static final double EXACT = 0.05;
+    /** A tolerance that changes a distance of a ten-millionth by far less than a growth that matters. */
+    private static final double EXACT = 1e-13;
 
     private final SceneDescription scene;
     private final Spectrum spectrum;
@@ -133,7 +133,8 @@ public final class SceneStability {
         }
         Twins pair = twins.run(Setting.of(solver, scene.deltaT()), most, PerturbationGrowth.STEPS);
         double growth = theory.factor(most, scene.deltaT()) - 1;
-        double measured = pair.factor(motion(most)) - 1;
+        double measured = pair.factor(twins.run(Setting.accurate(scene.deltaT(), EXACT), most,
+                PerturbationGrowth.STEPS)) - 1;
         boolean leaves = growth > StabilityLimit.ROUND_OFF && measured * FAR_OFF < growth;
         return new Limit(solver, 0, 0, growth, measured,
                 (leaves ? LEAVES_MODES + ", where " : "") + named(most) + " grows most");
@@ -158,15 +159,8 @@ public final class SceneStability {
                         Digits.format("longest tried: %.3g s", safe));
             }
         }
-        while (unsafe > safe * (1 + ACCURACY)) {
-            double middle = Math.sqrt(safe * unsafe);
-            if (isSafe(solver, middle, mode)) {
-                safe = middle;
-            } else {
-                unsafe = middle;
-            }
-        }
-        double measured = Math.sqrt(safe * unsafe);
+        double measured = StabilityLimit.bisected(safe, unsafe, ACCURACY, deltaT -> isSafe(solver, deltaT, mode))
+                * (1 + ACCURACY / 2);
         boolean agree = Math.max(predicted / measured, measured / predicted) < FAR_OFF;
         return new Limit(solver, predicted, measured, Double.NaN, Double.NaN, agree || Double.isNaN(predicted)
                 ? "set by " + named(mode) + (Math.abs(measured / predicted - 1) > NEARLY ? LEAVES_LINEAR : "")
@@ -191,13 +185,6 @@ public final class SceneStability {
             fine.put(mode, known);
         }
         return known;
-    }
-
-    /** Accurate twins in steps of rk4 that divide the scene's step, at the same times as a solver's. */
-    private Twins motion(Mode mode) {
-        int parts = (int) Math.ceil(scene.deltaT() * spectrum.modes().get(0).size() / EXACT);
-        return twins.run(Setting.of(SolverChoice.RK4, scene.deltaT() / parts), mode,
-                PerturbationGrowth.STEPS, parts);
     }
 
     /**

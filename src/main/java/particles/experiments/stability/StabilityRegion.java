@@ -46,12 +46,8 @@ public final class StabilityRegion {
     }
 
     private static List<Series> outlines(List<String> solvers, Window window, boolean mirrored) {
-        List<Series> series = new ArrayList<>();
-        for (String solver : solvers) {
-            series.add(new StabilityMap(Amplification.of(SolverCatalog.info(solver))::at, window, mirrored)
-                    .outline(solver));
-        }
-        return series;
+        return solvers.stream().map(solver -> new StabilityMap(Amplification.of(SolverCatalog.info(solver))::at, window,
+                mirrored).outline(solver)).toList();
     }
 
     /**
@@ -63,16 +59,19 @@ public final class StabilityRegion {
         SolverInfo info = SolverCatalog.info(solver);
         StabilityMap map = new StabilityMap(Amplification.of(info)::at, window, true);
         return chart(solver + ": " + limits(info),
-                new ArrayList<>(List.of(map.filled("stable"), map.outline(solver))), window, -window.top);
+                List.of(map.filled("stable"), map.outline(solver)), window, -window.top);
     }
 
-    /** @return a part of the imaginary axis */
-    public static Series imaginaryAxis(double bottom, double top) {
-        return new Series("imaginary axis", Mark.LINE, new double[] {0, 0}, new double[] {bottom, top});
-    }
-
-    private static ChartData chart(String finding, List<Series> series, Window window, double bottom) {
-        series.add(imaginaryAxis(bottom, window.top));
+    /**
+     * @param finding the title
+     * @param regions lines and stripes; the imaginary axis comes to them
+     * @param window  the part of the plane
+     * @param bottom  the smallest imaginary part that is shown
+     * @return the chart
+     */
+    public static ChartData chart(String finding, List<Series> regions, Window window, double bottom) {
+        List<Series> series = new ArrayList<>(regions);
+        series.add(new Series("imaginary axis", Mark.LINE, new double[] {0, 0}, new double[] {bottom, window.top}));
         return new ChartData(finding, "Re(deltaT lambda): decay to the left", "Im(deltaT lambda): oscillation",
                 false, false, series).scaledTo(List.of(new Series("window", Mark.LINE,
                 new double[] {window.left, window.right}, new double[] {bottom, window.top})));

@@ -46,21 +46,19 @@ public final class StiffCharts {
     public static List<ChartData> charts(List<Sweep> sweeps) {
         List<String> rows = sweeps.stream().filter(sweep -> sweep.neverStable() || sweep.costs().stream()
                 .anyMatch(cost -> Double.isNaN(cost.toOnePercent()))).map(StiffCharts::name).toList();
-        List<Series> never = Stream.of(
-                never("never stable, however short the step", Mark.FAILURES, sweeps, rows, (sweep, cost) ->
-                        sweep.neverStable()),
-                never("no 1 % with a million steps", Mark.GIVEN_UP, sweeps, rows, (sweep, cost) ->
-                        Double.isNaN(cost.toOnePercent()))).filter(series -> series.x().length > 0).toList();
         List<Sweep> fixed = stable(sweeps, solver -> !solver.adaptive());
         List<Series> left = series(stable(sweeps, solver -> !solver.adaptive() || solver.implicit()),
                 cost -> Math.max(GONE, cost.vibrationLeft()));
-        return Stream.of(
-                chart("evaluations for 1 %", sweeps, Cost::toOnePercent,
-                        growth("Evaluations for 1 %", sweeps, Sweep::preciseExponent)),
-                new ChartData("", STIFFNESS, "never", true, false, never).inRows(rows),
+        List<ChartData> first = chart("evaluations for 1 %", sweeps, Cost::toOnePercent,
+                growth("Evaluations for 1 %", sweeps, Sweep::preciseExponent)).above("never", rows, List.of(
+                never("never stable, however short the step", Mark.FAILURES, sweeps, rows, (sweep, cost) ->
+                        sweep.neverStable()),
+                never("no 1 % with a million steps", Mark.GIVEN_UP, sweeps, rows, (sweep, cost) ->
+                        Double.isNaN(cost.toOnePercent()))));
+        return Stream.concat(first.stream(), Stream.of(
                 chart("evaluations to be stable", fixed, Cost::toBeStable,
                         growth("Evaluations for stability", fixed, Sweep::stableExponent)),
-                new ChartData(vibration(left), STIFFNESS, "fast-mode energy, end / start", true, true, left))
+                new ChartData(vibration(left), STIFFNESS, "fast-mode energy, end / start", true, true, left)))
                 .filter(chart -> !chart.series().isEmpty()).toList();
     }
 

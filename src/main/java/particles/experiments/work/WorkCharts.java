@@ -2,6 +2,7 @@ package particles.experiments.work;
 
 import deSolvers.text.Digits;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -79,16 +80,10 @@ public final class WorkCharts {
     private static List<ChartData> charts(ChartData errors, List<Curve> curves, ToDoubleFunction<Point> work) {
         List<Curve> failing = curves.stream().filter(curve -> curve.points().stream().anyMatch(point ->
                 point.failure().isPresent())).toList();
-        List<Series> series = new ArrayList<>();
-        for (Failure kind : Failure.values()) {
-            List<double[]> points = failing.stream().flatMap(curve -> curve.failures(kind).map(point ->
-                    new double[] {work.applyAsDouble(point), failing.indexOf(curve)})).toList();
-            if (!points.isEmpty()) {
-                series.add(Series.of(kind.words(), kind == Failure.UNSTABLE ? Mark.FAILURES : Mark.GIVEN_UP, points));
-            }
-        }
-        return failing.isEmpty() ? List.of(errors) : List.of(errors, new ChartData("", errors.xLabel(), "no result",
-                true, false, series).inRows(failing.stream().map(Curve::label).toList()));
+        return errors.above("no result", failing.stream().map(Curve::label).toList(), Arrays.stream(Failure.values())
+                .map(kind -> Series.of(kind.words(), kind == Failure.UNSTABLE ? Mark.FAILURES : Mark.GIVEN_UP,
+                        failing.stream().flatMap(curve -> curve.failures(kind).map(point -> new double[] {
+                            work.applyAsDouble(point), failing.indexOf(curve)})).toList())).toList());
     }
 
     /** @return the fitted slope and the theoretical one, as text for the legend */

@@ -31,6 +31,8 @@ final class EndLabels {
     private static final double LEADER = 9;
     private static final double SAMPLE = 20;
     private static final double GAP = 5;
+    /** Enough to place 14 names, which need some 100, to a hundredth of a pixel. */
+    private static final int ROUNDS = 1000;
     private static final BasicStroke THIN = new BasicStroke(0.8f);
     private static final Color HALO = new Color(255, 255, 255, 215);
 
@@ -162,8 +164,7 @@ final class EndLabels {
     }
 
     /**
-     * Finds places that are at least a distance apart and, by least squares, nearest to the wanted ones: isotonic
-     * regression, by pooling neighbours, after the distances are subtracted.
+     * Finds places near the wanted ones that are a distance apart: neighbours that are nearer push each other away.
      *
      * @param wanted   the wanted places, in rising order
      * @param distance the distance between neighbours
@@ -172,29 +173,15 @@ final class EndLabels {
      * @return the places
      */
     static double[] spread(double[] wanted, double distance, double low, double high) {
-        List<double[]> pools = new ArrayList<>();               // each: the sum and the number of its members
-        for (int k = 0; k < wanted.length; k++) {
-            double[] pool = {wanted[k] - k * distance, 1};
-            while (!pools.isEmpty() && mean(pools.get(pools.size() - 1)) >= mean(pool)) {
-                double[] before = pools.remove(pools.size() - 1);
-                pool[0] += before[0];
-                pool[1] += before[1];
-            }
-            pools.add(pool);
-        }
-        double[] places = new double[wanted.length];
-        int k = 0;
-        for (double[] pool : pools) {
-            for (int member = 0; member < pool[1]; member++) {
-                double most = high - (wanted.length - 1) * distance;
-                places[k] = Math.max(low, Math.min(most, mean(pool))) + k * distance;
-                k++;
+        double[] places = wanted.clone();
+        for (int round = 0; round < ROUNDS; round++) {
+            for (int k = 0; k < places.length; k++) {
+                double push = k == 0 ? 0 : Math.max(0, distance - places[k] + places[k - 1]) / 2;
+                places[Math.max(0, k - 1)] -= push;
+                places[k] = Math.max(low + k * distance, Math.min(high - (places.length - 1 - k) * distance,
+                        places[k] + push));
             }
         }
         return places;
-    }
-
-    private static double mean(double[] pool) {
-        return pool[0] / pool[1];
     }
 }

@@ -56,11 +56,10 @@ public final class RaceFilm implements AutoCloseable {
      * The text beside a run.
      *
      * @param name    the solver's, with which {@link #watch} was called
-     * @param step    its step or tolerance
-     * @param cost    the cost of its run
+     * @param text    its step or tolerance, and the cost of its run
      * @param left    the time at which the run ended early (s)
      */
-    public record Words(String name, String step, String cost, OptionalDouble left) {
+    public record Words(String name, String text, OptionalDouble left) {
     }
 
     /**

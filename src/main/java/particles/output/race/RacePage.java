@@ -156,7 +156,7 @@ record RacePage(int width, int height, int columns, int panelWidth, int panelHei
         g.setColor(ChartStyle.TEXT);
         drawFitting(g, NAME, words.name(), x + 40, y + 17, pitch(width, columns) - GAP - 40);
         g.setColor(ChartStyle.AXIS);
-        drawFitting(g, SMALL, words.step() + ", " + words.cost(), x + 2, y + 32, pitch(width, columns) - GAP - 2);
+        drawFitting(g, SMALL, words.text(), x + 2, y + 32, pitch(width, columns) - GAP - 2);
     }
 
     /** A run that has left the race stays visible, faint, with the time at which it left. */

@@ -2,7 +2,6 @@ package particles.output.report;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.util.Base64;
@@ -24,12 +23,6 @@ import particles.view.DataTable;
 public final class ReportWriter {
     /** A table with more rows is collapsed, and not printed. */
     private static final int MOST_ROWS = 60;
-    /** The position of the width in a PNG file; the height follows. */
-    private static final int PNG_WIDTH = 16;
-
-    /** The width of a picture of one chart (pixels). */
-    private static final int WIDE = 1920;
-
     private final OutputFile file;
     private final Html html = new Html();
 
@@ -109,7 +102,7 @@ public final class ReportWriter {
     private void figure(Section section, Picture picture) throws IOException {
         byte[] bytes = Files.readAllBytes(section.folder().resolve(picture.file()));
         boolean moves = picture.file().endsWith(".gif");
-        String kind = moves ? " class=\"animation\"" : hasManyParts(bytes) ? " class=\"whole\"" : "";
+        String kind = moves ? " class=\"animation\"" : picture.panels().size() > 1 ? " class=\"whole\"" : "";
         put("<figure id=\"%s\"" + kind + """
                 >
                 <div class="scroll"><button type="button" title="larger or smaller"><img alt="%s" \
@@ -117,14 +110,6 @@ public final class ReportWriter {
                 moves ? "gif" : "png");
         file.write(Base64.getEncoder().encode(picture.data().isEmpty() ? bytes : SmallImage.of(bytes)));
         put("\"/></button></div>\n<figcaption>%s</figcaption>\n</figure>\n", picture.caption());
-    }
-
-    /** Whether a picture's text would be too small on half a sheet: wider pictures than a chart, and tall ones. */
-    private static boolean hasManyParts(byte[] png) {
-        ByteBuffer header = ByteBuffer.wrap(png);
-        int width = header.getInt(PNG_WIDTH);
-        int height = header.getInt(PNG_WIDTH + Integer.BYTES);
-        return width > WIDE || height > width;
     }
 
     private void table(Section section, DataTable table) {

@@ -1,18 +1,20 @@
 package particles.teaching.figures;
 
+import static particles.view.DataTable.column;
+
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.DoubleBinaryOperator;
-import java.util.function.DoubleUnaryOperator;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import particles.experiments.stability.Amplification;
 import particles.experiments.stability.StabilityLimit;
 import particles.experiments.stability.StabilityMap;
@@ -24,6 +26,7 @@ import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 import particles.view.DataTable;
+import particles.view.DataTable.Cells;
 
 /**
  * The stability limits and the stability region of a solver, measured on its steps.
@@ -36,7 +39,14 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     /** With more noise the coefficients of R are not known well enough to be named. */
     private static final double CLEAN = 1e-9;
     private static final double STABLE = 1 + 1e-8;
-    private static final double LITTLE = 1e-3;
+    /** Growth beyond this is all alike, and so much of a plane is shown that has no border between stable and not. */
+    private static final double MOST = 4;
+    private static final int DIRECTIONS = 12;
+    private static final double NEAREST = 0.05;
+    private static final double FARTHEST = 20;
+    private static final double FACTOR = 1.1;
+    private static final double MARGIN = 0.15;
+    private static final int CELLS = 80;
     private static final String REAL = "real limit: largest stable deltaT |lambda|";
     private static final String IMAGINARY = "imaginary limit: largest stable deltaT omega";
     private static final String DAMPED = "damped limit: largest stable deltaT omega";
@@ -45,31 +55,6 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     private static final List<String> FOR_SPRINGS = List.of("symplectic-euler", "verlet", "yoshida4");
     private static final double[][] PLACES = {{-0.5, 0}, {-1, 0}, {-2, 0}, {-4, 0}, {0, 0.5}, {0, 1}, {0, 2}, {0, 4},
             {-1, 1}};
-    private static final double[][] DAMPED_PLACES = {{0.5, 0}, {1, 0}, {1.5, 0}, {2, 0}, {3, 0}, {0.5, 0.1},
-            {1, 0.5}, {1, 2}, {0, 1}};
-
-    /**
-     * The plane in which a solver is measured: of deltaT lambda or, for a method that steps positions and velocities
-     * apart, of deltaT omega and deltaT c/m.
-     */
-    private record Plane(Amplification amplification, double noise, boolean springs) {
-        double growth(double x, double y) {
-            return springs ? amplification.ofSpring(x * x, y) : amplification.at(x, y);
-        }
-
-        StabilityLimit limit(DoubleUnaryOperator along) {
-            return StabilityLimit.measure(h -> along.applyAsDouble(h) - 10 * noise);
-        }
-
-        /** On springs, critical damping: c/m = 2 omega. */
-        StabilityLimit ofDamping() {
-            return limit(h -> springs ? growth(h, 2 * h) : growth(-h, 0));
-        }
-
-        StabilityLimit ofSpring() {
-            return limit(h -> springs ? growth(h, 0) : growth(0, h));
-        }
-    }
 
     /**
      * @param name      the solver's name in charts
@@ -80,35 +65,39 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     static StabilityFigures of(String name, Supplier<DESolver> maker, boolean multistep) {
         StepTrial trial = StepTrial.of(maker, multistep);
         boolean builtIn = SolverCatalog.names().contains(name);
-        Optional<Amplification> own = builtIn ? Optional.of(Amplification.of(SolverCatalog.info(name)))
+        Optional<Amplification> measured = builtIn ? Optional.of(Amplification.of(SolverCatalog.info(name)))
                 : trial.amplification();
-        if (own.isEmpty()) {
+        if (measured.isEmpty()) {
             return new StabilityFigures(List.of(List.of(REAL, "-", trial.objection()),
                     List.of(IMAGINARY, "-", "the same")),
                     Optional.empty(), Optional.empty());
         }
+        Amplification own = measured.get();
+        boolean springs = own.isOfSprings();
         boolean subStep = builtIn && SolverCatalog.info(name).adaptive();
-        Plane plane = new Plane(own.get(), builtIn ? 0 : trial.noise(), own.get().isOfSprings());
-        String nearest = nearest(name, plane);
+        double noise = builtIn ? 0 : 10 * trial.noise();
+        Map<String, Amplification> others = others(name, own);
+        String nearest = Collections.min(others.keySet(), Comparator.comparing(other -> distance(own,
+                others.get(other))));
         List<List<Object>> rows = new ArrayList<>();
-        if (!subStep && !plane.springs && !multistep && trial.noise() < CLEAN) {
+        if (!subStep && !springs && !multistep && trial.noise() < CLEAN) {
             StabilityFunction.of(maker, trial.noise())
                     .ifPresent(r -> rows.add(List.of("R(z), factor of a step in y' = lambda y, z = lambda deltaT",
                     r.text(), r.owner().isEmpty() ? "z is deltaT lambda" : r.owner())));
         }
-        StabilityLimit damping = plane.ofDamping();
-        StabilityLimit spring = plane.ofSpring();
-        String how = own.get().isOfManySteps() ? ", from the growth over many steps" : subStep ? ", of one sub-step"
-                : "";
-        List<Object> damped = plane.springs ? List.of(DAMPED, text(damping), "of a critically damped spring" + how)
+        StabilityLimit damping = StabilityLimit.measure(h -> own.at(-h, 0) - noise);
+        StabilityLimit spring = StabilityLimit.measure(h -> own.at(0, h) - noise);
+        String how = own.isOfManySteps() ? ", from the growth over many steps" : subStep ? ", of one sub-step" : "";
+        List<Object> damped = springs ? List.of(DAMPED, text(damping), "of a critically damped spring" + how)
                 : List.of(REAL, text(damping), "of drag alone: on the negative real axis" + how);
         List<Object> undamped = List.of(IMAGINARY, text(spring), "of an undamped spring"
-                + (plane.springs ? "" : ": on the imaginary axis")
-                + (spring.value() == 0 ? "; grows at any deltaT" : "")
+                + (springs ? "" : ": on the imaginary axis") + (spring.value() == 0 ? "; grows at any deltaT" : "")
                 + how);
-        rows.addAll(plane.springs ? List.of(undamped, damped) : List.of(damped, undamped));
-        return new StabilityFigures(rows, Optional.of(chart(name, plane, nearest, damping, spring)),
-                Optional.of(table(name, plane, nearest)));
+        rows.addAll(springs ? List.of(undamped, damped) : List.of(damped, undamped));
+        String title = "Stable in the grey region: " + most(damping)
+                + (springs ? " for critical damping, " : " for damping, ") + most(spring) + " for undamped springs";
+        return new StabilityFigures(rows, Optional.of(chart(title, name, own, nearest, others.get(nearest))),
+                Optional.of(table(name, own, nearest, others)));
     }
 
     private static String text(StabilityLimit limit) {
@@ -116,103 +105,91 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
                 : Digits.format("%.8g", limit.value());
     }
 
-    private static DoubleBinaryOperator builtIn(String other, Plane like) {
-        Amplification amplification = like.springs ? new Amplification(() -> SolverCatalog.create(other), true, false)
-                : Amplification.of(SolverCatalog.info(other));
-        return new Plane(amplification, 0, like.springs)::growth;
-    }
-
-    /**
-     * The built-in solver whose stability differs at the fewest places around 0; among equals, the one with the most
-     * similar growth.
-     */
-    private static String nearest(String name, Plane plane) {
-        List<String> others = new ArrayList<>(FOR_ALL);
-        if (plane.springs) {
-            others.addAll(FOR_SPRINGS);
-        }
-        if (plane.amplification.isOfManySteps()) {
-            others.add("adams");
-        }
-        others.remove(name);
-        List<double[]> places = new ArrayList<>();          // where, and the growth there
-        for (double size = 0.3; size < 12; size *= 1.4) {
-            for (int k = 0; k <= 8; k++) {
-                double angle = Math.PI * k / (plane.springs ? 16 : 8);
-                double x = size * StrictMath.cos(angle);
-                double y = size * StrictMath.sin(angle);
-                places.add(new double[] {x, y, plane.growth(x, y)});
-            }
-        }
-        Map<String, Double> distances = new LinkedHashMap<>();
-        for (String other : others) {
-            DoubleBinaryOperator growth = builtIn(other, plane);
-            for (double[] place : places) {
-                double theirs = growth.applyAsDouble(place[0], place[1]);
-                distances.merge(other, (place[2] <= STABLE == theirs <= STABLE ? 0 : 1)
-                        + LITTLE * Math.abs(Math.min(2, place[2]) - Math.min(2, theirs)), Double::sum);
-            }
-        }
-        return Collections.min(others, Comparator.comparing(distances::get));
-    }
-
-    private static ChartData chart(String name, Plane plane, String nearest, StabilityLimit damping,
-            StabilityLimit spring) {
-        DoubleBinaryOperator other = builtIn(nearest, plane);
-        Window window = StabilityWindow.of(plane::growth, other, plane.amplification::getEvaluations, !plane.springs);
-        StabilityMap own = new StabilityMap(plane::growth, window, !plane.springs);
-        Series beside = new StabilityMap(other, window, !plane.springs).outline(nearest);
-        // pale and wide, so that a line along which it runs is seen
-        List<Series> series = new ArrayList<>(List.of(own.outline(name), own.filled("stable"),
-                new Series(nearest, Mark.BAND, beside.x(), beside.y())));
-        if (!plane.springs) {
-            series.add(StabilityRegion.imaginaryAxis(-window.top(), window.top()));
-        }
-        String title = "Stable in the grey region: " + most(damping)
-                + (plane.springs ? " for critical damping, " : " for damping, ") + most(spring)
-                + " for undamped springs";
-        return new ChartData(title, plane.springs ? "deltaT omega: stiffness"
-                : "Re(deltaT lambda): decay to the left, growth to the right",
-                plane.springs ? "deltaT c/m: damping" : "Im(deltaT lambda): oscillation", false, false, series);
-    }
-
     private static String most(StabilityLimit limit) {
         return limit.value() == 0 ? "never" : limit.value() == Double.POSITIVE_INFINITY ? "always"
                 : Digits.format("to %.4g", limit.value());
     }
 
-    private static DataTable table(String name, Plane plane, String nearest) {
-        List<String> others = new ArrayList<>(List.of("euler", "midpoint", "rk4"));
-        others.remove(name);
-        if (!others.contains(nearest)) {
-            others.add(nearest);
+    /** @return the built-in solvers with which it is compared, tried as it is: on springs, or on the test equation */
+    private static Map<String, Amplification> others(String name, Amplification own) {
+        List<String> names = new ArrayList<>(FOR_ALL);
+        if (own.isOfSprings()) {
+            names.addAll(FOR_SPRINGS);
         }
-        List<String> columns = new ArrayList<>(plane.springs ? List.of("deltaT omega", "deltaT c/m")
-                : List.of("deltaT lambda"));
-        columns.addAll(List.of("exactly", name));
-        columns.addAll(others);
-        List<List<Object>> rows = new ArrayList<>();
-        for (double[] at : plane.springs ? DAMPED_PLACES : PLACES) {
-            List<Object> row = new ArrayList<>();
-            if (plane.springs) {
-                row.addAll(List.of(at[0], at[1]));
-            } else {
-                row.add(at[1] == 0 ? number(at[0]) : at[0] == 0 ? number(at[1]) + " i"
-                        : number(at[0]) + " + " + number(at[1]) + " i");
-            }
-            row.add(digits(plane.springs ? damped(at[0], at[1]) : StrictMath.exp(at[0])));
-            row.add(digits(plane.growth(at[0], at[1])));
-            others.forEach(other -> row.add(digits(builtIn(other, plane).applyAsDouble(at[0], at[1]))));
-            rows.add(row);
+        if (own.isOfManySteps()) {
+            names.add("adams");
         }
-        return new DataTable("growth", plane.springs ? "By how much a step multiplies the amplitude of a damped spring"
-                : "By how much a step multiplies the size of y in y' = lambda y; exactly |exp(deltaT lambda)|",
-                columns.stream().map(DataTable::column).toList(), rows);
+        names.remove(name);
+        Map<String, Amplification> others = new LinkedHashMap<>();
+        names.forEach(other -> others.put(other, own.isOfSprings()
+                ? new Amplification(() -> SolverCatalog.create(other), true, false)
+                : Amplification.of(SolverCatalog.info(other))));
+        return others;
     }
 
-    private static double damped(double omega, double damping) {
-        double discriminant = damping * damping / 4 - omega * omega;
-        return StrictMath.exp(-damping / 2 + Math.sqrt(Math.max(0, discriminant)));
+    /** @return how much the growth of two solvers differs at the places of the table */
+    private static double distance(Amplification own, Amplification other) {
+        return Arrays.stream(PLACES).mapToDouble(at -> Math.abs(Math.min(MOST, own.at(at[0], at[1]))
+                - Math.min(MOST, other.at(at[0], at[1])))).sum();
+    }
+
+    private static ChartData chart(String title, String name, Amplification own, String nearest,
+            Amplification other) {
+        Window window = window(List.of(own, other));
+        StabilityMap map = new StabilityMap(own::at, window, true);
+        Series beside = new StabilityMap(other::at, window, true).outline(nearest);
+        // pale and wide, so that a line along which it runs is seen
+        return StabilityRegion.chart(title, List.of(map.outline(name), map.filled("stable"),
+                new Series(nearest, Mark.BAND, beside.x(), beside.y())), window, -window.top());
+    }
+
+    /** Looks from 0 in all directions for places where stable and unstable meet, and shows all of them. */
+    private static Window window(List<Amplification> solvers) {
+        double left = 0;
+        double right = 0;
+        double top = 0;
+        for (int k = 0; k <= DIRECTIONS; k++) {
+            double cos = StrictMath.cos(Math.PI * k / DIRECTIONS);
+            double sin = StrictMath.sin(Math.PI * k / DIRECTIONS);
+            for (Amplification one : solvers) {
+                boolean stable = one.at(NEAREST * cos, NEAREST * sin) <= STABLE;
+                for (double size = NEAREST; size < FARTHEST; size *= FACTOR) {
+                    if (one.at(size * cos, size * sin) <= STABLE != stable) {
+                        stable = !stable;
+                        left = Math.min(left, size * cos);
+                        right = Math.max(right, size * cos);
+                        top = Math.max(top, size * sin);
+                    }
+                }
+            }
+        }
+        double size = Math.max(right - left, top);
+        if (size == 0) {                                // all stable, or the imaginary axis for an outline
+            size = MOST;
+            left = -size;
+        }
+        double margin = MARGIN * size;
+        return new Window(left - 2 * margin, Math.max(right, left + size / 2) + margin,
+                Math.max(top, size / 2) + margin, size / CELLS);
+    }
+
+    private static DataTable table(String name, Amplification own, String nearest,
+            Map<String, Amplification> others) {
+        List<String> beside = new ArrayList<>(Stream.of("euler", "midpoint", "rk4", nearest).distinct().toList());
+        beside.remove(name);
+        List<Cells<double[]>> columns = new ArrayList<>(List.of(column("deltaT lambda", StabilityFigures::place),
+                column("exactly", at -> digits(StrictMath.exp(at[0]))),
+                column(name, at -> digits(own.at(at[0], at[1])))));
+        beside.forEach(other -> columns.add(column(other, at -> digits(others.get(other).at(at[0], at[1])))));
+        return DataTable.of("growth", own.isOfSprings()
+                ? "By how much a step multiplies the amplitude of a damped spring; exactly |exp(deltaT lambda)|"
+                : "By how much a step multiplies the size of y in y' = lambda y; exactly |exp(deltaT lambda)|",
+                List.of(PLACES), columns);
+    }
+
+    private static String place(double[] at) {
+        return at[1] == 0 ? number(at[0]) : at[0] == 0 ? number(at[1]) + " i"
+                : number(at[0]) + " + " + number(at[1]) + " i";
     }
 
     private static String number(double x) {

@@ -110,15 +110,15 @@ class EnergyDriftTest {
     @ValueSource(strings = {"euler", "midpoint", "adams", "verlet", "yoshida4", "backward-euler"})
     void equalWorkIsEqualToWithinAStep(String solver) {
         SceneDescription scene = spring(0.1, 20);
-        EqualWork.Match match = new EqualWork(scene, 20, 800).find(SolverChoice.of(solver));
+        EqualWork.Match match = new EqualWork(scene, 800).find(SolverChoice.of(solver));
         assertEquals(800, match.evaluations(), match.aStep());
-        EqualWork.Match again = new EqualWork(scene, 20, 800).find(SolverChoice.of(solver));
+        EqualWork.Match again = new EqualWork(scene, 800).find(SolverChoice.of(solver));
         assertEquals(match, again, "evaluations are the same in two runs");
     }
 
     @Test
     void adaptiveSolversGetATolerance() {
-        EqualWork.Match match = new EqualWork(spring(0.1, 20), 20, 1600).find(SolverChoice.of("dormand-prince"));
+        EqualWork.Match match = new EqualWork(spring(0.1, 20), 1600).find(SolverChoice.of("dormand-prince"));
         assertEquals(1600, match.evaluations(), 12);                // a sub-step is 6 evaluations
         assertTrue(match.setting().tolerance().isPresent());
     }

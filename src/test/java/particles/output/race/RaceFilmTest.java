@@ -130,8 +130,8 @@ class RaceFilmTest {
                 assertEquals(0.75, e.getTime());
             }
             RaceFilm.Head head = new RaceFilm.Head("A fall", "rk4 wins", "grey", List.of(
-                    new RaceFilm.Words("rk4", "deltaT = 0.25 s", "16 evaluations", OptionalDouble.empty()),
-                    new RaceFilm.Words("euler", "deltaT = 0.25 s", "16 evaluations", OptionalDouble.of(0.75))));
+                    new RaceFilm.Words("rk4", "deltaT = 0.25 s, 16 evaluations", OptionalDouble.empty()),
+                    new RaceFilm.Words("euler", "deltaT = 0.25 s, 16 evaluations", OptionalDouble.of(0.75))));
             film.write(folder, head, strip, part -> heard[0]++);
             new ChartWriter(folder, new ChartFormat(false, true)).write("race.png", film.sheet(head, strip));
             parts = heard[0];

@@ -173,12 +173,12 @@ class StabilityFiguresTest {
         assertEquals(2 * Math.sqrt(2) - 2, Double.parseDouble(value(figures, "damped limit")), 5e-8);
         ChartData region = figures.region().orElseThrow();
         // x'' = -q x - g x' of symplectic Euler: the new trace is 2 - q - g, the determinant 1 - g, and -1 is reached
-        // at 4 = q + 2 g
+        // at 4 = q + 2 g, where q = |z|^2 and g = -2 Re z
         Series outline = series(region, "mine");
-        int[] inside = IntStream.range(0, outline.x().length).filter(k -> outline.y()[k] > 0.05).toArray();
+        int[] inside = IntStream.range(0, outline.x().length).filter(k -> outline.x()[k] < -0.05).toArray();
         for (int k : inside) {
             // a square of the net, halved eight times
-            assertEquals(4, outline.x()[k] * outline.x()[k] + 2 * outline.y()[k], 1e-3);
+            assertEquals(Math.sqrt(8), Math.hypot(outline.x()[k] - 2, outline.y()[k]), 1e-3);
         }
         assertTrue(inside.length > 50, "points " + inside.length);
     }
