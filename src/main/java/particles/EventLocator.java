@@ -17,11 +17,7 @@ import java.util.Optional;
 final class EventLocator {
     private static final int MOST_TRIALS = 200;
 
-    private static final Comparator<Found> EARLIEST = Comparator.comparingDouble(found -> found.event().time());
-
     private final DESolver solver;
-    private final List<Found> candidates = new ArrayList<>();
-    private final List<EventRule.Event> ofRule = new ArrayList<>();
     private double[] begin = {};
     private double beginTime;
 
@@ -61,21 +57,14 @@ final class EventLocator {
 
     /** Locates the earliest event that really happens; false events found on the cubic are skipped. */
     private Optional<Found> locateOne(ParticleSystem system, Motion motion, List<EventRule> rules) {
-        candidates.clear();
+        List<Found> candidates = new ArrayList<>();
         for (EventRule rule : rules) {
-            ofRule.clear();
-            rule.findEvents(motion, ofRule);
-            for (EventRule.Event event : ofRule) {
-                candidates.add(new Found(event, rule));
-            }
+            List<EventRule.Event> events = new ArrayList<>();
+            rule.findEvents(motion, events);
+            events.forEach(event -> candidates.add(new Found(event, rule)));
         }
-        candidates.sort(EARLIEST);
-        for (Found candidate : candidates) {
-            if (locate(system, motion, candidate.event())) {
-                return Optional.of(candidate);
-            }
-        }
-        return Optional.empty();
+        candidates.sort(Comparator.comparingDouble(found -> found.event().time()));
+        return candidates.stream().filter(candidate -> locate(system, motion, candidate.event())).findFirst();
     }
 
     /**

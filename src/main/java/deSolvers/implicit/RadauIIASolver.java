@@ -148,9 +148,9 @@ public final class RadauIIASolver extends AdaptiveSolver {
     }
 
     private boolean prepare(double h) {
-        double square = RadauTableau.MU_RE * RadauTableau.MU_RE + RadauTableau.MU_IM * RadauTableau.MU_IM;
         return jacobian.prepare(h / RadauTableau.MU)
-                && jacobian.prepareComplex(h * RadauTableau.MU_RE / square, -h * RadauTableau.MU_IM / square);
+                && jacobian.prepareComplex(h * RadauTableau.MU_RE / RadauTableau.MU_SQUARE,
+                        -h * RadauTableau.MU_IM / RadauTableau.MU_SQUARE);
     }
 
     /** The first guess: the last sub-step's polynomial, extrapolated; 0 in the first sub-step. */

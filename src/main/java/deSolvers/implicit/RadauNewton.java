@@ -3,6 +3,7 @@ package deSolvers.implicit;
 import static deSolvers.implicit.RadauTableau.MU;
 import static deSolvers.implicit.RadauTableau.MU_IM;
 import static deSolvers.implicit.RadauTableau.MU_RE;
+import static deSolvers.implicit.RadauTableau.MU_SQUARE;
 
 import deSolvers.FiniteCheck;
 import deSolvers.StepTransaction;
@@ -170,11 +171,10 @@ final class RadauNewton {
     private boolean correct(StepTransaction source, ShiftedJacobian jacobian, double offset, double h) {
         RadauTableau.transform(true, f, split);
         source.setOffset(offset);                       // where the Jacobian is
-        double square = MU_RE * MU_RE + MU_IM * MU_IM;
         for (int i = 0; i < right.length; i++) {
             right[i] = h / MU * split[0][i] - w[0][i];
-            complexRight[2 * i] = h / square * (MU_RE * split[1][i] + MU_IM * split[2][i]) - w[1][i];
-            complexRight[2 * i + 1] = h / square * (MU_RE * split[2][i] - MU_IM * split[1][i]) - w[2][i];
+            complexRight[2 * i] = h / MU_SQUARE * (MU_RE * split[1][i] + MU_IM * split[2][i]) - w[1][i];
+            complexRight[2 * i + 1] = h / MU_SQUARE * (MU_RE * split[2][i] - MU_IM * split[1][i]) - w[2][i];
         }
         return jacobian.solve(right, correction, LINEAR_TOLERANCE)
                 && jacobian.solveComplex(complexRight, complexCorrection, LINEAR_TOLERANCE);

@@ -14,6 +14,7 @@ final class RadauTableau {
     static final double MU = 3 + R9 - R3;
     static final double MU_RE = 3 + (R3 - R9) / 2;
     static final double MU_IM = -(Math.sqrt(3) * R3 + 3 * StrictMath.cbrt(Math.sqrt(3))) / 2;
+    static final double MU_SQUARE = MU_RE * MU_RE + MU_IM * MU_IM;
 
     private static final double[][] T = {
         {0.09443876248897524, -0.14125529502095421, 0.03002919410514742},

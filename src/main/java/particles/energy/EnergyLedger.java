@@ -49,25 +49,21 @@ public final class EnergyLedger implements Observer {
         private double powerBefore;
         private double work;
 
-        Account(String name, Power power, boolean changesBetweenSteps) {
+        Account(String name, boolean changesBetweenSteps, Power power) {
             this.name = name;
-            this.power = power;
             this.changesBetweenSteps = changesBetweenSteps;
+            this.power = power;
         }
     }
 
     /** The power that goes into the system (W). */
     private interface Power {
-        double at(ParticleSystem system, double[] state, double time);
+        double at(double[] state, double time);
     }
 
     private final List<Account> accounts = new ArrayList<>();
     private final Map<Effect, Account> undeclared = new LinkedHashMap<>();
     private final Map<String, Double> jumps = new LinkedHashMap<>();
-    private double[] middle = {};
-    private double[] mean = {};
-    private double[] force = {};
-    private double[] pull = {};
     private double startEnergy;
     private double energy;
     private double largestKinetic;
@@ -78,28 +74,38 @@ public final class EnergyLedger implements Observer {
     public void started(ParticleSystem system) {
         for (Effect effect : system.getEffects()) {
             if (effect.getTraits().contains(Trait.DISSIPATIVE)) {
-                accounts.add(new Account(effect.getName() + " (dissipated)",
-                        (s, state, time) -> -effect.getDissipatedPower(state, time), false));
+                open(effect.getName() + " (dissipated)", false,
+                        (state, time) -> -effect.getDissipatedPower(state, time));
             }
             if (effect.getTraits().contains(Trait.DRIVING)) {
-                accounts.add(new Account(effect.getName() + " (driven)",
-                        (s, state, time) -> effect.getDrivenPower(state, time), false));
+                open(effect.getName() + " (driven)", false, effect::getDrivenPower);
             }
             if (Collections.disjoint(effect.getTraits(), Trait.OF_ENERGY)) {
-                Account work = new Account(effect.getName(), (s, state, time) -> power(effect, s, state, time), false);
-                accounts.add(work);
-                undeclared.put(effect, work);
+                undeclared.put(effect, open(effect.getName(), false,
+                        (state, time) -> power(effect, system.getParticles(), state, time)));
             }
         }
         for (Reaction reaction : system.getReactions()) {
-            accounts.add(new Account(reaction.getName(), (s, state, time) -> reaction.isActive()
-                    ? reaction.getPower(state, time, effectForces(s, state, time)) : 0, true));
+            open(reaction.getName(), true, (state, time) -> {
+                if (!reaction.isActive()) {
+                    return 0;
+                }
+                double[] force = new double[state.length];
+                system.addUpEffects(state, time, force);
+                return reaction.getPower(state, time, force);
+            });
         }
         if (system.getMovingAnchors().length > 0) {
-            accounts.add(new Account("moving anchors", this::anchorPower, false));
+            open("moving anchors", false, (state, time) -> anchorPower(system, state, time));
         }
         energy = system.getEnergy(system.getOwnState(), system.getTime());
         startEnergy = energy;
+    }
+
+    private Account open(String name, boolean changesBetweenSteps, Power power) {
+        Account account = new Account(name, changesBetweenSteps, power);
+        accounts.add(account);
+        return account;
     }
 
     @Override
@@ -115,30 +121,20 @@ public final class EnergyLedger implements Observer {
         double t0 = motion.getStartTime();
         double t1 = motion.getEndTime();
         double half = t0 + (t1 - t0) / 2;
-        if (!accounts.isEmpty()) {
-            if (middle.length != system.getStateSize()) {
-                middle = new double[system.getStateSize()];
-                mean = new double[system.getStateSize()];
-            }
-            motion.interpolate(half, middle);
-        }
-        boolean meanKnown = false;
+        double[] middle = new double[system.getStateSize()];
+        motion.interpolate(half, middle);
         largestKinetic = Math.max(largestKinetic, system.getKineticEnergy(motion.getStartState()));
         for (Account account : accounts) {
             double before = powersKnown && !account.changesBetweenSteps ? account.powerBefore
-                    : account.power.at(system, motion.getStartState(), t0);
-            double after = account.power.at(system, motion.getEndState(), t1);
+                    : account.power.at(motion.getStartState(), t0);
+            double after = account.power.at(motion.getEndState(), t1);
             double trapezoid = (t1 - t0) / 2 * (before + after);
-            double work = (trapezoid + 2 * (t1 - t0) * account.power.at(system, middle, half)) / 3;     // Simpson's
+            double work = (trapezoid + 2 * (t1 - t0) * account.power.at(middle, half)) / 3;     // Simpson's
             double difference = Math.abs(work - trapezoid);
             if (difference > RESOLVED * Math.max(Math.abs(work), Math.abs(trapezoid))
                     && difference > LITTLE * Math.max(largestKinetic,
                             system.getInternalEnergy(motion.getStartState(), t0))) {
-                if (!meanKnown) {
-                    findMeanVelocities(motion);
-                    meanKnown = true;
-                }
-                work = (t1 - t0) * account.power.at(system, mean, half);
+                work = (t1 - t0) * account.power.at(withMeanVelocities(middle, motion), half);
             }
             if (motion.isAdaptive() && difference > 0) {
                 uncertainty += difference * Math.min(1, difference / Math.abs(trapezoid));
@@ -162,57 +158,47 @@ public final class EnergyLedger implements Observer {
         powersKnown = false;
     }
 
-    /** Finds the positions in the middle, with the mean velocities of the motion: displacement divided by time. */
-    private void findMeanVelocities(Motion motion) {
+    /** The positions in the middle, with the mean velocities of the motion: displacement divided by time. */
+    private static double[] withMeanVelocities(double[] middle, Motion motion) {
         double time = motion.getEndTime() - motion.getStartTime();
-        System.arraycopy(middle, 0, mean, 0, mean.length);
+        double[] mean = middle.clone();
         for (int x = 0; x < mean.length; x += STRIDE) {
             for (int c = x; c < x + 3; c++) {
                 mean[c + 3] = (motion.getEndState()[c] - motion.getStartState()[c]) / time;
             }
         }
-    }
-
-    private double[] effectForces(ParticleSystem system, double[] state, double time) {
-        if (force.length != system.getStateSize()) {
-            force = new double[system.getStateSize()];
-        }
-        system.addUpEffects(state, time, force);
-        return force;
+        return mean;
     }
 
     /** The power of an effect's forces on the particles that can move (W). */
-    private double power(Effect effect, ParticleSystem system, double[] state, double time) {
-        if (pull.length != system.getStateSize()) {
-            pull = new double[system.getStateSize()];
-        }
-        Arrays.fill(pull, 0);
-        effect.addForces(state, time, pull);
+    private static double power(Effect effect, Particles particles, double[] state, double time) {
+        double[] force = new double[state.length];
+        effect.addForces(state, time, force);
         double power = 0;
-        for (int v = 3; v < pull.length; v += STRIDE) {
-            power += system.getParticles().isFixed(v / STRIDE) ? 0
-                    : pull[v] * state[v] + pull[v + 1] * state[v + 1] + pull[v + 2] * state[v + 2];
+        for (int i = 0; i < particles.count(); i++) {
+            power += particles.isFixed(i) ? 0 : power(i, force, state);
         }
         return power;
     }
 
     /** The power of the prescribed motion of anchors: minus the internal forces on each anchor, times its velocity. */
-    private double anchorPower(ParticleSystem system, double[] state, double time) {
-        if (pull.length != system.getStateSize()) {
-            pull = new double[system.getStateSize()];
-        }
-        Arrays.fill(pull, 0);
+    private static double anchorPower(ParticleSystem system, double[] state, double time) {
+        double[] force = new double[state.length];
         for (Effect effect : system.getEffects()) {
             if (effect.getTraits().contains(Trait.INTERNAL)) {
-                effect.addForces(state, time, pull);
+                effect.addForces(state, time, force);
             }
         }
         double power = 0;
         for (int anchor : system.getMovingAnchors()) {
-            int v = STRIDE * anchor + 3;
-            power -= pull[v] * state[v] + pull[v + 1] * state[v + 1] + pull[v + 2] * state[v + 2];
+            power -= power(anchor, force, state);
         }
         return power;
+    }
+
+    private static double power(int particle, double[] force, double[] state) {
+        int v = STRIDE * particle + 3;
+        return force[v] * state[v] + force[v + 1] * state[v + 1] + force[v + 2] * state[v + 2];
     }
 
     /** @return the total energy at the beginning (J) */

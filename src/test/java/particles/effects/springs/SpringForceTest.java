@@ -6,8 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.problems.Steps;
-import java.util.List;
-import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -77,58 +75,5 @@ class SpringForceTest {
         assertThrows(IllegalArgumentException.class, () -> springs.addSpring(0, 1, 1, Double.NaN, 0));
         assertThrows(IllegalArgumentException.class, () -> springs.addSpring(0, 1, 1, 1, Double.POSITIVE_INFINITY));
         assertEquals(0, springs.springCount());
-    }
-
-    @Test
-    void arraysGrowAndKeepTheirValues() {
-        for (int s = 0; s < 100; s++) {
-            springs.addSpring(s % 2, 1 - s % 2, s, s + 1, s + 2);
-        }
-        assertEquals(100, springs.springCount());
-        assertEquals(1, springs.from(77));
-        assertEquals(0, springs.to(77));
-        assertEquals(0, springs.from(78));
-        assertEquals(1, springs.to(78));
-        assertEquals(77, springs.stiffness(77));
-        assertEquals(78, springs.restLength(77));
-        assertEquals(79, springs.damping(77));
-    }
-
-    /** Four springs between three particles, not sorted by first particle. */
-    private void addFour() {
-        system.addParticle("c", 1, Vector3.ZERO, Vector3.ZERO, false);
-        springs.addSpring(2, 1, 1, 1, 0);
-        springs.addSpring(0, 1, 2, 1, 0);
-        springs.addSpring(2, 0, 3, 1, 0);
-        springs.addSpring(0, 2, 4, 1, 0);
-    }
-
-    private List<Double> stiffnesses() {
-        return IntStream.range(0, springs.springCount()).mapToObj(springs::stiffness).toList();
-    }
-
-    /** Sorted by first particle as soon as they are evaluated or divided into blocks. */
-    @Test
-    void evaluationRenumbersSprings() {
-        addFour();
-        assertEquals(List.of(1.0, 2.0, 3.0, 4.0), stiffnesses());
-        springs.addForces(new double[18], 0, new double[18]);
-        assertEquals(List.of(2.0, 4.0, 1.0, 3.0), stiffnesses());
-        springs.addSpring(0, 1, 5, 1, 0);
-        assertEquals(1, springs.countBlocks(), "so few");
-        assertEquals(List.of(2.0, 4.0, 5.0, 1.0, 3.0), stiffnesses());
-        assertEquals(0, springs.getPartStart(0));
-        assertEquals(5, springs.getPartStart(1), "none joins two blocks");
-    }
-
-    @Test
-    void springsAreRemovedAloneOrWithTheirParticles() {
-        addFour();
-        springs.removeSprings(new boolean[] {false, false, true, false});
-        assertEquals(List.of(1.0, 2.0, 4.0), stiffnesses());
-        springs.reindex(new int[] {1, -1, 0});
-        assertEquals(List.of(4.0), stiffnesses());
-        assertEquals(1, springs.from(0));
-        assertEquals(0, springs.to(0));
     }
 }

@@ -1,11 +1,13 @@
 package particles.effects.springs;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.ParticleSystem;
@@ -119,5 +121,22 @@ class SpringKernelTest {
             star.add(spring(0, j, random, 1));
         }
         assertLaw(star, state);
+    }
+
+    /** The bound between the two loops: two springs a particle. */
+    @Test
+    void twoSpringsAParticleAreEvaluatedTogether() {
+        SpringTable table = new SpringTable();
+        for (int from : new int[] {0, 0, 1}) {
+            table.add(from, 2, 0, 0, 0);
+        }
+        table.arrange();
+        assertFalse(table.isGrouped(), "3 springs of 2 particles");
+        table.add(1, 3, 0, 0, 0);
+        table.arrange();
+        assertTrue(table.isGrouped(), "4 springs of 2 particles");
+        table.remove(new boolean[] {true, false, false, false});
+        table.arrange();
+        assertFalse(table.isGrouped(), "counted again: 3 of 2");
     }
 }
