@@ -3,6 +3,7 @@ package particles;
 import deSolvers.text.Digits;
 import particles.SimulationException.End;
 import particles.law.Particles;
+import particles.law.Vector3;
 
 /**
  * Ends a run that has blown up: the last of its rules, which changes nothing. The observer {@code NumericalErrorLimit}
@@ -40,8 +41,9 @@ public record EnergyLimit(double joules) implements Rule {
     private static int fastest(Particles particles, double[] state) {
         int fastest = 0;
         double most = -1;
-        for (int i = 0, v = 3; i < particles.count(); i++, v += Particles.STRIDE) {
-            double square = state[v] * state[v] + state[v + 1] * state[v + 1] + state[v + 2] * state[v + 2];
+        for (int i = 0; i < particles.count(); i++) {
+            Vector3 v = Vector3.at(state, Particles.STRIDE * i + 3);
+            double square = v.dot(v);
             if (!particles.isFixed(i) && !(square <= most)) {
                 most = square;
                 fastest = i;

@@ -1,6 +1,7 @@
 package particles;
 
-import java.util.Arrays;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import particles.law.Particles;
 
@@ -21,12 +22,13 @@ public final class Motion {
     private double endTime;
     private double[] startState = {};
     private double[] endState = {};
-    private double[][] stops = {};                      // states between sub-steps, in the order of their times
-    private double[] stopTimes = {};
-    private int stopCount;
+    private final List<Stop> stops = new ArrayList<>();  // between sub-steps, in the order of their times
     private int every;                                  // one in this many sub-steps is kept
     private int passed;                                 // sub-steps since the last one kept
     private boolean adaptive;
+
+    private record Stop(double time, double[] state) {
+    }
 
     void begin(ParticleSystem system) {
         int n = system.getStateSize();
@@ -37,7 +39,7 @@ public final class Motion {
         this.system = system;
         System.arraycopy(system.getOwnState(), 0, startState, 0, n);
         startTime = system.getTime();
-        stopCount = 0;
+        stops.clear();
         every = 1;
         passed = 0;
         adaptive = false;
@@ -51,27 +53,14 @@ public final class Motion {
             return;
         }
         passed = 0;
-        if (stopCount == stops.length) {
-            stops = Arrays.copyOf(stops, 2 * stopCount + 1);
-            stopTimes = Arrays.copyOf(stopTimes, stops.length);
-        }
-        stops[stopCount] = stops[stopCount] != null && stops[stopCount].length == state.length ? stops[stopCount]
-                : new double[state.length];
-        System.arraycopy(state, 0, stops[stopCount], 0, state.length);
-        stopTimes[stopCount++] = time;
-        if (stopCount == 2 * Math.max(1, MOST_NUMBERS / 2 / Math.max(1, state.length))) {
-            thinOut();
-        }
-    }
-
-    private void thinOut() {
-        stopCount /= 2;
-        every *= 2;
-        for (int k = 0; k < stopCount; k++) {
-            double[] unused = stops[k];
-            stops[k] = stops[2 * k + 1];
-            stops[2 * k + 1] = unused;
-            stopTimes[k] = stopTimes[2 * k + 1];
+        stops.add(new Stop(time, state.clone()));
+        if (stops.size() == 2 * Math.max(1, MOST_NUMBERS / 2 / Math.max(1, state.length))) {
+            int half = stops.size() / 2;
+            for (int k = 0; k < half; k++) {
+                stops.set(k, stops.get(2 * k + 1));
+            }
+            stops.subList(half, 2 * half).clear();
+            every *= 2;
         }
     }
 
@@ -80,14 +69,12 @@ public final class Motion {
         system.record(Optional.empty());
         System.arraycopy(system.getOwnState(), 0, endState, 0, endState.length);
         endTime = system.getTime();
-        while (stopCount > 0 && stopTimes[stopCount - 1] >= endTime) {
-            stopCount--;
-        }
+        stops.removeIf(stop -> stop.time >= endTime);
     }
 
     /** @return the number of pieces: 1; for an adaptive solver one per sub-step, or per few if there are very many */
     public int getPieces() {
-        return stopCount + 1;
+        return stops.size() + 1;
     }
 
     /** @return whether an adaptive solver made it, which keeps the error of each sub-step within a tolerance */
@@ -100,16 +87,18 @@ public final class Motion {
      * @return the motion in one sub-step, or in a few consecutive ones; valid until the next step begins
      */
     public Motion getPiece(int k) {
-        if (stopCount == 0) {
+        if (stops.isEmpty()) {
             return this;
         }
         Motion piece = new Motion();
         piece.system = system;
         piece.adaptive = adaptive;
-        piece.startTime = k == 0 ? startTime : stopTimes[k - 1];
-        piece.startState = k == 0 ? startState : stops[k - 1];
-        piece.endTime = k == stopCount ? endTime : stopTimes[k];
-        piece.endState = k == stopCount ? endState : stops[k];
+        Stop start = k == 0 ? new Stop(startTime, startState) : stops.get(k - 1);
+        Stop end = k == stops.size() ? new Stop(endTime, endState) : stops.get(k);
+        piece.startTime = start.time;
+        piece.startState = start.state;
+        piece.endTime = end.time;
+        piece.endState = end.state;
         return piece;
     }
 

@@ -2,7 +2,6 @@ package deSolvers.implicit;
 
 import deSolvers.StepTransaction;
 import deSolvers.linear.SolverWork;
-import java.util.Arrays;
 
 /**
  * The Jacobian J = df/ds as a full matrix: column by column by forward differences, at one evaluation each.
@@ -61,16 +60,9 @@ final class DenseJacobian {
             source.setState(varied);
             source.getStateDerivative(column);
             for (int i = 0; i < n; i++) {
-                column[i] = (column[i] - dSdt[i]) / delta;
+                jacobian[i * n + j] = (column[i] - dSdt[i]) / delta;
             }
-            setColumn(jacobian, j, column);
             varied[j] = state[j];
-        }
-    }
-
-    private static void setColumn(double[] matrix, int j, double[] column) {
-        for (int i = 0, at = j; i < column.length; i++, at += column.length) {
-            matrix[at] = column[i];
         }
     }
 }

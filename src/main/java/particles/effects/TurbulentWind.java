@@ -69,17 +69,14 @@ public final class TurbulentWind implements Wind {
     @Override
     public void getVelocities(double[] state, double time, double[] wind, int from, int to) {
         for (int i = from; i < to; i++) {
-            double x = state[STRIDE * i];
-            double y = state[STRIDE * i + 1];
-            double z = state[STRIDE * i + 2];
             double ux = mean.x();
             double uy = mean.y();
             double uz = mean.z();
-            for (int w = 0, a = 0; w < WAVES; w++, a += 3) {
-                double wave = StrictMath.cos(k[a] * x + k[a + 1] * y + k[a + 2] * z - frequency[w] * time + phase[w]);
-                ux += amplitude[a] * wave;
-                uy += amplitude[a + 1] * wave;
-                uz += amplitude[a + 2] * wave;
+            for (int w = 0; w < WAVES; w++) {
+                double wave = StrictMath.cos(angle(w, state, i, time));
+                ux += amplitude[3 * w] * wave;
+                uy += amplitude[3 * w + 1] * wave;
+                uz += amplitude[3 * w + 2] * wave;
             }
             wind[STRIDE * i + 3] = ux;
             wind[STRIDE * i + 4] = uy;
@@ -87,14 +84,19 @@ public final class TurbulentWind implements Wind {
         }
     }
 
+    private double angle(int w, double[] state, int i, double time) {
+        int x = STRIDE * i;
+        return k[3 * w] * state[x] + k[3 * w + 1] * state[x + 1] + k[3 * w + 2] * state[x + 2] - frequency[w] * time
+                + phase[w];
+    }
+
     @Override
     public void getGradient(double[] state, double time, int i, double[] gradient) {
         Arrays.fill(gradient, 0);
-        for (int w = 0, a = 0; w < WAVES; w++, a += 3) {
-            double slope = -StrictMath.sin(k[a] * state[STRIDE * i] + k[a + 1] * state[STRIDE * i + 1]
-                    + k[a + 2] * state[STRIDE * i + 2] - frequency[w] * time + phase[w]);
+        for (int w = 0; w < WAVES; w++) {
+            double slope = -StrictMath.sin(angle(w, state, i, time));
             for (int e = 0; e < 9; e++) {
-                gradient[e] += slope * amplitude[a + e / 3] * k[a + e % 3];
+                gradient[e] += slope * amplitude[3 * w + e / 3] * k[3 * w + e % 3];
             }
         }
     }

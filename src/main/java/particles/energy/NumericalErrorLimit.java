@@ -7,6 +7,7 @@ import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.SimulationException.End;
 import particles.law.Particles;
+import particles.law.Vector3;
 
 /**
  * Fails a run whose numerical error, as a gain of energy, became larger than its energy. It fails at the end if the
@@ -104,9 +105,9 @@ public final class NumericalErrorLimit implements Observer {
         Particles particles = motion.getSystem().getParticles();
         double[] state = motion.getEndState();
         double most = -1;
-        for (int i = 0, v = 3; i < particles.count(); i++, v += Particles.STRIDE) {
-            double twice = particles.mass(i) * (state[v] * state[v] + state[v + 1] * state[v + 1]
-                    + state[v + 2] * state[v + 2]);
+        for (int i = 0; i < particles.count(); i++) {
+            Vector3 v = Vector3.at(state, Particles.STRIDE * i + 3);
+            double twice = particles.mass(i) * v.dot(v);
             if (!particles.isFixed(i) && twice > most) {
                 most = twice;
                 fastest = i;

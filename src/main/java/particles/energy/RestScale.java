@@ -2,6 +2,7 @@ package particles.energy;
 
 import particles.ParticleSystem;
 import particles.law.Particles;
+import particles.law.Vector3;
 
 /** The energy scale of a scene in which nothing moves: weight times height. */
 final class RestScale {
@@ -21,13 +22,11 @@ final class RestScale {
         double[] state = system.getOwnState();
         double[] force = new double[system.getStateSize()];
         system.addUpEffects(state, system.getTime(), force);
-        double[] sum = new double[3];
+        Vector3 sum = Vector3.ZERO;
         for (int i = 0; i < particles.count(); i++) {
-            for (int c = 0; c < 3 && !particles.isFixed(i); c++) {
-                sum[c] += force[Particles.STRIDE * i + 3 + c];
-            }
+            sum = particles.isFixed(i) ? sum : sum.plus(Vector3.at(force, Particles.STRIDE * i + 3));
         }
-        double weight = Math.sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+        double weight = Math.sqrt(sum.dot(sum));
         if (!(weight > 0)) {
             return 0;
         }
@@ -35,7 +34,7 @@ final class RestScale {
         double highest = Double.NEGATIVE_INFINITY;
         double size = 0;
         for (int x = 0; x < force.length; x += Particles.STRIDE) {
-            double along = (state[x] * sum[0] + state[x + 1] * sum[1] + state[x + 2] * sum[2]) / weight;
+            double along = Vector3.at(state, x).dot(sum) / weight;
             lowest = Math.min(lowest, along);
             highest = Math.max(highest, along);
             size = Math.max(size, Math.abs(along));
