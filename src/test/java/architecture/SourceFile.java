@@ -30,7 +30,9 @@ import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
 
 /** One parsed source file: the packages it uses, and its violations of the project's rules. */
-final class SourceFile {
+record SourceFile(Path path, String packageName, int codeLines, List<Integer> wideLines, Set<String> usedPackages,
+        List<String> emptyCatches, List<String> standardStreams, List<String> mutableStatics,
+        List<String> bareAccessors) {
     /** A name that starts with packages: deSolvers.catalog.SolverCatalog, java.awt.Color, particles.effects.*. */
     private static final Pattern QUALIFIED = Pattern.compile(
             "((?:deSolvers|particles|exercises|java|javax|com|org|info|picocli|net|io)"
@@ -42,23 +44,13 @@ final class SourceFile {
             "(java\\.util\\.)?(Array|Linked|Hash|Tree|Priority|Weak|Identity|Concurrent|Enum)\\w*"
             + "(List|Map|Set|Queue|Deque)|Atomic\\w+|\\w*Adder|\\w*Random|StringBuilder|ThreadLocal");
 
-    private final Path path;
-    private final String packageName;
-    private final int codeLines;
-    private final List<Integer> wideLines;
-    private final Set<String> usedPackages = new TreeSet<>();
-    private final List<String> emptyCatches = new ArrayList<>();
-    private final List<String> standardStreams = new ArrayList<>();
-    private final List<String> mutableStatics = new ArrayList<>();
-    private final List<String> bareAccessors = new ArrayList<>();
-
-    private SourceFile(Path path, CompilationUnitTree unit) {
-        this.path = path;
-        this.packageName = String.valueOf(unit.getPackageName());
-        String text = textOf(path);
-        this.codeLines = codeLines(text);
-        this.wideLines = wideLines(text);
-        new Scanner(unit).scan(unit, null);
+    private static SourceFile of(Path path, CompilationUnitTree unit) throws IOException {
+        String text = Files.readString(path);
+        SourceFile source = new SourceFile(path, String.valueOf(unit.getPackageName()), codeLines(text),
+                wideLines(text), new TreeSet<>(), new ArrayList<>(), new ArrayList<>(), new ArrayList<>(),
+                new ArrayList<>());
+        source.new Scanner().scan(unit, null);
+        return source;
     }
 
     /** @return every source file below a folder; none if the folder is not there */
@@ -78,17 +70,9 @@ final class SourceFile {
                     files.getJavaFileObjectsFromPaths(paths));
             List<SourceFile> sources = new ArrayList<>();
             for (CompilationUnitTree unit : parser.parse()) {
-                sources.add(new SourceFile(Path.of(unit.getSourceFile().toUri()), unit));
+                sources.add(of(Path.of(unit.getSourceFile().toUri()), unit));
             }
             return sources;
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
-    private static String textOf(Path path) {
-        try {
-            return Files.readString(path);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -111,50 +95,12 @@ final class SourceFile {
                 .mapToObj(i -> i + 1).toList();
     }
 
-    String packageName() {
-        return packageName;
-    }
-
-    int codeLines() {
-        return codeLines;
-    }
-
-    List<Integer> wideLines() {
-        return wideLines;
-    }
-
-    Set<String> usedPackages() {
-        return usedPackages;
-    }
-
-    List<String> emptyCatches() {
-        return emptyCatches;
-    }
-
-    List<String> standardStreams() {
-        return standardStreams;
-    }
-
-    List<String> mutableStatics() {
-        return mutableStatics;
-    }
-
-    List<String> bareAccessors() {
-        return bareAccessors;
-    }
-
     @Override
     public String toString() {
         return packageName + "/" + path.getFileName();
     }
 
     private final class Scanner extends TreePathScanner<Void, Void> {
-        private final CompilationUnitTree unit;
-
-        Scanner(CompilationUnitTree unit) {
-            this.unit = unit;
-        }
-
         @Override
         public Void visitImport(ImportTree node, Void none) {
             use(node.getQualifiedIdentifier().toString());

@@ -4,6 +4,7 @@ import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import particles.EnergyLimit;
 import particles.ParticleSystem;
 import particles.Rule;
@@ -106,13 +107,14 @@ public final class SceneBuilder {
         double estimate = EnergyEstimate.of(system, springs, assembly, Math.max(scene.duration(), scene.deltaT()));
         Simulation simulation = new Simulation(system, scene.solving()::create, scene.deltaT(),
                 scene.duration());
+        Optional<RestingContacts> contacts = Optional.empty();
         if (!assembly.getSurfaces().isEmpty() || scene.hasHardBalls()) {       // the ground and others to collide with
-            RestingContacts contacts = new RestingContacts(system, assembly.getSurfaces());
-            system.addReaction(contacts);
-            simulation.addRule(scene.exactImpacts() ? new ExactImpacts(contacts)
-                    : new ClampedImpacts(contacts));
+            contacts = Optional.of(new RestingContacts(system, assembly.getSurfaces()));
+            system.addReaction(contacts.get());
+            simulation.addRule(scene.exactImpacts() ? new ExactImpacts(contacts.get())
+                    : new ClampedImpacts(contacts.get()));
         }
-        contents.constraints().build(system, index, simulation, assembly);     // rods take over contacts
+        contents.constraints().build(simulation, index, assembly, contacts);
         if (scene.hasHardBalls()) {
             simulation.getRules().forEach(rule -> checkOverlap(rule, contents, system));
         }

@@ -3,17 +3,17 @@ package particles.app;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
-import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
@@ -33,62 +33,58 @@ class BadInputTest {
     @TempDir
     Path top;
 
-    /** By name: the file's contents, and what the message must say. */
-    private static final Map<String, List<Object>> FILES = new TreeMap<>();
-
-    private static void put(String name, Object contents, String line) {
-        FILES.put(name, List.of(contents instanceof String text ? text.getBytes(StandardCharsets.UTF_8) : contents,
-                line));
-    }
-
-    static Stream<String> names() {
+    /** A name, the file's contents, and what the message must say. */
+    static Stream<Arguments> files() {
         StringBuilder bomb = new StringBuilder("a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n");
         for (int i = 1; i < 12; i++) {
             bomb.append("a%d: &a%d [%s]\n".formatted(i, i, ("*a" + (i - 1) + ", ").repeat(9) + "*a" + (i - 1)));
         }
-        put("bomb", bomb.toString(), "anchors and aliases");
-        put("an anchor that holds itself", "a: &a [*a]\n", "anchors and aliases");
-        put("merge keys", HEAD + "x: &x {id: bob}\nparticles: [{<<: *x}]\n", "anchors and aliases");
-        put("brackets", "[".repeat(90_000), "nested more than 20 deep");
-        put("braces", "{a: ".repeat(100_000), "nested more than 20 deep");
-        put("dashes", "- ".repeat(100_000), "nested more than 20 deep");
-        put("a long word", "a".repeat(1_500_000), "more than 100000 characters without a space");
-        put("a long file", " ".repeat(3 << 20), "longer than 2 MiB");
-        put("many keys", "k: 1\n".repeat(400_000), "");
-        put("no number", (HEAD + BOB).replace("0.01", ".nan"), "'deltaT' is");
-        put("a huge number", (HEAD + BOB).replace("0.01", "1" + "0".repeat(90_000)), "'deltaT' is");
-        put("a huge exponent", (HEAD + BOB).replace("0.01", "1e999999999"), "'deltaT' is");
-        put("a billion particles", HEAD + CLOTH.formatted("31623", "31623"),
-                "1000014129 particles; a scene may have at most 1000000");
-        put("more particles than numbers", HEAD + CLOTH.formatted("1000000000", "1000000000"),
-                "a whole number from 2 to 1000000");
-        put("a billion births", EMITTER.replace("duration: 1\n", "duration: 1000\n"),
-                "MiB of memory for 1000000001 particles");
-        put("a billion births at once", (EMITTER
-                + "  - kill: {point: [0, -1, 0]}\n").replace("deltaT: 0.01", "deltaT: 2000")
-                .replace("duration: 1\n", "duration: 2000\n"), "MiB of memory for 2000000001 particles");
-        put("too much for the heap", HEAD.replace("rk4", "radau") + CLOTH.formatted("600", "600"),
-                "of memory for 360000 particles");
-        put("too many steps", (HEAD + BOB).replace("0.01", "1e-20"), "a run can have at most 1e10");
-        put("too many pictures", HEAD.replace("duration: 1", "duration: 1e6") + BOB + "output: {frameRate: 1000}\n",
-                "more than a million pictures");
-        put("not UTF-8", new byte[] {'a', ':', ' ', (byte) 0xc3, (byte) 0x28}, "a byte here is not UTF-8");
-        put("half of a surrogate pair", new byte[] {'a', ':', ' ', (byte) 0xed, (byte) 0xa0, (byte) 0x80},
-                "a byte here is not UTF-8");
-        put("tabs", HEAD + "particles:\n\t- {id: bob, position: [0, 1, 0]}\n", "a tab; YAML is indented by spaces");
-        put("zeros", new byte[1000], "not printable");
-        put("nothing", "", "the file is empty");
-        put("another language", "<?xml version=\"1.0\"?><scene><title>x</title></scene>", "");
-        put("a directive", "%YAML 9.9\n---\n" + HEAD, "");
-        put("a tag", HEAD + "particles: !!java.net.URL [http://localhost]\n", "tags (!name) are not used");
-        return FILES.keySet().stream();
+        return Stream.of(
+                arguments("bomb", bomb.toString(), "anchors and aliases"),
+                arguments("an anchor that holds itself", "a: &a [*a]\n", "anchors and aliases"),
+                arguments("merge keys", HEAD + "x: &x {id: bob}\nparticles: [{<<: *x}]\n", "anchors and aliases"),
+                arguments("brackets", "[".repeat(90_000), "nested more than 20 deep"),
+                arguments("braces", "{a: ".repeat(100_000), "nested more than 20 deep"),
+                arguments("dashes", "- ".repeat(100_000), "nested more than 20 deep"),
+                arguments("a long word", "a".repeat(1_500_000), "more than 100000 characters without a space"),
+                arguments("a long file", " ".repeat(3 << 20), "longer than 2 MiB"),
+                arguments("many keys", "k: 1\n".repeat(400_000), ""),
+                arguments("no number", (HEAD + BOB).replace("0.01", ".nan"), "'deltaT' is"),
+                arguments("a huge number", (HEAD + BOB).replace("0.01", "1" + "0".repeat(90_000)), "'deltaT' is"),
+                arguments("a huge exponent", (HEAD + BOB).replace("0.01", "1e999999999"), "'deltaT' is"),
+                arguments("a billion particles", HEAD + CLOTH.formatted("31623", "31623"),
+                        "1000014129 particles; a scene may have at most 1000000"),
+                arguments("more particles than numbers", HEAD + CLOTH.formatted("1000000000", "1000000000"),
+                        "a whole number from 2 to 1000000"),
+                arguments("a billion births", EMITTER.replace("duration: 1\n", "duration: 1000\n"),
+                        "MiB of memory for 1000000001 particles"),
+                arguments("a billion births at once", (EMITTER
+                        + "  - kill: {point: [0, -1, 0]}\n").replace("deltaT: 0.01", "deltaT: 2000")
+                        .replace("duration: 1\n", "duration: 2000\n"), "MiB of memory for 2000000001 particles"),
+                arguments("too much for the heap", HEAD.replace("rk4", "radau") + CLOTH.formatted("600", "600"),
+                        "of memory for 360000 particles"),
+                arguments("too many steps", (HEAD + BOB).replace("0.01", "1e-20"), "a run can have at most 1e10"),
+                arguments("too many pictures", HEAD.replace("duration: 1", "duration: 1e6") + BOB
+                        + "output: {frameRate: 1000}\n", "more than a million pictures"),
+                arguments("not UTF-8", new byte[] {'a', ':', ' ', (byte) 0xc3, (byte) 0x28},
+                        "a byte here is not UTF-8"),
+                arguments("half of a surrogate pair", new byte[] {'a', ':', ' ', (byte) 0xed, (byte) 0xa0, (byte) 0x80},
+                        "a byte here is not UTF-8"),
+                arguments("tabs", HEAD + "particles:\n\t- {id: bob, position: [0, 1, 0]}\n",
+                        "a tab; YAML is indented by spaces"),
+                arguments("zeros", new byte[1000], "not printable"),
+                arguments("nothing", "", "the file is empty"),
+                arguments("another language", "<?xml version=\"1.0\"?><scene><title>x</title></scene>", ""),
+                arguments("a directive", "%YAML 9.9\n---\n" + HEAD, ""),
+                arguments("a tag", HEAD + "particles: !!java.net.URL [http://localhost]\n",
+                        "tags (!name) are not used"));
     }
 
-    @ParameterizedTest
-    @MethodSource("names")
-    void isOneClearLine(String name) throws Exception {
-        byte[] contents = (byte[]) FILES.get(name).get(0);
-        Path file = Files.write(top.resolve("scene.yaml"), contents);
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("files")
+    void isOneClearLine(String name, Object contents, String message) throws Exception {
+        Path file = Files.write(top.resolve("scene.yaml"), contents instanceof String text
+                ? text.getBytes(StandardCharsets.UTF_8) : (byte[]) contents);
         Path out = top.resolve("out");
         ChildProgram.End end = new ChildProgram(top.resolve("lines.txt")).jvm("-Xmx512m").run("run", "--scene=" + file,
                 "--out=" + out);
@@ -97,7 +93,7 @@ class BadInputTest {
         List<String> lines = end.lines().lines().toList();
         assertTrue(lines.size() <= 51, "at most 50 problems and how many more: " + lines.size());
         assertTrue(lines.get(0).startsWith(file.toString()), lines.get(0));
-        assertTrue(end.lines().contains((String) FILES.get(name).get(1)), end.lines());
+        assertTrue(end.lines().contains(message), end.lines());
         assertTrue(lines.stream().allMatch(line -> line.length() < 1200), "lines that can be read");
         assertFalse(end.lines().contains("Exception") || end.lines().contains("\tat "), end.lines());
     }

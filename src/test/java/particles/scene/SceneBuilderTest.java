@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
-import particles.law.Effect;
 import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.scene.format.OutputDescription.Phase;
@@ -34,18 +33,8 @@ class SceneBuilderTest {
     }
 
     @Test
-    void onlyNamedLawsAreBuilt() {
-        Scene bare = build(TWO);
-        assertEquals(List.of(), bare.system().getEffects());
-        assertEquals(List.of(), bare.system().getReactions());
-        assertEquals(0, bare.springs().springCount());
-        Scene full = build(TWO + "effects:\n  - drag: {coefficient: 1}\n  - wind: {mean: [1, 0, 0]}\n  - gravity\n"
-                + "rules: [ground]\nsprings:\n  - {from: bob, to: tom, stiffness: 7}\n");
-        assertEquals(List.of("springs", "gravity", "drag"),
-                full.system().getEffects().stream().map(Effect::getName).toList());
-        assertEquals(1, full.system().getReactions().size());
-        assertEquals(3, full.springs().restLength(0), "the initial distance");
-        assertEquals(1, full.scenery().planes().size());
+    void aSpringsRestLengthIsItsInitialDistance() {
+        assertEquals(3, build(TWO + "springs:\n  - {from: bob, to: tom, stiffness: 7}\n").springs().restLength(0));
     }
 
     @Test
@@ -54,31 +43,6 @@ class SceneBuilderTest {
         double[] force = new double[6];
         scene.system().addUpEffects(scene.system().getOwnState(), 0, force);
         assertEquals(12, force[3]);
-    }
-
-    @Test
-    void optionsOverrideTheFileAndAreCheckedInTheSameWay() {
-        Scene scene = SceneBuilder.build(new Overrides("-P"::concat).with("solver", "euler")
-                .with("deltaT", "0.5").with("duration", "1e1")
-                .applyTo(TestScenes.read(HEAD + BOB)));
-        assertEquals(0.5, scene.simulation().getDeltaT());
-        assertEquals(10, scene.simulation().getDuration());
-        assertEquals("euler", scene.description().solver());
-        assertEquals(List.of("-PdeltaT: the value is 0; it has to be a number over 0 (s)",
-                "-Pduration: the value is the text 'long'; it has to be a number from 0 up (s)"),
-                refusal(new Overrides("-P"::concat).with("deltaT", "0").with("duration", "long")));
-        assertEquals("-Psolver: unknown solver 'rk44'; did you mean 'rk4'?",
-                refusal(new Overrides("-P"::concat).with("solver", "rk44")).get(0).replaceFirst(" known:.*", ""));
-        assertEquals("-Psolver: no class or solver is called 'my.Solver';",
-                refusal(new Overrides("-P"::concat).with("solver", "my.Solver")).get(0).replaceFirst(" known .*", ""));
-        assertEquals(List.of("x.yaml:5:11: a duration of 2 s is 2e11 steps of deltaT = 1e-11 s; a run"
-                                + " can have at most 1e10"),
-                refusal(new Overrides("--"::concat).with("deltaT", "1e-11")));
-    }
-
-    private static List<String> refusal(Overrides overrides) {
-        return assertThrows(SceneException.class,
-                () -> SceneBuilder.build(overrides.applyTo(TestScenes.read(HEAD + BOB)))).getLines();
     }
 
     /** Each of the three sources alone, from closed forms: g = 9.81, m = 2, T = 2. */

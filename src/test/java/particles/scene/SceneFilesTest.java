@@ -12,8 +12,6 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
 class SceneFilesTest {
     @TempDir
@@ -31,19 +29,6 @@ class SceneFilesTest {
         List<String> lines = assertThrows(SceneException.class, () -> SceneFiles.find(folder, wanted)).getLines();
         assertEquals(1, lines.size());
         return lines.get(0);
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"3", "03", "one-spring", "03-one-spring", "03-one-spring.yaml", "one-spring.yaml"})
-    void aSceneHasManyNames(String wanted) {
-        assertEquals(folder.resolve("03-one-spring.yaml"), SceneFiles.find(folder, wanted));
-    }
-
-    @Test
-    void aPathIsTakenAsItIsTyped() {
-        Path typed = folder.resolve("free.yaml");
-        assertEquals(typed, SceneFiles.find(Path.of("elsewhere"), typed.toString()));
-        assertEquals(typed, SceneFiles.find(folder, "free"));
     }
 
     @Test

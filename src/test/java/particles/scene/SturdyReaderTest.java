@@ -66,19 +66,12 @@ class SturdyReaderTest {
     }
 
     @Test
-    void aliasesForABillionValuesAreRefusedUnexpanded() {
-        StringBuilder bomb = new StringBuilder("a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n");
-        for (int i = 1; i < 12; i++) {
-            String alias = "*a" + (i - 1);
-            bomb.append("a").append(i).append(": &a").append(i).append(" [").append(String.join(", ",
-                    List.of(alias, alias, alias,
-                    alias, alias, alias, alias, alias, alias, alias))).append("]\n");
-        }
-        List<String> lines = linesFor(bomb.toString());
+    void aliasesAreRefusedUnexpanded() {
+        List<String> lines = linesFor("a: &a [" + "*a, ".repeat(100) + "]\n");
         assertEquals(51, lines.size(), "50 lines, and that there are more");
-        assertEquals("x.yaml:1:5: anchors and aliases (&name, *name) are not used in scenes; write the values out, or"
+        assertEquals("x.yaml:1:4: anchors and aliases (&name, *name) are not used in scenes; write the values out, or"
                 + " put quotes around a text that begins with & or *", lines.get(0));
-        assertEquals("x.yaml: and more; these are the first 50", lines.get(50));    // of 12 anchors and 110 aliases
+        assertEquals("x.yaml: and more; these are the first 50", lines.get(50));    // of an anchor and 100 aliases
     }
 
     @Test

@@ -76,13 +76,6 @@ class TypingMistakesTest {
                 problems(SCENE.replace("deltaT: 0.01", "deltaT: " + typed)));
     }
 
-    @Test
-    void mistakesInOptionsAreNamedAsInFiles() {
-        assertEquals(List.of("-PdeltaT: the value is the text '0,01'; a number has a decimal point, not a comma;"
-                + " write 0.01"), assertThrows(SceneException.class,
-                        new Overrides("-P"::concat).with("deltaT", "0,01")::check).getLines());
-    }
-
     /** The parser reports both a line later. */
     @Test
     void aMissingSpaceAndANoBreakSpaceAreReportedInTheirLine() {

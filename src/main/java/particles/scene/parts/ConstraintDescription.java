@@ -1,9 +1,9 @@
 package particles.scene.parts;
 
 import java.util.List;
+import java.util.Optional;
 import particles.ParticleSystem;
 import particles.Simulation;
-import particles.law.Reaction;
 import particles.reactions.RestingContacts;
 import particles.reactions.RigidConstraints;
 import particles.reactions.wires.Curve;
@@ -40,8 +40,10 @@ public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireK
                 values.get(PROJECTION));
     }
 
-    /** Adds the scene's rods, wires and collisions of balls to a system, if there are any. */
-    public void build(ParticleSystem system, ParticleIndex index, Simulation simulation, SceneAssembly assembly) {
+    /** Adds the scene's rods, wires and collisions of balls, if there are any; they are solved with these contacts. */
+    public void build(Simulation simulation, ParticleIndex index, SceneAssembly assembly,
+            Optional<RestingContacts> contacts) {
+        ParticleSystem system = simulation.getSystem();
         if (rods.isEmpty() && wires.isEmpty() && assembly.getBalls().isEmpty()) {
             return;
         }
@@ -56,12 +58,10 @@ public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireK
             constraints.addBead(index.find(bead).orElseThrow(), curve);
             assembly.show(curve);
         }
-        for (Reaction reaction : List.copyOf(system.getReactions())) {
-            if (reaction instanceof RestingContacts contacts) {
-                constraints.solveWith(contacts);
-                assembly.getBalls().ifPresent(balls -> simulation.addRule(new Collisions(contacts, constraints,
-                        balls)));
-            }
+        if (contacts.isPresent()) {
+            constraints.solveWith(contacts.get());
+            assembly.getBalls().ifPresent(balls ->
+                    simulation.addRule(new Collisions(contacts.get(), constraints, balls)));
         }
         system.addReaction(constraints);
         constraints.project(system.getOwnState(), system.getTime());        // positions in files have few digits

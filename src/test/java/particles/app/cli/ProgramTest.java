@@ -2,6 +2,7 @@ package particles.app.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import deSolvers.DESolverException;
 import deSolvers.EulerSolver;
@@ -17,7 +18,12 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import particles.SimulationException;
 import particles.app.Main;
 import particles.app.run.StopRequest;
@@ -86,12 +92,6 @@ class ProgramTest {
         return new Program(commands, style, new PrintWriter(out), new PrintWriter(err)).execute(args);
     }
 
-    private void assertRefused(OptionStyle style, String line, String... args) {
-        assertEquals(ExitCode.BAD_INPUT, execute(style, args));
-        assertEquals(line, err.toString().strip());
-        assertEquals("", out.toString());
-    }
-
     @Test
     void optionsReachTheCommand() {
         assertEquals(ExitCode.DONE, execute(OptionStyle.SHELL, "try", "--deltaT=1e-3", "--frames", "--scene=a=b c"));
@@ -105,46 +105,36 @@ class ProgramTest {
         assertEquals("deltaT=null frames=false scene=@/etc/passwd", out.toString().strip());
     }
 
-    @Test
-    void unknownOptionIsRefusedWithASuggestion() {
-        assertRefused(OptionStyle.GRADLE,
-                "unknown option -Pdeltat; did you mean -PdeltaT? allowed: -PdeltaT, -Pframes, -Pscene, -Phelp",
-                "try", "--deltat=0.1");
-    }
-
-    @Test
-    void theCommonNameOfAnOptionIsUnderstood() {
-        assertRefused(OptionStyle.GRADLE,
-                "unknown option -Pdt; did you mean -PdeltaT? allowed: -PdeltaT, -Pframes, -Pscene, -Phelp",
-                "try", "--dt=0.1");
-    }
-
-    @Test
-    void unknownOptionIsWrittenAsItWasTyped() {
-        assertRefused(OptionStyle.SHELL,
-                "unknown option --scenes; did you mean --scene? allowed: --deltaT, --frames, --scene, --help",
-                "try", "--scenes=2");
-    }
-
-    @Test
-    void gradlesOptionsAreRecognisedInTheShell() {
-        assertRefused(OptionStyle.SHELL,
-                "unknown option -Pscene; did you mean --scene? allowed: --deltaT, --frames, --scene, --help",
-                "try", "-Pscene=2");
-    }
-
-    @Test
-    void unknownOptionWithoutSuggestionListsTheAllowedOnes() {
-        assertRefused(OptionStyle.SHELL, "unknown option --colour; allowed: --help", "solvers", "--colour=red");
-    }
-
-    @Test
-    void allErrorsAreReportedTogether() {
-        assertRefused(OptionStyle.GRADLE, String.join(System.lineSeparator(),
-                "option -PdeltaT: 'soon' is not a double",
-                "unknown option -Pscne; did you mean -Pscene? allowed: -PdeltaT, -Pframes, -Pscene, -Phelp",
-                "unknown option -Pzoom; allowed: -PdeltaT, -Pframes, -Pscene, -Phelp"),
-                "try", "--deltaT=soon", "--scne=2", "--zoom");
+    /** What is typed, and the line that refuses it. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+            GRADLE | try --deltat=0.1         | unknown option -Pdeltat; did you mean -PdeltaT? allowed: -PdeltaT, \
+            -Pframes, -Pscene, -Phelp
+            GRADLE | try --dt=0.1             | unknown option -Pdt; did you mean -PdeltaT? allowed: -PdeltaT, \
+            -Pframes, -Pscene, -Phelp
+            SHELL  | try --scenes=2           | unknown option --scenes; did you mean --scene? allowed: --deltaT, \
+            --frames, --scene, --help
+            SHELL  | try -Pscene=2            | unknown option -Pscene; did you mean --scene? allowed: --deltaT, \
+            --frames, --scene, --help
+            SHELL  | solvers --colour=red     | unknown option --colour; allowed: --help
+            GRADLE | try --deltaT=soon --scne=2 --zoom | option -PdeltaT: 'soon' is not a double \
+            // unknown option -Pscne; did you mean -Pscene? allowed: -PdeltaT, -Pframes, -Pscene, -Phelp \
+            // unknown option -Pzoom; allowed: -PdeltaT, -Pframes, -Pscene, -Phelp
+            GRADLE | try --deltaT             | option -PdeltaT needs a value: -PdeltaT=SECONDS
+            SHELL  | try --scene=1 --scene=2  | option --scene was given twice
+            SHELL  | solvers cloth            | unexpected 'cloth'; options are written --name=value; allowed: --help
+            SHELL  | solver                   | unknown command 'solver'; did you mean 'solvers'? commands: COMMANDS
+            SHELL  | ``                       | a command is missing; commands: COMMANDS
+            SHELL  | --scene=2                | option --scene=2 has to follow a command; commands: COMMANDS
+            """)
+    void wrongCommandsAndOptionsAreRefused(OptionStyle style, String typed, String lines) {
+        assertEquals(ExitCode.BAD_INPUT, execute(style, typed.isEmpty() ? new String[0] : typed.split(" ")));
+        List<String> names = new ArrayList<>();
+        Main.commands(new StopRequest()).forEach(known -> names.add(known.name()));
+        names.add("try");
+        assertEquals(lines.replace("COMMANDS", String.join(", ", names)).replace(" // ", System.lineSeparator()),
+                err.toString().strip());
+        assertEquals("", out.toString());
     }
 
     @Test
@@ -170,47 +160,6 @@ class ProgramTest {
     }
 
     @Test
-    void optionWithoutItsValueIsRefused() {
-        assertRefused(OptionStyle.GRADLE, "option -PdeltaT needs a value: -PdeltaT=SECONDS", "try", "--deltaT");
-    }
-
-    @Test
-    void optionGivenTwiceIsRefused() {
-        assertRefused(OptionStyle.SHELL, "option --scene was given twice", "try", "--scene=1", "--scene=2");
-    }
-
-    @Test
-    void argumentThatIsNoOptionIsRefused() {
-        assertRefused(OptionStyle.SHELL, "unexpected 'cloth'; options are written --name=value; allowed: --help",
-                "solvers", "cloth");
-    }
-
-    @Test
-    void unknownCommandIsRefused() {
-        assertRefused(OptionStyle.SHELL, "unknown command 'solver'; did you mean 'solvers'? commands: " + commands(),
-                "solver");
-    }
-
-    @Test
-    void missingCommandIsRefused() {
-        assertRefused(OptionStyle.SHELL, "a command is missing; commands: " + commands());
-    }
-
-    @Test
-    void optionBeforeTheCommandIsRefused() {
-        assertRefused(OptionStyle.SHELL, "option --scene=2 has to follow a command; commands: " + commands(),
-                "--scene=2");
-    }
-
-    private static String commands() {
-        List<String> names = new ArrayList<>();
-        Main.commands(new StopRequest())
-                .forEach(known -> names.add(known.getClass().getAnnotation(Command.class).name()));
-        names.add("try");
-        return String.join(", ", names);
-    }
-
-    @Test
     void helpShowsTheOptionsAsTheyAreTyped() {
         assertEquals(ExitCode.DONE, execute(OptionStyle.GRADLE, "try", "--help"));
         assertTrue(out.toString().contains("-PdeltaT=SECONDS"), out.toString());
@@ -224,87 +173,49 @@ class ProgramTest {
         assertTrue(out.toString().contains("solvers") && out.toString().contains("Tries the options."), out.toString());
     }
 
-    private void assertEnds(ExitCode code, String line, Throwable failure) {
+    /** The memory estimate may be too small: running out of memory is also one line that says what to do. */
+    static Stream<Arguments> failures() {
+        long most = Runtime.getRuntime().maxMemory();
+        IOException full = new IOException("No space left on device");
+        return Stream.of(
+                arguments(ExitCode.STOPPED, "the kinetic energy is too large",
+                        new SimulationException(1, 0, "the kinetic energy is too large", null)),
+                arguments(ExitCode.STOPPED, "EulerSolver at t = 1.0, deltaT = 0.5: not finite",
+                        new DESolverException(EulerSolver.class, 1, 0.5, -1, "not finite", "")),
+                arguments(ExitCode.TROUBLE, "build/out/a.csv: No space left on device", new UncheckedIOException(
+                        new FileSystemException("build/out/a.csv", null, "No space left on device"))),
+                arguments(ExitCode.TROUBLE, "cannot write build/out/run.json: the disk is full",
+                        new OutputException(Path.of("build/out/run.json"), "write", full)),
+                arguments(ExitCode.TROUBLE, "cannot write frame-00000.png: No space left on device",
+                        new IOException("cannot write frame-00000.png", full)),
+                arguments(ExitCode.TROUBLE, "build/out: permission denied", new AccessDeniedException("build/out")),
+                arguments(ExitCode.TROUBLE, "a.yaml: no such file or folder", new NoSuchFileException("a.yaml")),
+                arguments(ExitCode.BAD_INPUT, "one" + System.lineSeparator() + "two",
+                        new Failure(ExitCode.BAD_INPUT, List.of("one", "two"))),
+                arguments(ExitCode.TROUBLE, "out of memory: Java may use " + (most >> 20)
+                        + " MiB; use fewer particles, frames or runs, or give Java more: JAVA_TOOL_OPTIONS=-Xmx"
+                        + ((most >> 30) + 1) + "g", new OutOfMemoryError("Java heap space")));
+    }
+
+    @ParameterizedTest
+    @MethodSource("failures")
+    void anExpectedFailureIsItsLinesAndItsCode(ExitCode code, String line, Throwable failure) {
         command.failure = failure;
         assertEquals(code, execute(OptionStyle.SHELL, "try"));
         assertEquals(line, err.toString().strip());
     }
 
-    @Test
-    void blowUpIsOneLineAndCode3() {
-        assertEnds(ExitCode.STOPPED, "the kinetic energy is too large",
-                new SimulationException(1, 0, "the kinetic energy is too large", null));
+    static List<Throwable> unexpected() {
+        return List.of(new IllegalStateException("impossible"), new StackOverflowError("too deep"));
     }
 
-    @Test
-    void solverThatGivesUpIsOneLineAndCode3() {
-        assertEnds(ExitCode.STOPPED, "EulerSolver at t = 1.0, deltaT = 0.5: not finite",
-                new DESolverException(EulerSolver.class, 1, 0.5, -1, "not finite", ""));
-    }
-
-    @Test
-    void fullDiskIsOneLineAndCode1() {
-        assertEnds(ExitCode.TROUBLE, "build/out/a.csv: No space left on device",
-                new UncheckedIOException(new FileSystemException("build/out/a.csv", null, "No space left on device")));
-    }
-
-    @Test
-    void resultThatCannotBeWrittenIsOneLineAndCode1() {
-        assertEnds(ExitCode.TROUBLE, "cannot write build/out/run.json: the disk is full",
-                new OutputException(Path.of("build/out/run.json"), "write",
-                new IOException("No space left on device")));
-    }
-
-    @Test
-    void causeOfAnIOExceptionIsNamed() {
-        assertEnds(ExitCode.TROUBLE, "cannot write frame-00000.png: No space left on device",
-                new IOException("cannot write frame-00000.png", new IOException("No space left on device")));
-    }
-
-    @Test
-    void unwritableFolderIsOneLineAndCode1() {
-        assertEnds(ExitCode.TROUBLE, "build/out: permission denied", new AccessDeniedException("build/out"));
-    }
-
-    @Test
-    void missingFileIsOneLineAndCode1() {
-        assertEnds(ExitCode.TROUBLE, "a.yaml: no such file or folder", new NoSuchFileException("a.yaml"));
-    }
-
-    @Test
-    void failureOfACommandKeepsItsLinesAndItsCode() {
-        assertEnds(ExitCode.BAD_INPUT, "one" + System.lineSeparator() + "two",
-                new Failure(ExitCode.BAD_INPUT, List.of("one", "two")));
-    }
-
-    @Test
-    void unexpectedExceptionIsNotSwallowed() {
-        command.failure = new IllegalStateException("impossible");
+    @ParameterizedTest
+    @MethodSource("unexpected")
+    void anUnexpectedExceptionIsNotSwallowed(Throwable failure) {
+        command.failure = failure;
         assertEquals(ExitCode.TROUBLE, execute(OptionStyle.SHELL, "try"));
-        assertTrue(err.toString().contains("java.lang.IllegalStateException: impossible"), err.toString());
+        assertTrue(err.toString().contains(failure.toString()), err.toString());
         assertTrue(err.toString().contains("at particles.app.cli.ProgramTest."), err.toString());
-    }
-
-    @Test
-    void errorOfTheMachineIsNotSwallowed() {
-        command.failure = new StackOverflowError("too deep");
-        assertEquals(ExitCode.TROUBLE, execute(OptionStyle.SHELL, "try"));
-        assertTrue(err.toString().contains("java.lang.StackOverflowError: too deep"), err.toString());
-    }
-
-    /** The memory estimate may be too small: running out of memory is also one line that says what to do. */
-    @Test
-    void fullMemoryIsOneLineAndCode1() {
-        long most = Runtime.getRuntime().maxMemory();
-        assertEnds(ExitCode.TROUBLE, "out of memory: Java may use " + (most >> 20)
-                + " MiB; use fewer particles, frames or runs, or give Java more:"
-                + " JAVA_TOOL_OPTIONS=-Xmx" + ((most >> 30) + 1)
-                + "g", new OutOfMemoryError("Java heap space"));
-    }
-
-    @Test
-    void exitCodesAreThoseOfTheReadme() {
-        assertEquals(List.of(0, 1, 2, 3), List.of(ExitCode.values()).stream().map(ExitCode::code).toList());
     }
 
     @Test

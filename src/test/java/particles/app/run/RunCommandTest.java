@@ -25,6 +25,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Program;
@@ -234,34 +236,11 @@ class RunCommandTest {
                 ByteBuffer.wrap(film).getInt(header + 4) >> 16));
     }
 
-    /** The program without the page's libraries, as an installed one. */
-    @Test
-    void aReplayWithoutThePagesLibrariesIsRefusedWithTheTaskThatHasThem() {
-        assertEnds(ExitCode.BAD_INPUT, "option -Preplay: the page's libraries are not in this program;"
-                + " type: gradle run -Preplay=true", "--replay=true");
-    }
-
-    @Test
-    void anImpossibleSizeIsOneLine() {
-        assertEnds(ExitCode.BAD_INPUT, "option -Psize: 'wide' is not a size such as 1920x1080", "--size=wide");
-        assertEnds(ExitCode.BAD_INPUT, "option -Psize: 9999 has to be from 16 to 4096", "--size=9999x100");
-        assertEnds(ExitCode.BAD_INPUT, "option -Psize: 10 has to be from 16 to 4096", "--size=100x10");
-        assertEnds(ExitCode.BAD_INPUT, "-Psize needs pictures; remove -Pframes=false", "--size=100x100",
-                "--frames=false");
-    }
-
-    @Test
-    void anImpossibleFilmIsOneLine() {
-        assertEnds(ExitCode.BAD_INPUT,
-                "option -Pvideo: 'avi' is not a kind of film; allowed: none, mp4", "--video=avi");
-        assertEnds(ExitCode.BAD_INPUT, "-Pvideo needs pictures; remove -Pframes=false", "--video=mp4",
-                "--frames=false");
-    }
-
     @Test
     void aSceneIsFoundByNumberNameAndPath() throws IOException {
         Path elsewhere = Files.writeString(top.resolve("a scene of mine.yaml"), SCENE);
-        for (String name : List.of("1", "01", "block", "01-block", "01-block.yaml", elsewhere.toString())) {
+        for (String name : List.of("1", "01", "block", "block.yaml", "01-block", "01-block.yaml",
+                elsewhere.toString())) {
             assertEnds(ExitCode.DONE, "", "--scene=" + name, "--frames=false");
         }
         assertJson("\"a scene of mine\"");
@@ -325,24 +304,38 @@ class RunCommandTest {
         }
     }
 
-    @Test
-    void wrongOptionsAreRefusedWithTheirPlaceBeforeAnythingIsWritten() {
-        assertEnds(ExitCode.BAD_INPUT,
-                "unknown option -Pdeltat; did you mean -PdeltaT? allowed: -Pout, -Pscene, -Psolver, -PdeltaT,"
-                + " -Pduration, -Pthreads, -Pframes, -Pvideo, -Psize, -Preplay, -Pslide, -Psvg, -Pdark, -Phelp",
-                "--deltat=1");
-        assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is the text 'soon'; it has to be a number over 0 (s)",
-                "--deltaT=soon");
-        assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is 0; it has to be a number over 0 (s)", "--deltaT=0");
-        assertEnds(ExitCode.BAD_INPUT, "-Pthreads: the value is 0; it has to be a whole number from 1 to 64",
-                "--threads=0");
-        assertEnds(ExitCode.BAD_INPUT, "option -Pframes has to be true or false, not 'maybe'", "--frames=maybe");
-        assertEnds(ExitCode.BAD_INPUT, "option -Pout: needs a folder name", "--out= ");
-        assertEquals(ExitCode.BAD_INPUT, run("--solver=rk5"));
-        assertTrue(errors.toString().startsWith("-Psolver: unknown solver 'rk5'; did you mean 'rk4'? known: euler,"),
-                errors.toString());
-        assertEquals(ExitCode.BAD_INPUT, run("--scene=blok"));
-        assertTrue(errors.toString().contains("'blok'; did you mean 'block'?"), errors.toString());
+    /** What is typed, and the lines that refuse it. As an installed program, this has no libraries of the page. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+            --deltat=1                    | unknown option -Pdeltat; did you mean -PdeltaT? allowed: -Pout, -Pscene, \
+            -Psolver, -PdeltaT, -Pduration, -Pthreads, -Pframes, -Pvideo, -Psize, -Preplay, -Pslide, -Psvg, -Pdark, \
+            -Phelp
+            --deltaT=soon                 | -PdeltaT: the value is the text 'soon'; it has to be a number over 0 (s)
+            --deltaT=0,01                 | -PdeltaT: the value is the text '0,01'; a number has a decimal point, not \
+            a comma; write 0.01
+            --deltaT=0 --duration=long    | -PdeltaT: the value is 0; it has to be a number over 0 (s) // -Pduration: \
+            the value is the text 'long'; it has to be a number from 0 up (s)
+            --deltaT=1e-11                | SCENE:5:11: a duration of 0.5 s is 5e10 steps of deltaT = 1e-11 s; a run \
+            can have at most 1e10
+            --threads=0                   | -Pthreads: the value is 0; it has to be a whole number from 1 to 64
+            --frames=maybe                | option -Pframes has to be true or false, not 'maybe'
+            --out=                        | option -Pout: needs a folder name
+            --solver=rk5                  | -Psolver: unknown solver 'rk5'; did you mean 'rk4'? known: euler ...
+            --solver=my.Solver            | -Psolver: no class or solver is called 'my.Solver'; known solvers: euler ...
+            --scene=blok                  | there is no scene 'blok'; did you mean 'block'? scenes: 01-block
+            --size=wide                   | option -Psize: 'wide' is not a size such as 1920x1080
+            --size=9999x100               | option -Psize: 9999 has to be from 16 to 4096
+            --size=100x10                 | option -Psize: 10 has to be from 16 to 4096
+            --size=100x100 --frames=false | -Psize needs pictures; remove -Pframes=false
+            --video=avi                   | option -Pvideo: 'avi' is not a kind of film; allowed: none, mp4
+            --video=mp4 --frames=false    | -Pvideo needs pictures; remove -Pframes=false
+            --replay=true                 | option -Preplay: the page's libraries are not in this program; type: \
+            gradle run -Preplay=true
+            """)
+    void wrongOptionsAreRefusedBeforeAnythingIsWritten(String typed, String expected) {
+        assertEquals(ExitCode.BAD_INPUT, run(typed.split(" ")));
+        assertEquals(expected.replace("SCENE", scenes.resolve("01-block.yaml").toString()).replace(" // ", "\n"),
+                errors.toString().strip().replaceFirst(": euler,.*", ": euler ..."));
         assertFalse(Files.exists(out));
     }
 
