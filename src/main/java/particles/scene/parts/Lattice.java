@@ -3,9 +3,9 @@ package particles.scene.parts;
 import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalInt;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.law.Vector3;
 
 /**
@@ -18,8 +18,6 @@ import particles.law.Vector3;
  * @param edges   the vectors from the first to the last particle along each direction (m)
  */
 public record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vector3> edges) {
-    private static final Pattern INDEX = Pattern.compile("\\d{1,9}");
-
     /** @return the number of particles */
     public long size() {
         return counts.stream().mapToLong(Integer::longValue).reduce(1, Math::multiplyExact);
@@ -69,8 +67,8 @@ public record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vect
 
     /** @return the number of the particle with this name, if it is one of this lattice */
     public OptionalInt find(String particle) {
-        int[] indices = INDEX.matcher(particle.substring(particle.indexOf('[') + 1)).results()
-                .mapToInt(index -> Integer.parseInt(index.group())).toArray();
+        int[] indices = Stream.of(particle.substring(particle.indexOf('[') + 1).split("\\D+"))
+                .filter(index -> index.matches("\\d{1,9}")).mapToInt(Integer::parseInt).toArray();
         int n = indices.length == counts.size() ? number(indices) : -1;
         return n >= 0 && idOf(n).equals(particle) ? OptionalInt.of(n) : OptionalInt.empty();
     }
