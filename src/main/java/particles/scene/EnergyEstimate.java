@@ -1,6 +1,10 @@
 package particles.scene;
 
 import java.util.Collections;
+import java.util.DoubleSummaryStatistics;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.effects.springs.SpringForce;
 import particles.law.Effect;
@@ -52,7 +56,7 @@ final class EnergyEstimate {
         double height = g == 0 ? 0 : extent(system, assembly.getAcceleration().normalized());
         double byGravity = mass * g * (height + g * duration * duration / 2);
         double byWind = mass * assembly.getSpeed() * assembly.getSpeed() / 2;
-        double scale = Math.max(Math.max(atStart, byOwnLaws(system, duration)), Math.max(byGravity, byWind));
+        double scale = DoubleStream.of(atStart, byOwnLaws(system, duration), byGravity, byWind).max().getAsDouble();
         return scale > 0 ? scale : crossing(system, mass, duration);
     }
 
@@ -64,29 +68,23 @@ final class EnergyEstimate {
             }
         }
         double energy = 0;
-        for (int i = 0, v = 3; i < system.getParticles().count(); i++, v += Particles.STRIDE) {
-            double square = force[v] * force[v] + force[v + 1] * force[v + 1] + force[v + 2] * force[v + 2];
-            energy += square * duration * duration / 2 * system.getParticles().getInverseMasses()[i];
+        for (int i = 0; i < system.getParticles().count(); i++) {
+            Vector3 f = Vector3.at(force, Particles.STRIDE * i + 3);
+            energy += f.dot(f) * duration * duration / 2 * system.getParticles().getInverseMasses()[i];
         }
         return energy;
     }
 
     private static double crossing(ParticleSystem system, double mass, double duration) {
-        double extent = Math.max(extent(system, new Vector3(1, 0, 0)),
-                Math.max(extent(system, new Vector3(0, 1, 0)), extent(system, new Vector3(0, 0, 1))));
+        double extent = Stream.of(new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1))
+                .mapToDouble(axis -> extent(system, axis)).max().getAsDouble();
         double speed = (extent > 0 ? extent : 1) / duration;
         return Math.max(Double.MIN_NORMAL, mass * speed * speed / 2);
     }
 
     private static double extent(ParticleSystem system, Vector3 direction) {
-        double[] state = system.getOwnState();
-        double least = Double.POSITIVE_INFINITY;
-        double most = Double.NEGATIVE_INFINITY;
-        for (int x = 0; x < system.getStateSize(); x += Particles.STRIDE) {
-            double along = direction.x() * state[x] + direction.y() * state[x + 1] + direction.z() * state[x + 2];
-            least = Math.min(least, along);
-            most = Math.max(most, along);
-        }
-        return most - least;
+        DoubleSummaryStatistics along = IntStream.range(0, system.getParticles().count()).mapToDouble(i ->
+                Vector3.at(system.getOwnState(), Particles.STRIDE * i).dot(direction)).summaryStatistics();
+        return along.getMax() - along.getMin();
     }
 }

@@ -6,7 +6,6 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -16,8 +15,6 @@ import particles.spec.messages.Wording;
 public final class SceneFiles {
     /** The default scene. */
     public static final String DEFAULT = "cloth-in-wind";
-
-    private static final String ENDING = ".yaml";
 
     private SceneFiles() {
     }
@@ -29,7 +26,7 @@ public final class SceneFiles {
      */
     public static List<Path> list(Path folder) {
         try (Stream<Path> files = Files.list(folder)) {
-            return files.filter(SceneFiles::isScene).sorted().toList();
+            return files.filter(file -> file.getFileName().toString().matches("[^.].*\\.yaml")).sorted().toList();
         } catch (IOException | UncheckedIOException e) {
             throw new SceneException("the folder of scenes, " + folder
                     + ", cannot be read; run this in the project's folder, or give the path of a scene");
@@ -47,35 +44,22 @@ public final class SceneFiles {
      */
     public static Path find(Path folder, String wanted) {
         Optional<Path> typed = pathOf(wanted);
-        if (typed.isPresent() && Files.isRegularFile(typed.get())) {
+        if (typed.filter(Files::isRegularFile).isPresent()) {
             return typed.get();
         }
-        if (typed.isPresent() && isPath(typed.get())) {
+        // names of scenes contain no folder
+        if (typed.filter(path -> path.getNameCount() > 1 || path.isAbsolute()).isPresent()) {
             throw new SceneException(noFile(folder, typed.get()));
         }
-        List<Path> found = new ArrayList<>();
-        for (Path file : list(folder)) {
-            if (SceneName.of(file).isCalled(wanted.replaceFirst("\\.yaml$", ""))) {
-                found.add(file);
-            }
+        List<Path> found = list(folder).stream()
+                .filter(file -> SceneName.of(file).isCalled(wanted.replaceFirst("\\.yaml$", ""))).toList();
+        if (found.size() == 1) {
+            return found.get(0);
         }
-        if (found.size() > 1) {
-            throw new SceneException(Wording.quote(wanted)
-                    + " matches more than one scene: " + String.join(", ",
-                    found.stream().map(Path::toString).toList()) + "; give the whole name");
-        }
-        if (found.isEmpty() && typed.isPresent() && Files.exists(typed.get())) {
-            throw new SceneException(noFile(folder, typed.get()));
-        }
-        if (found.isEmpty()) {
-            throw new SceneException("there is no scene " + Wording.quote(wanted) + nearest(folder, wanted));
-        }
-        return found.get(0);
-    }
-
-    /** Whether a text can only be a path: names of scenes contain no folder. */
-    private static boolean isPath(Path typed) {
-        return typed.getNameCount() > 1 || typed.isAbsolute();
+        throw new SceneException(!found.isEmpty() ? Wording.quote(wanted) + " matches more than one scene: "
+                + String.join(", ", found.stream().map(Path::toString).toList()) + "; give the whole name"
+                : typed.filter(Files::exists).map(path -> noFile(folder, path))
+                        .orElseGet(() -> "there is no scene " + Wording.quote(wanted) + nearest(folder, wanted)));
     }
 
     /** The message for a path that is not a scene. */
@@ -104,18 +88,11 @@ public final class SceneFiles {
         }
     }
 
-    private static boolean isScene(Path file) {
-        String name = file.getFileName().toString();
-        return name.endsWith(ENDING) && !name.startsWith(".");
-    }
-
     private static String nearest(Path folder, String wanted) {
         List<SceneName> scenes = list(folder).stream().map(SceneName::of).toList();
         String bare = SceneName.of(wanted.replace('\\', '/').replaceFirst(".*/", "")).bare();
         String known = " scenes: " + String.join(", ", scenes.stream().map(SceneName::whole).toList());
-        if (bare.length() < 3 || bare.length() > 60) {
-            return ";" + known;
-        }
-        return DidYouMean.hint(bare, scenes.stream().map(SceneName::bare).toList(), "'%s'"::formatted) + known;
+        return (bare.length() < 3 || bare.length() > 60 ? ";"
+                : DidYouMean.hint(bare, scenes.stream().map(SceneName::bare).toList(), "'%s'"::formatted)) + known;
     }
 }

@@ -48,7 +48,7 @@ class ScenesTest {
         assertEquals("# yaml-language-server: $schema=scene.schema.json", Files.readAllLines(file).get(0));
     }
 
-    /** Bounds for any motion: at most 0.69 of the imaginary limit, for the flag, and 0.993 of the real one, for jelly. */
+    /** Bounds for any motion: at most 0.69 of the imaginary limit, the flag's, and 0.993 of the real one, jelly's. */
     @ParameterizedTest
     @MethodSource("scenes")
     void stepsAreShortEnoughForTheScenesSprings(Path file) {

@@ -5,6 +5,7 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.IntStream;
 import particles.app.cli.ProgramCommand;
 import particles.app.student.StudentClasses;
 import particles.law.Particles;
@@ -89,10 +90,7 @@ public final class GalleryCommand extends ProgramCommand {
         RenderOptions look = scene.description().drawing().look();
         ParticleStyle style = look.style();
         Particles particles = scene.system().getParticles();
-        long free = 0;
-        for (int i = 0; i < particles.count(); i++) {
-            free += particles.isFixed(i) ? 0 : 1;
-        }
+        long free = IntStream.range(0, particles.count()).filter(i -> !particles.isFixed(i)).count();
         if (free > MOST_TRAILS || style.kind() != ParticleStyle.Kind.BALLS || style.trail() > 0) {
             return look;
         }

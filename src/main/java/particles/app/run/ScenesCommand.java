@@ -19,7 +19,8 @@ import picocli.CommandLine.Command;
 /** {@code gradle scenes}: lists the scenes, each with its lesson. */
 @Command(name = "scenes", description = "Lists the scenes and what each teaches.")
 public final class ScenesCommand extends ProgramCommand {
-    private static final int WIDTH = 110;
+    /** A longer word or words of at most 105 characters, and what separates them from the next. */
+    private static final String LINE = "(\\S{105,}|.{1,105})(?: |$)";
     private static final String INDENT = "    ";
 
     private final Path folder;
@@ -52,14 +53,7 @@ public final class ScenesCommand extends ProgramCommand {
         SceneName name = SceneName.of(file);
         String space = " ".repeat(Math.max(1, INDENT.length() - name.number().length()));
         out.println(name.number() + space + name.bare() + ": " + scene.title() + " (" + scene.solver() + ")");
-        StringBuilder line = new StringBuilder(INDENT);
-        for (String word : scene.values().get(SceneFormat.TEACHES).strip().split("\\s+")) {
-            if (line.length() > INDENT.length() && line.length() + word.length() >= WIDTH) {
-                out.println(line.toString().stripTrailing());
-                line.setLength(INDENT.length());
-            }
-            line.append(word).append(' ');
-        }
-        out.println(line.toString().stripTrailing());
+        out.print(scene.values().get(SceneFormat.TEACHES).strip().replaceAll("\\s+", " ")
+                .replaceAll(LINE, INDENT + "$1" + System.lineSeparator()));
     }
 }

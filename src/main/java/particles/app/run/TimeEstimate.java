@@ -3,10 +3,11 @@ package particles.app.run;
 import deSolvers.text.Digits;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 import particles.Motion;
 import particles.Observer;
-import particles.SimulationException;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.format.OutputDescription.Frames;
@@ -68,14 +69,12 @@ final class TimeEstimate {
 
     /** The time in the largest unit in which it is more than one. */
     static String time(double seconds) {
-        if (seconds < 100) {
-            return Digits.few(Math.ceil(seconds)) + " s";
-        }
-        if (seconds < 6000) {
-            return Digits.few(Math.ceil(seconds / 60)) + " min";
-        }
-        return seconds < 172_800 ? Digits.few(Math.ceil(seconds / 3600)) + " h"
-                : Digits.few(Math.ceil(seconds / 86_400)) + " days";
+        return seconds < 100 ? in(seconds, 1, " s") : seconds < 6000 ? in(seconds, 60, " min")
+                : seconds < 172_800 ? in(seconds, 3600, " h") : in(seconds, 86_400, " days");
+    }
+
+    private static String in(double seconds, double unit, String name) {
+        return Digits.few(Math.ceil(seconds / unit)) + name;
     }
 
     /**
@@ -88,27 +87,17 @@ final class TimeEstimate {
     static double seconds(Scene copy, double steps, LongSupplier nanoTime, long patience) {
         Stopwatch watch = new Stopwatch(steps, nanoTime);
         copy.simulation().addObserver(watch);
-        Thread trial = new Thread(() -> run(copy, watch), "time estimate");
-        trial.setDaemon(true);
-        trial.start();
-        try {
-            trial.join(patience);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
-        if (trial.isAlive()) {
-            watch.enough = true;
-            return watch.seconds > 0 ? watch.seconds : steps / (watch.made + 1) * patience / 1000;
-        }
-        return watch.seconds;
+        CompletableFuture<Void> trial = CompletableFuture.runAsync(copy.simulation()::run, TimeEstimate::start);
+        // what ends the run itself, it says for itself
+        trial.exceptionally(end -> null).completeOnTimeout(null, patience, TimeUnit.MILLISECONDS).join();
+        watch.enough = true;
+        return watch.seconds > 0 || trial.isDone() ? watch.seconds : steps / (watch.made + 1) * patience / 1000;
     }
 
-    private static void run(Scene copy, Stopwatch watch) {
-        try {
-            copy.simulation().run();
-        } catch (SimulationException | StoppedException e) {
-            watch.enough = true;                            // what ends the run itself, it says for itself
-        }
+    private static void start(Runnable task) {
+        Thread thread = new Thread(task, "time estimate");
+        thread.setDaemon(true);
+        thread.start();
     }
 
     /**
