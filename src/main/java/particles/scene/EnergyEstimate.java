@@ -1,10 +1,6 @@
 package particles.scene;
 
 import java.util.Collections;
-import java.util.DoubleSummaryStatistics;
-import java.util.stream.DoubleStream;
-import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.effects.springs.SpringForce;
 import particles.law.Effect;
@@ -56,7 +52,7 @@ final class EnergyEstimate {
         double height = g == 0 ? 0 : extent(system, assembly.getAcceleration().normalized());
         double byGravity = mass * g * (height + g * duration * duration / 2);
         double byWind = mass * assembly.getSpeed() * assembly.getSpeed() / 2;
-        double scale = DoubleStream.of(atStart, byOwnLaws(system, duration), byGravity, byWind).max().getAsDouble();
+        double scale = Math.max(Math.max(atStart, byOwnLaws(system, duration)), Math.max(byGravity, byWind));
         return scale > 0 ? scale : crossing(system, mass, duration);
     }
 
@@ -76,15 +72,21 @@ final class EnergyEstimate {
     }
 
     private static double crossing(ParticleSystem system, double mass, double duration) {
-        double extent = Stream.of(new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1))
-                .mapToDouble(axis -> extent(system, axis)).max().getAsDouble();
+        double extent = Math.max(extent(system, new Vector3(1, 0, 0)),
+                Math.max(extent(system, new Vector3(0, 1, 0)), extent(system, new Vector3(0, 0, 1))));
         double speed = (extent > 0 ? extent : 1) / duration;
         return Math.max(Double.MIN_NORMAL, mass * speed * speed / 2);
     }
 
     private static double extent(ParticleSystem system, Vector3 direction) {
-        DoubleSummaryStatistics along = IntStream.range(0, system.getParticles().count()).mapToDouble(i ->
-                Vector3.at(system.getOwnState(), Particles.STRIDE * i).dot(direction)).summaryStatistics();
-        return along.getMax() - along.getMin();
+        double[] state = system.getOwnState();
+        double least = Double.POSITIVE_INFINITY;
+        double most = Double.NEGATIVE_INFINITY;
+        for (int x = 0; x < system.getStateSize(); x += Particles.STRIDE) {
+            double along = direction.x() * state[x] + direction.y() * state[x + 1] + direction.z() * state[x + 2];
+            least = Math.min(least, along);
+            most = Math.max(most, along);
+        }
+        return most - least;
     }
 }

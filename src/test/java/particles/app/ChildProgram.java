@@ -12,7 +12,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 
 /** Runs the program in a child process, with settings that differ between machines. */
-final class ChildProgram {
+public final class ChildProgram {
     /** Only ends a program that hangs: what a test starts ends within seconds, on a busy machine within a minute. */
     static final int PATIENCE_SECONDS = 600;
 
@@ -28,24 +28,24 @@ final class ChildProgram {
      * @param code  the exit code
      * @param lines what it printed, both streams
      */
-    record End(int code, String lines) {
+    public record End(int code, String lines) {
         String lastLine() {
             return lines.strip().lines().reduce("", (a, b) -> b);
         }
     }
 
     /** @param lines a file for what it prints */
-    ChildProgram(Path lines) {
+    public ChildProgram(Path lines) {
         this.lines = lines;
     }
 
     /** @param options of Java, before the program */
-    ChildProgram jvm(String... options) {
+    public ChildProgram jvm(String... options) {
         jvm.addAll(List.of(options));
         return this;
     }
 
-    ChildProgram environment(String name, String value) {
+    public ChildProgram environment(String name, String value) {
         environment.put(name, value);
         return this;
     }
@@ -62,7 +62,7 @@ final class ChildProgram {
     }
 
     /** @param args of Java: a class path and a program */
-    Process startJava(String... args) throws IOException {
+    public Process startJava(String... args) throws IOException {
         List<String> command = new ArrayList<>(before);
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         command.addAll(jvm);
@@ -76,7 +76,7 @@ final class ChildProgram {
         return end(start(args));
     }
 
-    End end(Process process) throws IOException, InterruptedException {
+    public End end(Process process) throws IOException, InterruptedException {
         if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
             process.destroyForcibly().waitFor();
             throw new AssertionError("still running after " + PATIENCE_SECONDS + " s: " + lines());

@@ -8,13 +8,13 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.regex.Matcher;
+import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Tag;
@@ -64,14 +64,9 @@ class ReadmeCommandsTest {
             "gradle checkSolver -Psolver=midpoint", ExitCode.DONE);
 
     private static Set<String> commands(Path file, Pattern... patterns) throws IOException {
-        Set<String> found = new TreeSet<>();
-        for (Pattern pattern : patterns) {
-            Matcher matcher = pattern.matcher(Files.readString(file));
-            while (matcher.find()) {
-                found.add(matcher.group(1));
-            }
-        }
-        return found;
+        String text = Files.readString(file);
+        return Stream.of(patterns).flatMap(pattern -> pattern.matcher(text).results()).map(found -> found.group(1))
+                .collect(Collectors.toCollection(TreeSet::new));
     }
 
     @Test
@@ -98,13 +93,8 @@ class ReadmeCommandsTest {
         for (String command : commands(README, IN_TEXT, IN_BLOCK)) {
             rest = rest.replaceAll(Pattern.quote(command) + "(?=`|\\n)", "");
         }
-        List<String> left = new ArrayList<>();
-        Matcher matcher = Pattern.compile("\\bgradle [a-z].*").matcher(rest);
-        while (matcher.find()) {
-            left.add(matcher.group());
-        }
-        left.removeIf(line -> line.startsWith("gradle && "));       // the package's name in README's first command
-        assertEquals(List.of(), left);
+        assertEquals(List.of(), Pattern.compile("\\bgradle [a-z].*").matcher(rest).results()
+                .map(MatchResult::group).toList());
     }
 
     @TestFactory

@@ -13,15 +13,18 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
+import particles.app.cli.ProgramCommand;
+import particles.app.cli.Version;
 import particles.app.run.RunCommand;
 import particles.app.run.StopRequest;
 import particles.teaching.exercises.Exercises;
 import picocli.CommandLine;
+import picocli.CommandLine.Command;
 
 /** Tasks, options, tables and links in README exist. */
 class ReadmeTest {
@@ -29,6 +32,7 @@ class ReadmeTest {
     private static final Pattern TASK = Pattern.compile("(?m)^(?:program '|hunt '|task |junit5\\()(\\w+)");
 
     private static final String README = read("README.md");
+    private static final String BUILD = read("build.gradle");
 
     private static String read(String file) {
         try {
@@ -39,9 +43,9 @@ class ReadmeTest {
     }
 
     @Test
-    void everyGradleCommandIsATask() throws IOException {
+    void everyGradleCommandIsATask() {
         Set<String> tasks = new TreeSet<>(Set.of("tasks", "installDist", "javadoc", "jar", "publishToMavenLocal"));
-        tasks.addAll(matches(TASK, Files.readString(Path.of("build.gradle"))));
+        tasks.addAll(matches(TASK, BUILD));
         List<String> typed = matches(GRADLE, README + read("scenes/README.md"));
         assertTrue(typed.contains("test") && typed.contains("run"), "README tells how to run and to test");
         typed.removeAll(tasks);
@@ -97,15 +101,27 @@ class ReadmeTest {
         return text.substring(0, text.indexOf("\n## ", 3)).lines().filter(line -> line.startsWith("| `")).toList();
     }
 
+    /** Each command has a task with its name and description, which README's table has, too; other tasks are hunts. */
     @Test
-    void theTasksAreThoseOfTheBuild() throws IOException {
-        List<String> rows = new ArrayList<>();
-        Matcher task = Pattern.compile("(?m)^(?:program|hunt) '([^']*)', '([^']*)'")
-                .matcher(Files.readString(Path.of("build.gradle")));
-        while (task.find()) {
-            rows.add("| `" + task.group(1) + "` | " + task.group(2) + " |");
+    void theTasksAreThoseOfTheBuildAndOfTheProgram() {
+        List<String> tasks = matches(Pattern.compile("(?m)^program ('[^']*', '[^']*')"), BUILD);
+        Set<String> commands = new TreeSet<>();
+        for (ProgramCommand command : Main.commands(new StopRequest())) {
+            String[] sentence = command.getClass().getAnnotation(Command.class).description();
+            commands.add("'" + command.name() + "', '" + String.join(" ", sentence) + "'");
         }
-        assertEquals(rows, rowsOf("Tasks"));
+        assertEquals(commands, new TreeSet<>(tasks));
+        tasks.forEach(task -> assertTrue(task.endsWith(".'"), task));
+        assertEquals(matches(Pattern.compile("(?m)^(?:program|hunt) ('[^']*', '[^']*')"), BUILD).stream()
+                .map(task -> task.replaceFirst("'(.*)', '(.*)'", "| `$1` | $2 |")).toList(), rowsOf("Tasks"));
+    }
+
+    @Test
+    void theBuildHasTheVersionAndSetsTheStartedByProperty() {
+        for (String line : List.of("version = '" + Version.CURRENT + "'",
+                "systemProperty '" + OptionStyle.STARTED_BY + "', 'gradle'")) {
+            assertTrue(BUILD.contains(line), line);
+        }
     }
 
     @Test
@@ -127,11 +143,6 @@ class ReadmeTest {
     }
 
     private static List<String> matches(Pattern pattern, String text) {
-        List<String> found = new ArrayList<>();
-        Matcher matcher = pattern.matcher(text);
-        while (matcher.find()) {
-            found.add(matcher.group(1));
-        }
-        return found;
+        return pattern.matcher(text).results().map(found -> found.group(1)).collect(Collectors.toList());
     }
 }

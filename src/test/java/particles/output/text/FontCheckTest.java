@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.ParticleSystem;
 import particles.Simulation;
+import particles.app.ChildProgram;
 import particles.law.Vector3;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartPage;
@@ -70,16 +71,13 @@ class FontCheckTest {
         assumeTrue(System.getProperty("os.name").equals("Linux"), "fonts are hidden by a setting of fontconfig");
         Path none = Files.writeString(top.resolve("fonts.conf"), "<?xml version=\"1.0\"?><fontconfig></fontconfig>");
         Path home = Files.createDirectory(top.resolve("home"));         // Java keeps a list of fonts there
-        ProcessBuilder java = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-Djava.awt.headless=true", "-Duser.home=" + home, "-cp", System.getProperty("java.class.path"),
-                Drawing.class.getName(), top.resolve("out").toString());
-        java.environment().put("FONTCONFIG_FILE", none.toString());
-        java.redirectErrorStream(true);
-        Process process = java.start();
-        String output = new String(process.getInputStream().readAllBytes());
-        assertEquals(0, process.waitFor(), output);
-        List<String> lines = output.lines().filter(line -> !line.startsWith("Fontconfig ")).toList();
-        assertEquals(2, lines.size(), output);
+        ChildProgram child = new ChildProgram(top.resolve("lines.txt"))
+                .environment("FONTCONFIG_FILE", none.toString()).jvm("-Duser.home=" + home);
+        ChildProgram.End end = child.end(child.startJava("-cp", System.getProperty("java.class.path"),
+                Drawing.class.getName(), top.resolve("out").toString()));
+        assertEquals(0, end.code(), end.lines());
+        List<String> lines = end.lines().lines().filter(line -> !line.startsWith("Fontconfig ")).toList();
+        assertEquals(2, lines.size(), end.lines());
         String chart = top.resolve("out").resolve("chart.png").toString();
         for (String line : lines) {
             assertTrue(line.startsWith("cannot draw " + chart + ": Java finds no font on this machine"), line);
