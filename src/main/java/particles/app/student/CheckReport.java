@@ -3,9 +3,11 @@ package particles.app.student;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import particles.app.student.CheckCommand.Checked;
 import particles.output.text.TableText;
 import particles.teaching.Finding;
+import particles.teaching.Finding.Kind;
 import particles.view.DataTable;
 
 /** The output of a check on the screen: the verdict, then mistakes, notes and numbers, in at most twelve lines. */
@@ -25,20 +27,15 @@ final class CheckReport {
      * @return the lines
      */
     static List<String> lines(Checked checked, String printed, Path report) {
-        List<String> lines = new ArrayList<>();
-        for (Finding finding : checked.findings()) {
-            if (finding.kind() == Finding.Kind.UNWRITTEN) {
-                lines.add(checked.subject() + ": " + finding.text());
-                return lines;
-            }
+        Optional<Finding> unwritten = checked.findings().stream().filter(finding -> finding.kind() == Kind.UNWRITTEN)
+                .findFirst();
+        if (unwritten.isPresent()) {
+            return List.of(checked.subject() + ": " + unwritten.get().text());
         }
-        List<String> wrong = checked.findings().stream().filter(Finding::isWrong).map(CheckReport::line).toList();
-        List<String> notes = checked.findings().stream().filter(finding -> !finding.isWrong()).map(CheckReport::line)
-                .toList();
-        lines.add(checked.subject() + ": " + (checked.identity().equals(Checked.NOT_CHECKED) ? ""
-                : verdict(checked.findings())) + checked.identity());
-        add(lines, wrong, MOST_MISTAKES);
-        add(lines, notes, MOST_NOTES);
+        List<String> lines = new ArrayList<>(List.of(checked.subject() + ": " + (checked.identity().equals(
+                Checked.NOT_CHECKED) ? "" : verdict(checked.findings())) + checked.identity()));
+        add(lines, checked.findings().stream().filter(Finding::isWrong).toList(), MOST_MISTAKES);
+        add(lines, checked.findings().stream().filter(finding -> !finding.isWrong()).toList(), MOST_NOTES);
         List<String> last = new ArrayList<>();
         if (!printed.isBlank()) {
             List<String> text = printed.strip().lines().toList();
@@ -72,11 +69,10 @@ final class CheckReport {
         } + finding;
     }
 
-    private static void add(List<String> lines, List<String> more, int most) {
-        lines.addAll(more.stream().limit(most).toList());
-        if (more.size() > most) {
-            lines.set(lines.size() - 1, lines.get(lines.size() - 1) + " (" + (more.size() - most)
-                    + " more in the report)");
+    private static void add(List<String> lines, List<Finding> findings, int most) {
+        findings.stream().limit(most).map(CheckReport::line).forEach(lines::add);
+        if (findings.size() > most) {
+            lines.add(lines.remove(lines.size() - 1) + " (" + (findings.size() - most) + " more in the report)");
         }
     }
 }

@@ -96,9 +96,8 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
             } catch (IndexOutOfBoundsException | NegativeArraySizeException e) {
                 return Optional.of(text + "ended in " + e + cause);
             }
-            Optional<Integer> length = source.wrongLengths().stream().findFirst();
-            if (length.isPresent()) {
-                return Optional.of(text + "handed it an array of " + length.get() + cause);
+            if (source.wrongLength().isPresent()) {
+                return Optional.of(text + "handed it an array of " + source.wrongLength().get() + cause);
             }
             if (!fresh) {
                 return Optional.of(text + (Arrays.equals(start, source.getState()) && source.getTime() == time

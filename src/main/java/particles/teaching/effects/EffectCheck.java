@@ -42,23 +42,18 @@ public record EffectCheck(EffectTrial trial) {
                     trial.system(), trial.effect(), 2003).stream().findFirst().map(this::explained));
         } catch (IndexOutOfBoundsException e) {
             int n = trial.size();
-            return wrong(Kind.FAILURE, "it ends in an exception: " + StudentFailure.describe(e) + ". The state of "
-                    + n / 6 + " particles has " + n + " numbers, those of particle i from 6 i to 6 i + 5: a loop over"
-                    + " particles goes while i < particles.count()");
+            return EffectWriting.wrong(Kind.FAILURE, Formula.text("it ends in an exception: %s. The state of %s"
+                    + " particles has %s numbers, those of particle i from 6 i to 6 i + 5: a loop over particles goes"
+                    + " while i < particles.count()", StudentFailure.describe(e), n / 6, n));
         }
-    }
-
-    private static Optional<Finding> wrong(Kind kind, String text) {
-        return Optional.of(new Finding(kind, text));
     }
 
     /** A law that stores all of its energy neither takes energy out nor puts any in. */
     private Optional<Finding> contradiction() {
         Trait other = trial.claims(Trait.DISSIPATIVE) ? Trait.DISSIPATIVE : Trait.DRIVING;
-        return trial.claims(Trait.CONSERVATIVE) && trial.claims(other) ? wrong(Kind.METHOD, "it claims CONSERVATIVE"
-                + " and " + other + ", which contradict each other: a conservative"
-                + " force keeps the energy that it stores")
-                : Optional.empty();
+        return !trial.claims(Trait.CONSERVATIVE) || !trial.claims(other) ? Optional.empty() : EffectWriting.wrong(
+                Kind.METHOD, "it claims CONSERVATIVE and " + other + ", which contradict each other: a conservative"
+                + " force keeps the energy that it stores");
     }
 
     /** The mistake behind a claim that does not hold. */
@@ -74,7 +69,7 @@ public record EffectCheck(EffectTrial trial) {
                     + " getDissipatedPower or DRIVING with getDrivenPower");
         }
         Optional<Finding> cause = potential().or(() -> new EffectPower(trial).wrong().map(EffectCheck::method)).or(() ->
-                line.startsWith("velocity") ? wrong(Kind.STATE, "the force changes with the velocity, and"
+                line.startsWith("velocity") ? EffectWriting.wrong(Kind.STATE, "the force changes with the velocity, and"
                 + " dependsOnVelocity() says false") : Optional.empty());
         return cause.map(symptom -> new EffectIndices(trial).cause().map(text -> new Finding(Kind.STATE, text)).orElse(
                 symptom)).orElseGet(() -> method(claim(line)));

@@ -20,7 +20,7 @@ record EffectWriting(EffectTrial trial) {
         return written().or(this::nothing);
     }
 
-    private static Optional<Finding> wrong(Kind kind, String text) {
+    static Optional<Finding> wrong(Kind kind, String text) {
         return Optional.of(new Finding(kind, text));
     }
 

@@ -221,8 +221,8 @@ public final class SolverCheck {
         boolean far = !vanishes();
         return Search.first(() -> multistep ? SolvedEquation.ofEarlierSteps(maker).flatMap(reading ->
                 reading.poorBeginning(order)) : Optional.empty()).or(() -> !far && !isPoor(order.order(), multistep)
-                ? Optional.empty() : Search.first(() -> far ? unread.elsewhere() : Optional.empty(), cause,
-                other, () -> Phrase.NO_CONVERGENCE.when(far, order.smallest()[1], order.smallest()[0]), () ->
+                ? Optional.empty() : Search.first(() -> far ? unread.elsewhere().or(unread::moves) : Optional.empty(),
+                cause, other, () -> Phrase.NO_CONVERGENCE.when(far, order.smallest()[1], order.smallest()[0]), () ->
                 Optional.of(Phrase.NAME_ORDER.of(order.digits(), promise.isGiven() ? promise.saysWithOrder()
                 : "a method that uses derivatives of earlier steps has at least order 2"))));
     }

@@ -7,7 +7,6 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
-import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -56,27 +55,9 @@ record StepReading(Scheme scheme, double h, int steps, Probe calls, double[] bef
      * @param numbers for each weight the numbers that it multiplies in the entries: the state at the start, then the
      *                derivatives; or positions, velocities, then accelerations, the same for a position
      *                and its velocity
-     * @param before  the state before its last step
+     * @param states  the states at the evaluations, then that before the last step, then the new one
      */
-    private record Run(boolean particles, double[][] numbers, Probe probe, double[] before) {
-        int evaluations() {
-            return probe.recorded().size();
-        }
-
-        /** @return the state at an evaluation, then that before the last step, then the new state */
-        double[] state(int i) {
-            int n = evaluations();
-            return i < n ? probe.recorded().get(i).state() : i == n ? before : probe.getState();
-        }
-
-        /** @return the other run, if it is as long as this one */
-        Run sameLength(Run other) {
-            if (other.evaluations() != evaluations()) {
-                throw new IllegalStateException("the number of evaluations depends on the numbers");
-            }
-            return other;
-        }
-
+    private record Run(double[][] numbers, Probe probe, List<double[]> states) {
         /** @return the same numbers, with some added to those of a weight */
         double[][] changed(int column, double by) {
             double[][] changed = numbers.clone();
@@ -86,17 +67,9 @@ record StepReading(Scheme scheme, double h, int steps, Probe calls, double[] bef
 
         /** @return the largest part of a state that the weights do not say, in units of the numbers' size */
         double misfit(double[][][] weights, double size) {
-            double worst = 0;
-            for (int i = 0; i < weights.length; i++) {
-                double[] said = new double[SIZE];
-                for (int k = 0; k < SIZE; k++) {
-                    for (int c = 0; c < weights[i][k].length; c++) {
-                        said[k] += weights[i][k][c] * numbers[c][k];
-                    }
-                }
-                worst = Math.max(worst, SolverContract.distance(state(i), said));
-            }
-            return worst / size;
+            return IntStream.range(0, weights.length).mapToDouble(i -> SolverContract.distance(states.get(i),
+                    IntStream.range(0, SIZE).mapToDouble(k -> IntStream.range(0, weights[i][k].length).mapToDouble(c ->
+                    weights[i][k][c] * numbers[c][k]).sum()).toArray())).reduce(0, Math::max) / size;
         }
     }
 
@@ -108,8 +81,7 @@ record StepReading(Scheme scheme, double h, int steps, Probe calls, double[] bef
     static Optional<StepReading> of(Supplier<DESolver> maker, double h, double size, int steps) {
         for (boolean particles : new boolean[] {false, true}) {
             try {
-                return Optional.of(read(particles, h, size, steps, numbers -> run(maker, h, steps, particles,
-                        numbers)));
+                return Optional.of(new Reader(maker, h, size, steps, particles).read());
             } catch (RuntimeException e) {
                 continue;                               // with velocities, adaptive or implicit
             }
@@ -117,101 +89,124 @@ record StepReading(Scheme scheme, double h, int steps, Probe calls, double[] bef
         return Optional.empty();
     }
 
-    private static double[][] numbers(Random random, boolean particles, double size, int steps) {
-        double[][] numbers = new double[2 + Probe.MOST_EVALUATIONS * steps][];
-        for (int c = 0; c < numbers.length; c++) {
-            boolean state = c == 0 || particles && c == 1;
-            double[] row = random.doubles(SIZE, state ? Math.min(1, size) : -size, state ? 2 * Math.min(1, size) : size)
-                    .toArray();
-            Arrays.setAll(row, k -> particles ? row[k - k % 6 + 3 + k % 3] : row[k]);
-            numbers[c] = row;
+    /** Reads a step, of all entries alike or of positions and velocities; throws an exception if that is not all. */
+    private record Reader(Supplier<DESolver> maker, double h, double size, int steps, boolean particles,
+            List<Finding> findings) {
+        Reader(Supplier<DESolver> maker, double h, double size, int steps, boolean particles) {
+            this(maker, h, size, steps, particles, new ArrayList<>());
         }
-        return numbers;
-    }
 
-    private static Run run(Supplier<DESolver> maker, double h, int steps, boolean particles, double[][] numbers) {
-        int first = particles ? 2 : 1;
-        double[] before = numbers[0].clone();
-        Arrays.setAll(before, k -> numbers[particles && k % 6 > 2 ? 1 : 0][k]);
-        Probe probe = new Probe.OfParticles(before, START, (j, dSdt) -> System.arraycopy(numbers[first + j], 0, dSdt, 0,
-                SIZE), numbers.length - first, particles);
-        DESolver solver = maker.get();
-        for (int step = 0; step < steps; step++) {
-            before = probe.getState();
-            solver.stepState(probe, h);
+        private int first() {
+            return particles ? 2 : 1;
         }
-        return new Run(particles, numbers, probe, before);
-    }
 
-    private static StepReading read(boolean particles, double h, double size, int steps,
-            Function<double[][], Run> runner) {
-        Random random = new Random(715);
-        Run first = runner.apply(numbers(random, particles, size, steps));
-        int n = first.evaluations();
-        int columns = n + (particles ? 2 : 1);
-        double[][][] weights = new double[n + 2][SIZE][columns];
-        for (int c = 0; c < columns; c++) {
-            Run other = first.sameLength(runner.apply(first.changed(c, size)));
-            for (int i = 0; i < n + 2; i++) {
-                for (int k = 0; k < SIZE; k++) {
-                    weights[i][k][c] = (other.state(i)[k] - first.state(i)[k]) / size;
+        private double[][] numbers(Random random, double most) {
+            double[][] numbers = new double[2 + Probe.MOST_EVALUATIONS * steps][];
+            Arrays.setAll(numbers, c -> {
+                double least = c < first() ? Math.min(1, most) : -most;
+                double[] row = random.doubles(SIZE, least, c < first() ? 2 * least : most).toArray();
+                return IntStream.range(0, SIZE).mapToDouble(k -> particles ? row[k - k % 6 + 3 + k % 3] : row[k])
+                        .toArray();
+            });
+            return numbers;
+        }
+
+        private Run run(double[][] numbers) {
+            double[] before = numbers[0].clone();
+            Arrays.setAll(before, k -> numbers[particles && k % 6 > 2 ? 1 : 0][k]);
+            Probe probe = new Probe.OfParticles(before, START, (j, dSdt) -> System.arraycopy(numbers[first() + j], 0,
+                    dSdt, 0, SIZE), numbers.length - first(), particles);
+            DESolver solver = maker.get();
+            for (int step = 0; step < steps; step++) {
+                before = probe.getState();
+                solver.stepState(probe, h);
+            }
+            return new Run(numbers, probe, Stream.concat(probe.recorded().stream().map(Probe.Evaluation::state),
+                    Stream.of(before, probe.getState())).toList());
+        }
+
+        /** Another run, which has to be as long. */
+        private Run again(Run one, double[][] numbers) {
+            Run other = run(numbers);
+            if (other.states.size() != one.states.size()) {
+                throw new IllegalStateException("the number of evaluations depends on the numbers");
+            }
+            return other;
+        }
+
+        StepReading read() {
+            Random random = new Random(715);
+            Run run = run(numbers(random, size));
+            int n = run.states.size() - 2;
+            double[][][] weights = new double[n + 2][SIZE][n + first()];
+            for (int c = 0; c < n + first(); c++) {
+                Run other = again(run, run.changed(c, size));
+                for (int i = 0; i < n + 2; i++) {
+                    for (int k = 0; k < SIZE; k++) {
+                        weights[i][k][c] = (other.states.get(i)[k] - run.states.get(i)[k]) / size;
+                    }
                 }
             }
+            double[] off = Stream.concat(Stream.generate(() -> size).limit(MORE), Stream.of(LARGE, SMALL).filter(one ->
+                    size == 1)).mapToDouble(one -> again(run, numbers(random, one)).misfit(weights, one)).toArray();
+            double rounded = Arrays.stream(off).limit(MORE).reduce(0, Math::max);       // NaN stays
+            if (!(rounded <= ROUNDED)) {
+                throw new IllegalStateException("the weights do not describe the step");
+            }
+            List<double[]> rows = new ArrayList<>();
+            double[] velocity = {};
+            for (int i = 0; i < n + 2; i++) {
+                velocity = particles ? row(i, 1, rounded, weights[i]) : velocity;
+                rows.add(row(i, 0, rounded, weights[i]));
+            }
+            double[] before = rows.remove(n);
+            if (particles) {
+                rows.add(velocity);
+                boolean still = sum(velocity, 2) == 0;
+                if (run.probe.isSet() && still != (sum(rows.get(n), 1) == 0)) {
+                    leaveOut(entries(still ? 1 : 0), n + 1, n);
+                }
+            }
+            Phrase.DIGITS.when(rounded > DOUBLE_ROUNDING, rounded).ifPresent(findings::add);
+            IntStream.range(MORE, off.length).filter(j -> !(off[j] <= ROUNDED)).limit(1).forEach(j -> findings.add(
+                    Phrase.CUT_OFF.of(j == MORE ? LARGE : SMALL)));
+            return new StepReading(new Scheme("", 0, rows, run.probe.recorded().stream().mapToDouble(at -> (at.time()
+                    - START) / h - (steps - 1)).toArray(), particles), h, steps, run.probe, before, findings);
         }
-        double[] off = Stream.concat(Stream.generate(() -> size).limit(MORE), Stream.of(LARGE, SMALL).filter(one -> size
-                == 1)).mapToDouble(one -> first.sameLength(runner.apply(numbers(random, particles, one, steps)))
-                .misfit(weights, one)).toArray();
-        double rounded = Arrays.stream(off).limit(MORE).reduce(0, Math::max);       // NaN stays
-        if (!(rounded <= ROUNDED)) {
-            throw new IllegalStateException("the weights do not describe the step");
+
+        /** The weights that most entries have, in units of powers of deltaT. */
+        private double[] row(int i, int kind, double rounded, double[][] weights) {
+            for (double[] entry : weights) {
+                Arrays.setAll(entry, c -> Math.abs(entry[c]) < DOUBLE_ROUNDING + MORE * rounded ? 0 : entry[c]);
+            }
+            List<Integer> same = entries(kind);
+            double[] row = same.stream().map(k -> weights[k]).max(Comparator.comparingDouble(one -> sum(one, 1)))
+                    .orElseThrow();
+            if (same.stream().anyMatch(k -> !stays(weights[k], row) && !(SolverContract.distance(weights[k], row)
+                    <= ROUNDED + MORE * MORE * rounded))) {
+                throw new IllegalStateException("each entry has other weights");
+            }
+            leaveOut(same.stream().filter(k -> stays(weights[k], row)).toList(), i, row.length - first());
+            double[] inSteps = row.clone();
+            Arrays.setAll(inSteps, c -> row[c] / StrictMath.pow(h, Math.min(c, first()) - kind));
+            if (sum(inSteps, 1) > LARGE) {
+                throw new IllegalStateException("these are difference quotients");
+            }
+            return inSteps;
         }
-        List<Finding> findings = new ArrayList<>();
-        List<double[]> rows = new ArrayList<>();
-        double[] velocity = {};
-        for (int i = 0; i < n + 2; i++) {
-            velocity = particles ? row(first, i, 1, h, rounded, weights[i], findings) : velocity;
-            rows.add(row(first, i, 0, h, rounded, weights[i], findings));
+
+        /** The positions, 0, or velocities, 1; all entries if they are treated alike. */
+        private List<Integer> entries(int kind) {
+            return IntStream.range(0, SIZE).filter(k -> !particles || k % 6 / 3 == kind).boxed().toList();
         }
-        double[] before = rows.remove(n);
-        if (particles) {
-            rows.add(velocity);
-            boolean still = sum(velocity, 2) == 0;
-            if (first.probe.everSet() && still != (sum(rows.get(n), 1) == 0)) {
-                leaveOut(findings, entries(first, still ? 1 : 0), n + 1, n);
+
+        private void leaveOut(List<Integer> entries, int i, int n) {
+            if (findings.isEmpty() && !entries.isEmpty()) {
+                String some = entries.stream().limit(FEW).map(String::valueOf).collect(Collectors.joining(", "));
+                findings.add(Phrase.LEFT_OUT.of(i > n ? "the new state" : "the trial state at evaluation " + (i + 1),
+                        entries.size() > FEW ? some + "..." : some, SIZE));
             }
         }
-        Phrase.DIGITS.when(rounded > DOUBLE_ROUNDING, rounded).ifPresent(findings::add);
-        IntStream.range(MORE, off.length).filter(j -> !(off[j] <= ROUNDED)).limit(1).forEach(j -> findings.add(
-                Phrase.CUT_OFF.of(j == MORE ? LARGE : SMALL)));
-        return new StepReading(new Scheme("", 0, rows, first.probe.recorded().stream().mapToDouble(at -> (at.time()
-                - START) / h - (steps - 1)).toArray(), particles), h, steps, first.probe, before, findings);
-    }
-
-    /** The weights that most entries have, in units of powers of deltaT. */
-    private static double[] row(Run run, int i, int kind, double h, double rounded, double[][] weights,
-            List<Finding> findings) {
-        for (double[] entry : weights) {
-            Arrays.setAll(entry, c -> Math.abs(entry[c]) < DOUBLE_ROUNDING + MORE * rounded ? 0 : entry[c]);
-        }
-        List<Integer> same = entries(run, kind);
-        double[] row = same.stream().map(k -> weights[k]).max(Comparator.comparingDouble(one -> sum(one, 1)))
-                .orElseThrow();
-        if (same.stream().anyMatch(k -> !stays(weights[k], row) && !(SolverContract.distance(weights[k], row)
-                <= ROUNDED + MORE * MORE * rounded))) {
-            throw new IllegalStateException("each entry has other weights");
-        }
-        leaveOut(findings, same.stream().filter(k -> stays(weights[k], row)).toList(), i, run.evaluations());
-        double[] inSteps = row.clone();
-        Arrays.setAll(inSteps, c -> row[c] / StrictMath.pow(h, Math.min(c, run.particles ? 2 : 1) - kind));
-        if (sum(inSteps, 1) > LARGE) {
-            throw new IllegalStateException("these are difference quotients");
-        }
-        return inSteps;
-    }
-
-    /** The positions, 0, or velocities, 1; all entries if they are treated alike. */
-    private static List<Integer> entries(Run run, int kind) {
-        return IntStream.range(0, SIZE).filter(k -> !run.particles || k % 6 / 3 == kind).boxed().toList();
     }
 
     private static double sum(double[] row, int from) {
@@ -221,14 +216,6 @@ record StepReading(Scheme scheme, double h, int steps, Probe calls, double[] bef
     /** Whether an entry is not moved, or not by the derivatives, though others are. */
     private static boolean stays(double[] row, double[] other) {
         return IntStream.rangeClosed(1, 3).anyMatch(from -> sum(row, from) == 0 && sum(other, from) != 0);
-    }
-
-    private static void leaveOut(List<Finding> findings, List<Integer> entries, int i, int n) {
-        if (findings.isEmpty() && !entries.isEmpty()) {
-            String some = entries.stream().limit(FEW).map(String::valueOf).collect(Collectors.joining(", "));
-            findings.add(Phrase.LEFT_OUT.of(i > n ? "the new state" : "the trial state at evaluation " + (i + 1),
-                    entries.size() > FEW ? some + "..." : some, SIZE));
-        }
     }
 
     int evaluations() {
@@ -242,7 +229,7 @@ record StepReading(Scheme scheme, double h, int steps, Probe calls, double[] bef
 
     /** @return whether the state is evaluated and stays where it was */
     boolean isStill() {
-        return evaluations() > 0 && calls.everSet() && scheme.rows().stream().skip(evaluations()).allMatch(row ->
+        return evaluations() > 0 && calls.isSet() && scheme.rows().stream().skip(evaluations()).allMatch(row ->
                 Formula.same(sum(row, 0), 1));
     }
 }

@@ -20,7 +20,7 @@ record StepRules(StepReading step, StepReading twice, Optional<StepReading> back
     /** @return the mistake of a new state that is not set */
     Optional<Finding> notSet() {
         Scheme scheme = step.scheme();
-        return Phrase.NEVER_SET.when(!step.calls().everSet()).or(() -> (scheme.size() > 1 ? Phrase.LEFT_AT_TRIAL
+        return Phrase.NEVER_SET.when(!step.calls().isSet()).or(() -> (scheme.size() > 1 ? Phrase.LEFT_AT_TRIAL
                 : Phrase.SET_TOO_EARLY).when(!step.calls().setAfterLast() && !evaluatesTheNewState(scheme),
                 scheme.ends().get(scheme.ends().size() - 1).formula()));
     }

@@ -42,9 +42,7 @@ public class Probe extends StudentSource {
     private final Answer answer;
     private final int most;
     private boolean stateSet;
-    private boolean everSet;
     private final List<Evaluation> recorded = new ArrayList<>();
-    private final List<Double> clockMoves = new ArrayList<>();
 
     /**
      * @param start  the state
@@ -63,26 +61,15 @@ public class Probe extends StudentSource {
         return recorded;
     }
 
-    /** @return all movements of the clock (s) */
-    public final List<Double> clockMoves() {
-        return clockMoves;
-    }
-
     /** @return whether the state was set after the last evaluation */
     public final boolean setAfterLast() {
         return stateSet;
-    }
-
-    /** @return whether the state was set at all */
-    public final boolean everSet() {
-        return everSet;
     }
 
     @Override
     public final void setState(double[] s) {
         super.setState(s);
         stateSet = true;
-        everSet = true;
     }
 
     /** @return the evaluation, from 0, whose derivative is the answer to this one */
@@ -105,12 +92,6 @@ public class Probe extends StudentSource {
         recorded.add(new Evaluation(s.clone(), t, stateSet));
         stateSet = false;
         System.arraycopy(all, 0, dSdt, 0, Math.min(s.length, dSdt.length));
-    }
-
-    @Override
-    public final void incTime(double deltaT) {
-        clockMoves.add(deltaT);
-        super.incTime(deltaT);
     }
 
     /** A probe of particles: three positions and three velocities for each in turn. */

@@ -5,6 +5,7 @@ import deSolvers.problems.ReferenceProblem;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import particles.teaching.EndlessLoop;
 
 /** A source for a student's solver: it records arrays of a wrong length, and uses the part of them that fits. */
@@ -13,7 +14,7 @@ public abstract class StudentSource extends ReferenceProblem {
     /** A right adaptive solver needs 100,000 in its longest measurement. */
     private static final long MOST_EVALUATIONS = 2_000_000;
 
-    private final List<Integer> wrongLengths = new ArrayList<>();
+    private Optional<Integer> wrongLength = Optional.empty();
     private final List<double[]> evaluatedAt = new ArrayList<>();
     private int reads;
     private int timeMoves;
@@ -45,15 +46,15 @@ public abstract class StudentSource extends ReferenceProblem {
         return source;
     }
 
-    /** @return the lengths of arrays that were not as long as the state */
-    public final List<Integer> wrongLengths() {
-        return wrongLengths;
+    /** @return the length of the first array that was not as long as the state */
+    public final Optional<Integer> wrongLength() {
+        return wrongLength;
     }
 
     @Override
     protected final int checkLength(double[] array) {
-        if (array.length != getStateSize()) {
-            wrongLengths.add(array.length);
+        if (array.length != getStateSize() && wrongLength.isEmpty()) {
+            wrongLength = Optional.of(array.length);
         }
         return Math.min(array.length, getStateSize());
     }

@@ -17,6 +17,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.function.DoubleBinaryOperator;
+import java.util.function.ToDoubleFunction;
 import particles.teaching.solvers.PlantedSolvers;
 import particles.teaching.solvers.PlantedSolvers.Step;
 
@@ -34,7 +35,7 @@ final class HandwrittenSolvers {
         return List.of(
                 right("Solver1", "Euler in plain loops", HandwrittenSolvers::euler),
                 right("ShuOsher", "means of states, the clock set back", HandwrittenSolvers::shuOsher),
-                right("HeunSolver", "on FixedStepSolver", HeunOnFixedStep::new),
+                right("HeunSolver", "on FixedStepSolver", () -> new HeunOnFixedStep(0.5)),
                 right("Kutta", "RK4 with work arrays", WorkArrays::new),
                 right("StepDoubling", "midpoint against two half steps", HandwrittenSolvers::stepDoubling),
                 right("TaylorTwo", "second derivative by a difference", HandwrittenSolvers::taylor),
@@ -57,13 +58,15 @@ final class HandwrittenSolvers {
                         closingKick(source, w * h);
                     }
                 }),
-                right("R48ImplicitEulerFixedPoint", "refuses long steps", HandwrittenSolvers::fixedPoint));
+                right("R48ImplicitEulerFixedPoint", "refuses long steps", (source, h) -> fixedPoint(source, h,
+                        Methods::norm)));
     }
 
     static List<Specimen> allWrong() {
         Random random = new Random(4);
         double[][] arrays = {new double[64], new double[64]};
         double[][] many = {new double[600], new double[600]};
+        int[] entries = {0};
         return List.of(
                 wrong("RK4Solver", "one array for all slopes", "one array", HandwrittenSolvers::oneSlopeArray),
                 wrong("RK4Solver", "trial = s without clone", "one array|clone|copy",
@@ -89,8 +92,23 @@ final class HandwrittenSolvers {
                 increment("random",
                         "^method: two new solvers make different steps from the same place: something is random,"
                         + " or static", (f, h) -> h * f * (1 + 0.01 * random.nextDouble())),
+                increment("half steps after forty entries",
+                        "^method: two new solvers make different steps from the same place", (f, h) ->
+                        ++entries[0] > 40 ? h / 2 * f : h * f),
                 increment("gravity of its own", "something is added", (f, h) -> h * (f - 9.81)),
                 increment("NaN", "^state: the new state is NaN", (f, h) -> Math.sqrt(-1 - f * f)),
+                wrong("HeunSolver", "1/2 of whole numbers", "no derivative is in it.*1/2 is 0", () ->
+                        new HeunOnFixedStep(0)),
+                wrong("Mine", "stops when the first entry is still", "the iteration ends too early", (source, h) ->
+                        fixedPoint(source, h, change -> 1e-6 * Math.abs(change[0]))),
+                wrong("Mine", "sub-steps of 0.001 s, and the rest is lost", "after a step of 0.0001000 s the state is"
+                        + " that of t: either", (source, h) -> {
+                    double end = source.getTime() + h;
+                    for (int k = (int) (Math.abs(h) / 0.001); k > 0; k--) {
+                        euler(source, Math.copySign(0.001, h));
+                    }
+                    Methods.clock(source, end);
+                }),
                 wrong("ClassicRK", "deltaT twice", "multiplied by deltaT twice", (source, h) -> {
                     double[] s = state(source);
                     double[] k1 = slope(source);
@@ -314,13 +332,13 @@ final class HandwrittenSolvers {
         source.setState(x);
     }
 
-    private static void fixedPoint(DEStateSource source, double h) {
+    private static void fixedPoint(DEStateSource source, double h, ToDoubleFunction<double[]> size) {
         double[] s = state(source);
         double[] next = s;
         source.incTime(h);
         for (int round = 0; round < 200; round++) {
             double[] better = plus(s, h, slopeAt(source, next));
-            double change = Methods.norm(plus(better, -1, next));
+            double change = size.applyAsDouble(plus(better, -1, next));
             next = better;
             if (change < 1e-12) {
                 source.setState(next);
@@ -407,13 +425,19 @@ final class HandwrittenSolvers {
     }
 
     private static final class HeunOnFixedStep extends FixedStepSolver {
+        private final double weight;
+
+        HeunOnFixedStep(double weight) {
+            this.weight = weight;
+        }
+
         @Override
         protected void step(DEStateSource source, double[] s, double deltaT) {
             double[] k1 = eulerStep(s, deltaT);
             source.incTime(deltaT);
             double[] k2 = eulerStep(plus(s, 1, k1), deltaT);
             for (int i = 0; i < s.length; i++) {
-                s[i] += (k1[i] + k2[i]) / 2;
+                s[i] += weight * (k1[i] + k2[i]);
             }
         }
     }
