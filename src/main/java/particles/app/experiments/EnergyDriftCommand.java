@@ -6,10 +6,10 @@ import particles.experiments.energy.DriftCharts;
 import particles.experiments.energy.DriftHeadline;
 import particles.experiments.energy.EnergyDrift;
 import particles.experiments.energy.EnergyDrift.Comparison;
+import particles.experiments.energy.EnergyDrift.Drift;
 import particles.experiments.runs.ProgressListener;
 import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
-import particles.output.report.Picture.SolverCharts;
 import particles.output.report.ResultPage;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -38,8 +38,8 @@ public final class EnergyDriftCommand extends ExperimentCommand {
         Comparison comparison = EnergyDrift.compare(options.scene(), options.solvers(), equalWork, progress);
         String caption = "Above: the size of the error, logarithmic. Below: the error itself while it is less than"
                 + " 0.1. A cross marks a run that ended early.";
-        SolverCharts charts = which -> DriftCharts.charts(comparison.only(drift -> which.test(drift.label())));
-        Picture picture = Picture.bySolver("energy-drift", caption, charts);
+        Picture picture = Picture.bySolver("energy-drift", caption, comparison.drifts(), Drift::label,
+                some -> DriftCharts.charts(comparison.of(some)));
         return new ResultPage(name(), DriftHeadline.of(comparison), List.of(
                 """
                         The energy error is the change of the total energy minus the work of drag, damping, wind, \
@@ -53,8 +53,8 @@ public final class EnergyDriftCommand extends ExperimentCommand {
                 "Where damping, driving or impacts change the energy, errors fade with the motion or follow it: only"
                         + " their size compares solvers."),
                 List.of(comparison.drifts().size() <= format().mostCurves() ? picture
-                        : picture.onSlides(List.of(Picture.bySolver("energy-drift", caption,
-                                which -> charts.apply(which).subList(0, 1))))),
+                        : picture.onSlides(List.of(Picture.bySolver("energy-drift", caption, comparison.drifts(),
+                                Drift::label, some -> DriftCharts.charts(comparison.of(some)).subList(0, 1))))),
                 List.of(DriftCharts.table(comparison)));
     }
 }

@@ -9,9 +9,11 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import particles.app.cli.Mistakes;
 import particles.experiments.race.Race;
+import particles.experiments.race.Race.Lane;
 import particles.experiments.race.Race.Result;
 import particles.experiments.race.RaceCharts;
 import particles.experiments.runs.ProgressListener;
+import particles.experiments.runs.SceneRun.Outcome;
 import particles.experiments.runs.SolverChoice;
 import particles.output.animation.GifAnimation;
 import particles.output.charts.ChartPage;
@@ -113,7 +115,7 @@ public final class RaceCommand extends ExperimentCommand {
         List<SolverChoice> solvers = options.solvers();
         int count = frameCount(scene.get());
         try (RacePictures pictures = new RacePictures(solvers.size(), count / scene.get().duration(), PLAYBACK)) {
-            Result race = new Race(scene.get(), solvers, count).run(pictures,
+            Result race = new Race(scene.get(), solvers, count, Outcome::busy).run(pictures,
                     (part, what) -> progress.reached(RUNS * part, what));
             return page(race, count, pictures.write(folder, race,
                     part -> progress.reached(RUNS + (1 - RUNS) * part, "drawing the animation")));
@@ -143,8 +145,8 @@ public final class RaceCommand extends ExperimentCommand {
                         Picture.bySolver("race-charts", """
                                 Above: distance of each solver from the reference, root mean square over the \
                                 particles. Below: energy error. A cross marks where a solver left the race.""",
-                                which -> List.of(RaceCharts.distance(race.of(which)),
-                                        RaceCharts.energy(race.of(which))))),
+                                race.lanes(), Lane::label, some -> List.of(
+                                RaceCharts.distance(race.of(some)), RaceCharts.energy(race.of(some))))),
                 List.of(RaceCharts.table(race)));
     }
 }

@@ -53,8 +53,8 @@ final class SceneStabilityPage {
             pictures.add(Picture.bySolver("growth",
                     "Lines: the largest factor of any mode in one step, as predicted; they end at 2."
                     + " Points: the step at which pairs of runs began to move apart, by bisection.",
-                    which -> List.of(SceneStabilityCharts.growth(spectrum, finite.stream()
-                            .filter(limit -> which.test(limit.solver().label())).toList()))));
+                    finite, limit -> limit.solver().label(),
+                    some -> List.of(SceneStabilityCharts.growth(spectrum, some))));
         }
         return new ResultPage(NAME, title(scene, limits, fastest), text(spectrum, fastest), pictures,
                 List.of(SceneStability.table(limits, scene.deltaT()), modes(spectrum)));

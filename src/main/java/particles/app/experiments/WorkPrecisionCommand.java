@@ -4,7 +4,6 @@ import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Predicate;
 import particles.app.cli.Mistakes;
 import particles.experiments.lecture.CostExercise;
 import particles.experiments.lecture.CostExercise.Cost;
@@ -70,16 +69,18 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
         for (WorkProblem solved : problems) {
             double done = REFERENCES + (1 - REFERENCES) * problems.indexOf(solved) / problems.size();
             List<Curve> curves = progress.part(done, done + (1 - REFERENCES) / problems.size()).each(choices, choice ->
-                    choice.label() + " on " + solved.name(), choice -> WorkPrecision.measure(solved, choice));
+                    choice.label() + " on " + solved.name(), choice ->
+                    new WorkPrecision(solved, choice, WorkPrecision.TIMED).curve());
             String caption = solved.title() + " over " + Digits.few(solved.duration()) + " s; reference: "
                     + solved.origin() + ".";
             pictures.add(Picture.bySolver(solved.name() + "-evaluations", caption
                     + " The slope is fitted through the filled points." + FAILURES,
-                    which -> WorkCharts.byEvaluations(some(curves, which))));
+                    curves, Curve::label,
+                    WorkCharts::byEvaluations));
             pictures.add(Picture.bySolver(solved.name() + "-time", caption
                     + " CPU time, the median of five or more runs after a warm-up; bars go from the lower to the upper"
                     + " quartile. One solver is called first only if its bar overlaps no other." + FAILURES,
-                    which -> WorkCharts.byTime(some(curves, which))));
+                    curves, Curve::label, WorkCharts::byTime));
             all.addAll(curves);
         }
         progress.reached(1, "the lecture's exercise");
@@ -101,9 +102,5 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
                         of its stages, 3, and not 5, until the step is as short as the time of the springs. It uses \
                         equal steps here, like the others."""),
                 pictures, List.of(CostExercise.table(costs), WorkTables.slopes(all), WorkTables.runs(all)));
-    }
-
-    private static List<Curve> some(List<Curve> curves, Predicate<String> which) {
-        return curves.stream().filter(curve -> which.test(curve.label())).toList();
     }
 }

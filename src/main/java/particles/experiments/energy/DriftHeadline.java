@@ -33,7 +33,8 @@ public final class DriftHeadline {
     static String within(double limit, Comparison comparison) {
         List<String> far = comparison.drifts().stream().filter(drift -> drift.largest() > limit)
                 .map(Drift::label).toList();
-        Comparison near = comparison.only(drift -> drift.largest() <= limit);
+        Comparison near = comparison.of(comparison.drifts().stream()
+                .filter(drift -> drift.largest() <= limit).toList());
         return start(comparison) + (far.isEmpty() ? "" : said(far, "exceeds " + part(limit)))
                 + (far.isEmpty() || near.drifts().isEmpty() ? "" : "; ") + parts(near) + end(comparison);
     }

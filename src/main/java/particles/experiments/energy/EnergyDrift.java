@@ -3,7 +3,6 @@ package particles.experiments.energy;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.function.Predicate;
 import particles.Observer;
 import particles.energy.EnergyHistory;
 import particles.energy.EnergyRecorder;
@@ -100,8 +99,8 @@ public final class EnergyDrift {
      */
     public record Comparison(String scene, double scale, boolean equalWork, List<Drift> drifts) {
         /** @return the comparison of some of the solvers */
-        public Comparison only(Predicate<Drift> which) {
-            return new Comparison(scene, scale, equalWork, drifts.stream().filter(which).toList());
+        public Comparison of(List<Drift> some) {
+            return new Comparison(scene, scale, equalWork, some);
         }
     }
 

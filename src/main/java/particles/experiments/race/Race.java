@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
@@ -34,8 +33,13 @@ import particles.scene.format.SceneDescription;
  * A race of solvers on one scene: all do the same work, and the solver that stays nearest to a very accurate run wins.
  * Work is counted in evaluations of the derivative, or in time if implicit solvers take part, whose work is more than
  * evaluations.
+ *
+ * @param scene   the scene, with the duration of the race; rk4 at its step sets the work of all
+ * @param solvers the solvers that take part; one that cannot do with so little work sets the work of all
+ * @param frames  the number of parts into which the duration is divided, 1 or more
+ * @param clock   measures the time of a run (s), such as its CPU time
  */
-public final class Race {
+public record Race(SceneDescription scene, List<SolverChoice> solvers, int frames, ToDoubleFunction<Outcome> clock) {
     private static final double REFERENCE_TOLERANCE = 1e-11;
     /** The reference in words. */
     public static final String REFERENCE = "dormand-prince with a tolerance of 1e-11";
@@ -91,32 +95,10 @@ public final class Race {
      */
     public record Result(String scene, double duration, double[] times, boolean equalTime, Shares shares, double scale,
                          List<double[]> reference, List<Lane> lanes) {
-        /** @return the race of the solvers whose labels are chosen */
-        public Result of(Predicate<String> which) {
-            return new Result(scene, duration, times, equalTime, shares, scale, reference,
-                    lanes.stream().filter(lane -> which.test(lane.label())).toList());
+        /** @return the race with these lanes only */
+        public Result of(List<Lane> some) {
+            return new Result(scene, duration, times, equalTime, shares, scale, reference, some);
         }
-    }
-
-    private final SceneDescription scene;
-    private final List<SolverChoice> solvers;
-    private final int frames;
-    private final ToDoubleFunction<Outcome> clock;
-
-    /**
-     * @param scene   the scene, with the duration of the race; rk4 at its step sets the work of all
-     * @param solvers the solvers that take part; one that cannot do with so little work sets the work of all
-     * @param frames  the number of parts into which the duration is divided, 1 or more
-     */
-    public Race(SceneDescription scene, List<SolverChoice> solvers, int frames) {
-        this(scene, solvers, frames, Outcome::busy);
-    }
-
-    Race(SceneDescription scene, List<SolverChoice> solvers, int frames, ToDoubleFunction<Outcome> clock) {
-        this.scene = scene;
-        this.solvers = List.copyOf(solvers);
-        this.frames = frames;
-        this.clock = clock;
     }
 
     /**

@@ -20,8 +20,10 @@ import particles.scene.format.SceneDescription;
  * Measures the growth of a perturbation by two runs of a scene that begin next to each other: if their distance grows
  * from step to step, so does every error. The distance is that of a spring with the mode's frequency, (the sum of m
  * (dv&sup2; + |lambda|&sup2; dx&sup2;))<sup>1/2</sup>, which the motion itself keeps or damps.
+ *
+ * @param scene the scene
  */
-final class PerturbationGrowth {
+record PerturbationGrowth(SceneDescription scene) {
     /** Steps of a run; its growth is that from the second quarter to the last. */
     static final int STEPS = 512;
     private static final int EVERY = 16;
@@ -38,12 +40,6 @@ final class PerturbationGrowth {
     private static final double GROWN = 20;
     private static final double NO_LONGER_SMALL = 1e4;
     private static final long SEED = 715;
-
-    private final SceneDescription scene;
-
-    PerturbationGrowth(SceneDescription scene) {
-        this.scene = scene;
-    }
 
     /**
      * A pair of runs.

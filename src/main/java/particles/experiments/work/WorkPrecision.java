@@ -13,13 +13,18 @@ import particles.experiments.runs.SolverChoice;
 /**
  * Work-precision experiment: solves a problem with ever shorter steps or tighter tolerances, and measures the error
  * against the evaluations of the derivative and against time.
+ *
+ * @param problem the problem to solve
+ * @param solver  the solver
+ * @param timed   the smallest number of timed runs, odd; 0 for none, which gives times of NaN
  */
-public final class WorkPrecision {
+public record WorkPrecision(WorkProblem problem, SolverChoice solver, int timed) {
     /** A run with this error or more has no result. */
     static final double USELESS = 10;
     private static final int FEWEST_STEPS = 16;
     private static final int FEWEST_WHOLE_STEPS = 4;
-    private static final int TIMED = 5;
+    /** Times of so many runs have quartiles. */
+    public static final int TIMED = 5;
     /** Short runs are repeated more often: until all together took this time (s), up to a limit. */
     private static final double ENOUGH = 1e-3;
     private static final int MOST_TIMED = 51;
@@ -91,41 +96,20 @@ public final class WorkPrecision {
         }
     }
 
-    private final WorkProblem problem;
-    private final SolverChoice solver;
-    private final int timed;
-    private final boolean byStep;
-
-    private WorkPrecision(WorkProblem problem, SolverChoice solver, int timed) {
-        this.problem = problem;
-        this.solver = solver;
-        this.timed = timed;
-        byStep = !solver.adaptive() || isStiff();
-    }
-
-    /**
-     * @param problem the problem to solve
-     * @param solver  the solver
-     * @return its runs
-     */
-    public static Curve measure(WorkProblem problem, SolverChoice solver) {
-        return measure(problem, solver, TIMED);
-    }
-
-    /** @param timed the smallest number of timed runs, odd; 0 for none, which gives times of NaN */
-    static Curve measure(WorkProblem problem, SolverChoice solver, int timed) {
-        return new WorkPrecision(problem, solver, timed).curve();
-    }
-
-    private Curve curve() {
+    /** @return the runs of this solver */
+    public Curve curve() {
         if (timed > 0) {
             warmUp();
         }
-        List<Point> points = byStep ? overSteps() : overTolerances();
+        List<Point> points = byStep() ? overSteps() : overTolerances();
         double expected = expected();
         double shortest = isStiff() ? problem.stiff().orElseThrow().deltaT() : 0;
-        return new Curve(problem, solver, byStep, points,
-                SlopeFit.of(points, problem.floor(), byStep, shortest, expected), expected);
+        return new Curve(problem, solver, byStep(), points,
+                SlopeFit.of(points, problem.floor(), byStep(), shortest, expected), expected);
+    }
+
+    private boolean byStep() {
+        return !solver.adaptive() || isStiff();
     }
 
     private boolean isStiff() {
@@ -169,8 +153,8 @@ public final class WorkPrecision {
 
     /** Warms up with a run that is neither so coarse that it fails at once nor long. */
     private void warmUp() {
-        int steps = byStep ? (int) Math.max(FEWEST_STEPS, budget() / WARM_PART) : 1;
-        double tolerance = byStep ? WHOLE_STEPS : Math.max(WARM_TOLERANCE, tightest());
+        int steps = byStep() ? (int) Math.max(FEWEST_STEPS, budget() / WARM_PART) : 1;
+        double tolerance = byStep() ? WHOLE_STEPS : Math.max(WARM_TOLERANCE, tightest());
         double begin = CpuClock.seconds();
         while (CpuClock.seconds() - begin < WARM) {
             solve(problem.start().get(), solver.create(tolerance), steps);

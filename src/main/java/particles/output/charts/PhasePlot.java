@@ -8,6 +8,7 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.util.Arrays;
 import java.util.DoubleSummaryStatistics;
+import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.jfree.chart.axis.NumberAxis;
@@ -61,16 +62,12 @@ final class PhasePlot {
         return Charts.finished(data.title(), plot, Panel.Kind.PHASE);
     }
 
-    /** The first line of a solver, or else the first one at all. */
+    /** The first series of a solver, or else the first one that is not the band of a reference. */
     private static int path(ChartData data) {
-        int first = 0;
-        for (int k = data.series().size() - 1; k >= 0; k--) {
-            Series series = data.series().get(k);
-            boolean line = series.mark() == Mark.LINE || series.mark() == Mark.LINE_AND_POINTS;
-            boolean known = SolverStyle.of(data.series().get(first).name()).isPresent();
-            first = line && series.x().length > 1 && (!known || SolverStyle.of(series.name()).isPresent()) ? k : first;
-        }
-        return first;
+        List<Series> all = data.series();
+        return IntStream.range(0, all.size()).filter(k -> SolverStyle.of(all.get(k).name()).isPresent()).findFirst()
+                .orElseGet(() -> IntStream.range(0, all.size()).filter(k -> all.get(k).mark() != Mark.BAND)
+                        .findFirst().orElse(0));
     }
 
     /** The mark of a start or end, the same in all plots. */

@@ -22,17 +22,14 @@ import particles.view.ChartData;
  * @param caption  the caption
  * @param title    the title over several panels
  * @param panels   the charts
- * @param bySolver makes the same charts of some solvers, so that many can be shown by families
+ * @param bySolver makes the same charts of the solvers whose labels are chosen, to show many by families
  * @param drawn    the whole page instead of charts
  * @param slides   what is shown on slides instead, if it is not each panel by itself
  * @param repeated whether it shows a part of another one again, in a file of its own
  */
-public record Picture(String name, String caption, String title, List<Panel> panels, Optional<SolverCharts> bySolver,
-        Optional<ChartPage> drawn, Optional<List<Picture>> slides, boolean repeated) {
-
-    /** Makes charts of the solvers whose labels are chosen. */
-    public interface SolverCharts extends Function<Predicate<String>, List<ChartData>> {
-    }
+public record Picture(String name, String caption, String title, List<Panel> panels,
+        Optional<Function<Predicate<String>, List<ChartData>>> bySolver, Optional<ChartPage> drawn,
+        Optional<List<Picture>> slides, boolean repeated) {
 
     private Picture(String name, String caption, String title, List<Panel> panels, Optional<ChartPage> drawn) {
         this(name, caption, title, panels, Optional.empty(), drawn, Optional.empty(), false);
@@ -51,13 +48,17 @@ public record Picture(String name, String caption, String title, List<Panel> pan
     /**
      * @param name    the name of the picture's files, without an ending
      * @param caption the caption
-     * @param charts  makes charts above each other over the same x axis, the uppermost first
+     * @param results the result of each solver
+     * @param label   the label of a result's solver
+     * @param charts  makes charts of results above each other over the same x axis, the uppermost first
      * @return a picture that shows solvers by families where they are too many for one panel
      */
-    public static Picture bySolver(String name, String caption, SolverCharts charts) {
-        Panel all = Panel.stacked(charts.apply(label -> true));
-        return new Picture(name, caption, all.title(), List.of(all), Optional.of(charts), Optional.empty(),
-                Optional.empty(), false);
+    public static <T> Picture bySolver(String name, String caption, List<T> results, Function<T, String> label,
+            Function<List<T>, List<ChartData>> charts) {
+        Panel all = Panel.stacked(charts.apply(results));
+        return new Picture(name, caption, all.title(), List.of(all), Optional.of(which -> charts.apply(results.stream()
+                .filter(result -> which.test(label.apply(result))).toList())), Optional.empty(), Optional.empty(),
+                false);
     }
 
     /**

@@ -86,25 +86,6 @@ class StabilityLimitsTest {
         assertEquals(256, (amplification.at(0, 0.4) - 1) / (amplification.at(0, 0.2) - 1), 10);     // measured 250
     }
 
-    /**
-     * Damping takes from symplectic-euler's step: 4 - q - 2g = 0, q = h^2, g = 2h gives 2 (sqrt 2 - 1). Measured 2.8e-9
-     * off.
-     */
-    @Test
-    void criticalDampingLimitsSymplecticEuler() {
-        assertEquals(2 * (Math.sqrt(2) - 1), StabilityLimits.real(SolverCatalog.info("symplectic-euler")).value(),
-                2e-8);
-    }
-
-    /**
-     * The last kick's iteration contracts by deltaT c/2 = h omega: 100 times that is 1e-13 at 0.741,
-     * less what it starts with.
-     */
-    @Test
-    void verletRefusesStrongDamping() {
-        assertEquals(0.7403, StabilityLimits.real(SolverCatalog.info("verlet")).value(), 1e-4);    // measured 2.0e-5
-    }
-
     @Test
     void theTableHasEverySolverAndSaysUnbounded() {
         DataTable table = StabilityLimits.measure(NOBODY);

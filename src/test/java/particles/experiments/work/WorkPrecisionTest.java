@@ -33,7 +33,7 @@ class WorkPrecisionTest {
     }
 
     private static Curve curve(WorkProblem problem, String solver) {
-        return WorkPrecision.measure(problem, SolverChoice.of(solver), 0);
+        return new WorkPrecision(problem, SolverChoice.of(solver), 0).curve();
     }
 
     /** Measured: at most 0.07 off (adams on the pendulum, 3.93). No end time is a multiple of a period. */
@@ -43,7 +43,7 @@ class WorkPrecisionTest {
     void slopesOfFixedStepsAreTheOrders(String problem) {
         WorkProblem solved = WorkProblems.of(problem);
         for (SolverChoice solver : SolverChoice.list("all").stream().filter(one -> !one.adaptive()).toList()) {
-            Curve curve = WorkPrecision.measure(solved, solver, 0);
+            Curve curve = new WorkPrecision(solved, solver, 0).curve();
             assertEquals(solver.order(), curve.fit().slope(), 0.1, solver.label() + " on " + problem);
             assertEquals(solver.order(), curve.expected());
             assertTrue(curve.fit().last() - curve.fit().first() >= 2, "three points or more");
@@ -109,7 +109,8 @@ class WorkPrecisionTest {
 
     @Test
     void timesAreMediansBetweenQuartiles() {
-        for (Point point : WorkPrecision.measure(WorkProblems.of("network"), SolverChoice.of("rk4")).points()) {
+        for (Point point : new WorkPrecision(WorkProblems.of("network"), SolverChoice.of("rk4"),
+                WorkPrecision.TIMED).curve().points()) {
             assertTrue(point.lower() <= point.seconds() && point.seconds() <= point.upper() && point.lower() > 0);
         }
     }
