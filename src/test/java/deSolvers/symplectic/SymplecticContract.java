@@ -15,6 +15,11 @@ import org.junit.jupiter.api.Test;
 public abstract class SymplecticContract extends FixedStepContract {
     private static final double H = 0.25;
 
+    @Override
+    protected boolean needsSecondOrder() {
+        return true;
+    }
+
     /** @return whether a step back undoes a step */
     protected boolean isReversible() {
         return true;

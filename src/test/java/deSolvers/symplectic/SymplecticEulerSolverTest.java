@@ -9,11 +9,6 @@ class SymplecticEulerSolverTest extends SymplecticContract {
     }
 
     @Override
-    protected boolean needsSecondOrder() {
-        return true;
-    }
-
-    @Override
     protected int order() {
         return 1;
     }

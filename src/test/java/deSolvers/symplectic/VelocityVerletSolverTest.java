@@ -18,11 +18,6 @@ class VelocityVerletSolverTest extends SymplecticContract {
     }
 
     @Override
-    protected boolean needsSecondOrder() {
-        return true;
-    }
-
-    @Override
     protected int order() {
         return 2;
     }

@@ -14,11 +14,6 @@ class Yoshida4SolverTest extends SymplecticContract {
     }
 
     @Override
-    protected boolean needsSecondOrder() {
-        return true;
-    }
-
-    @Override
     protected int order() {
         return 4;
     }

@@ -1,0 +1,122 @@
+package deSolvers.implicit;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.DESolver;
+import deSolvers.DESolverException;
+import deSolvers.EulerSolver;
+import deSolvers.MidpointSolver;
+import deSolvers.RK4Solver;
+import deSolvers.problems.Decay;
+import deSolvers.problems.ProtheroRobinson;
+import deSolvers.problems.Steps;
+import deSolvers.problems.StiffPair;
+import java.util.List;
+import java.util.function.Supplier;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Solvers for stiff systems: no growth with steps far longer than the fastest decay. Explicit solvers fail this. */
+class StiffSolversTest {
+    private static final double Z = -1e6;
+
+    /**
+     * @param maker     makes a solver, which makes one step of its method for each call
+     * @param factor    |R(-1e6)|, the factor of one step of s' = -1e6 s with deltaT = 1
+     * @param order     the order in deltaT on the stiff Prothero-Robinson problem, by theory
+     * @param error     a bound on the error of that problem, L = -1e6, after 16 steps of 1/16 s
+     * @param pairError a bound on the error of the 998/1998 pair after 100 steps of 0.01 s through its slow part
+     */
+    private record Method(Supplier<DESolver> maker, double factor, double order, double error, double pairError) {
+    }
+
+    static List<Method> stiffSolvers() {
+        return List.of(
+                // errs by h/(2 L) y'' = 3.1e-8 a step, of which the next step leaves nothing;
+                // first order leaves h/2 t e^-t = 0.0018 of the slow part, twice in u: measured 3.59e-3
+                new Method(BackwardEulerSolver::new, 1 / (1 + 1e6), 1, 4e-8, 0.004),
+                // each step errs by h^2/4 y'' = 9.8e-4 with the sign of the last undone, no less for larger L;
+                // second order leaves h^2/12 t e^-t = 3.1e-6 of the slow part, twice in u: measured 6.01e-6
+                new Method(ImplicitMidpointSolver::new, (5e5 - 1) / (5e5 + 1), 2, 1.2e-3, 1e-5),
+                // with a tolerance that everything satisfies, every call is one step, of factor about 3/|z|;
+                // the order of the stages and a factor of 1/L: measured 3.05e-12; then rounding: 2.0e-15
+                new Method(() -> new RadauIIASolver(1e-9, 1e30),
+                        (1 + Z * (2.0 / 5 + Z / 20)) / (1 + Z * (-3.0 / 5 + Z * (3.0 / 20 - Z / 60))), 3, 5e-12,
+                        1e-14));
+    }
+
+    @ParameterizedTest
+    @MethodSource("stiffSolvers")
+    void stiffSystemsAreFollowedWithLongSteps(Method method) {
+        assertNoGrowth(method.maker.get(), method.factor);
+        assertStiffOrder(method.maker, method.order, method.error);
+        assertStiffPair(method.maker.get(), method.pairError);
+    }
+
+    static List<Supplier<DESolver>> explicitSolvers() {
+        return List.of(EulerSolver::new, MidpointSolver::new, RK4Solver::new);
+    }
+
+    /** The contrary, with bounds as wide as 1. */
+    @ParameterizedTest
+    @MethodSource("explicitSolvers")
+    void explicitSolversFailEveryStatement(Supplier<DESolver> solver) {
+        assertThrows(AssertionError.class, () -> assertNoGrowth(solver.get(), 1));
+        Throwable failure = assertThrows(Throwable.class, () -> assertStiffOrder(solver, 1, 1));
+        assertTrue(failure instanceof AssertionError || failure instanceof DESolverException,
+                "grown, or overflown: " + failure);
+        assertThrows(AssertionError.class, () -> assertStiffPair(solver.get(), 1));
+    }
+
+    /**
+     * Asserts that steps of s' = -1e6 s with deltaT = 1 never grow, and that the first multiplies by the given factor.
+     */
+    private static void assertNoGrowth(DESolver solver, double factor) {
+        Decay decay = new Decay(1e6);
+        double before = 1;
+        for (int i = 0; i < 20; i++) {
+            solver.stepState(decay, 1);
+            double after = Math.abs(decay.getState()[0]);
+            assertTrue(after <= before, "step " + i + ": " + after + " after " + before);
+            if (i == 0) {
+                assertEquals(factor, after, 1e-9 * factor);
+            }
+            before = after;
+        }
+    }
+
+    /**
+     * Asserts that the error on the Prothero-Robinson problem, L = -1e6, is small and falls with the theoretical order.
+     */
+    private static void assertStiffOrder(Supplier<DESolver> solvers, double order, double bound) {
+        double coarse = protheroRobinsonError(solvers.get(), 16);
+        double fine = protheroRobinsonError(solvers.get(), 64);
+        assertTrue(coarse < bound, "error " + coarse);
+        double slope = StrictMath.log(coarse / fine) / StrictMath.log(4);
+        assertEquals(order, slope, 0.1);
+    }
+
+    private static double protheroRobinsonError(DESolver solver, int steps) {
+        ProtheroRobinson problem = new ProtheroRobinson(-1e6);
+        double worst = 0;
+        for (int i = 0; i < steps; i++) {
+            solver.stepState(problem, 1.0 / steps);
+            worst = Math.max(worst, problem.error());
+        }
+        return worst;
+    }
+
+    /**
+     * Asserts that the slow part of the 998/1998 pair is followed with steps ten times the explicit limit.
+     */
+    private static void assertStiffPair(DESolver solver, double bound) {
+        StiffPair pair = new StiffPair();
+        for (int i = 0; i < 64 * 20; i++) {
+            solver.stepState(pair, 1e-3 / 64);              // through the fast part with short steps
+        }
+        Steps.make(100, solver, pair, 0.01);
+        assertTrue(pair.error() < bound, "error " + pair.error());
+    }
+}
