@@ -304,14 +304,6 @@ class BlowUpMessageTest {
         SceneBuilder.build(orbits.withSolver("dormand-prince")).simulation().run();
     }
 
-    @Test
-    void whatHappenedTheDiagnosisAndTheAdviceAreALineEach() {
-        for (String solver : List.of("rk4", "euler", "verlet")) {
-            List<String> lines = blowUp(chain(solver, 0)).lines().toList();
-            assertEquals(3, lines.size(), lines.toString());
-        }
-    }
-
     private static final String ROPE = """
             title: A rope over a rough ball
             teaches: Friction on what is elastic.
