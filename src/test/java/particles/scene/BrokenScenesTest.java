@@ -56,6 +56,14 @@ class BrokenScenesTest {
             {effects}, or the full name of a class, such as exercises.MyForce, with its keys below it
 
             effects:
+              - ground
+            x.yaml:9:5: 'ground' is a rule, not an effect; move it to 'rules'
+
+            rules:
+              - drag: {coefficient: 1}
+            x.yaml:9:5: 'drag' is an effect, not a rule; move it to 'effects'
+
+            effects:
               - gravity:
             x.yaml:9:5: 'gravity' has no value; it has to be keys with values, such as {acceleration: ...}; or \
             write '- gravity', without the colon
@@ -127,6 +135,14 @@ class BrokenScenesTest {
             x.yaml:8:10: 'id' is the text 'a b'; it has to be a name of at most 60 characters without spaces, \
             brackets, commas, quotes and invisible characters
             x.yaml:8:43: 'fixed' is the text 'yes'; it has to be true or false
+
+              - {id: b\u202eo\u200bb, position: [1, 2, 3]}
+            x.yaml:8:10: 'id' is the text 'bU+202EoU+200Bb'; it has to be a name of at most 60 characters without \
+            spaces, brackets, commas, quotes and invisible characters
+
+              - {id: thisnameisfartoolongforanybodytotypeandevenlongerthanthatandmore, position: [1, 2, 3]}
+            x.yaml:8:10: 'id' is the text 'thisnameisfartoolongforanybodytotypea...'; it has to be a name of at most \
+            60 characters without spaces, brackets, commas, quotes and invisible characters
 
               - {id: tom, position: [1, 2, 3], fixed: true, velocity: [0, 1, 0]}
             x.yaml:8:59: 'tom' is fixed and has a velocity; remove one of the two
@@ -256,6 +272,11 @@ class BrokenScenesTest {
             look: {trail: -1}
             x.yaml:8:15: 'trail' is -1; it has to be a number from 0 up (s)
 
+            look: {trail: 1.2.3, strainRange: 1/0, velocityArrows: 1/2/3}
+            x.yaml:8:15: 'trail' is the text '1.2.3'; it has to be a number from 0 up (s)
+            x.yaml:8:35: 'strainRange' is the text '1/0'; it has to be a number over 0
+            x.yaml:8:56: 'velocityArrows' is the text '1/2/3'; it has to be a number from 0 up (s)
+
             camera: {position: [0, 1, 0], target: [0, 1, 0]}
             x.yaml:8:39: the camera's target is at the camera's position; choose another point
 
@@ -381,6 +402,31 @@ class BrokenScenesTest {
               solver: rk4
             x.yaml:2:9: not valid YAML: this ':' cannot stand here; a text with a colon needs quotes, or the line \
             is indented too far
+
+            deltaT:0.01
+            duration: 1
+            x.yaml:1:8: a space is missing after 'deltaT:'; write 'deltaT: 0.01'
+
+            deltaT:\u00a00.01
+            duration: 1
+            x.yaml:1:8: a no-break space is here, which YAML does not take for a space; type an ordinary space instead
+
+            title: \u201cTyping: a title\u201d
+            x.yaml:1:8: a curly quote is here, which YAML does not take for a quote; type an ordinary ' or " instead
+
+            particles:
+              - {id: bob, position: [0, '1' 0]}
+            x.yaml:2:33: not valid YAML: the '[' of line 2 is not closed before this; a comma or the closing bracket \
+            is missing
+
+            particles:
+              - {id: bob, position: [0, 1, 0
+            effects:
+            x.yaml:3:8: not valid YAML: the '[' of line 2 is not closed before this ':'
+
+            particles:
+              - {id: bob, position: [0, 1, 0}
+            x.yaml:2:33: not valid YAML: the '[' of line 2 is not closed before this '}'
 
             particles:
               - {id: a}

@@ -6,7 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import particles.scene.format.SceneFormat;
 import particles.spec.JsonSchema;
@@ -23,21 +26,15 @@ class SceneSchemaTest {
                 "scenes/scene.schema.json is out of date; if the change is meant, copy " + made + " over it");
     }
 
-    /** One row for each key, and one section for each mapping, even if several keys refer to it. */
+    /** GalleryTest compares the reference with the page; its links lead to its sections. */
     @Test
-    void theReferenceHasARowForEachKey() {
-        List<String> lines = SceneFormat.reference("###").lines().toList();
-        assertTrue(lines.contains("| `deltaT` | a number over 0 (s) | *required* | The time step (s). |"));
-        assertTrue(lines.contains("| `acceleration` | three numbers [x, y, z] (m/s^2) | [0, -9.81, 0] | g, the"
-                + " acceleration of free fall (m/s^2). |"));
-        for (String heading : List.of("The scene", "A particle", "`rope`", "`cloth`", "`jelly`", "A spring",
-                "`gravity`",
-                "`wind`", "`drag`", "`ground`", "`plane`", "`friction`", "The camera", "The look", "The output")) {
-            assertEquals(1, lines.stream().filter(("### " + heading)::equals).count(), heading);
-        }
-        long rows = lines.stream().filter(line -> line.startsWith("| `")).count();
-        long described = JsonSchema.ofScenes(SceneFormat.SCENE).lines()
-                .filter(line -> line.contains("\"description\"")).count();
-        assertTrue(rows > 80 && rows < described, rows + " rows, " + described + " descriptions in the schema");
+    void everyLinkOfTheReferenceLeadsToASection() {
+        String reference = SceneFormat.reference("###");
+        List<String> links = Pattern.compile("\\(#([^)]*)\\)").matcher(reference).results()
+                .map(link -> link.group(1)).distinct().toList();
+        assertTrue(links.containsAll(List.of("a-particle", "friction", "the-camera")), links.toString());
+        List<String> sections = reference.lines().filter(line -> line.startsWith("### "))
+                .map(line -> line.substring(4).toLowerCase(Locale.ROOT).replace("`", "").replace(' ', '-')).toList();
+        links.forEach(link -> assertEquals(1, Collections.frequency(sections, link), link));
     }
 }

@@ -64,35 +64,6 @@ class TypingMistakesTest {
         assertTrue(lines.get(0).endsWith("; " + advice), lines.get(0));
     }
 
-    @ParameterizedTest
-    @CsvSource(textBlock = """
-            soon
-            1.2.3
-            1/0
-            1/2/3
-            """)
-    void theErrorForAnyOtherValueSaysWhatIsAllowed(String typed) {
-        assertEquals(List.of("x.yaml:4:9: 'deltaT' is the text '" + typed + "'; it has to be a number over 0 (s)"),
-                problems(SCENE.replace("deltaT: 0.01", "deltaT: " + typed)));
-    }
-
-    /** The parser reports both a line later. */
-    @Test
-    void aMissingSpaceAndANoBreakSpaceAreReportedInTheirLine() {
-        assertEquals(List.of("x.yaml:4:8: a space is missing after 'deltaT:'; write 'deltaT: 0.01'"),
-                problems(SCENE.replace("deltaT: 0.01", "deltaT:0.01")));
-        assertEquals(List.of("x.yaml:4:8: a no-break space is here, which YAML does not take for a space; type an"
-                + " ordinary space instead"), problems(SCENE.replace("deltaT: 0.01", "deltaT:\u00a00.01")));
-    }
-
-    @Test
-    void theErrorForAnEffectUnderRulesSaysWhereItBelongs() {
-        assertEquals(List.of("x.yaml:11:5: 'drag' is an effect, not a rule; move it to 'effects'"),
-                problems(SCENE + "rules:\n  - drag: {coefficient: 1}\n"));
-        assertEquals(List.of("x.yaml:10:5: 'ground' is a rule, not an effect; move it to 'rules'"),
-                problems(SCENE + "  - ground\n"));
-    }
-
     /** In YAML, a line that begins with % is a directive; YAML 3.0 is none that there is. */
     @ParameterizedTest
     @ValueSource(strings = {"%YAML 3.0", "% a comment", "%"})
@@ -114,20 +85,7 @@ class TypingMistakesTest {
                     : "\nsolver: rk4")));
             assertTrue(lines.get(0).startsWith("x.yaml:3:") && lines.get(0).endsWith(advice), lines.get(0));
         }
-        assertEquals(List.of("x.yaml:1:8: a curly quote is here, which YAML does not take for a quote; type an ordinary"
-                + " ' or \" instead"), problems(SCENE.replace("Typing", "\u201cTyping: a title\u201d")));
         assertEquals("\u201cTyping\u201d", TestScenes.read(SCENE.replace("Typing", "\u201cTyping\u201d")).title());
-    }
-
-    @Test
-    void aBracketThatIsNotClosedIsNamed() {
-        String missing = "; a comma or the closing bracket is missing";
-        assertEquals(List.of("x.yaml:7:33: not valid YAML: the '[' of line 7 is not closed before this" + missing),
-                problems(SCENE.replace("[0, 1, 0]", "[0, '1' 0]")));
-        assertEquals(List.of("x.yaml:8:8: not valid YAML: the '[' of line 7 is not closed before this ':'"),
-                problems(SCENE.replace("[0, 1, 0]}", "[0, 1, 0")));
-        assertEquals(List.of("x.yaml:7:33: not valid YAML: the '[' of line 7 is not closed before this '}'"),
-                problems(SCENE.replace("[0, 1, 0]", "[0, 1, 0")));
     }
 
     @ParameterizedTest
@@ -156,14 +114,5 @@ class TypingMistakesTest {
             assertTrue(in.problems().count() < 60, in.problems().count() + " looked for");
             assertEquals(51, problems(text.toString()).size());
         }
-    }
-
-    @Test
-    void invisibleCharactersInIdsAreRefusedAndShownAsCodes() {
-        List<String> lines = problems(SCENE.replace("bob", "b\u202eo\u200bb"));
-        assertEquals(List.of("x.yaml:7:10: 'id' is the text 'bU+202EoU+200Bb'; it has to be a name of at most 60"
-                + " characters without spaces, brackets, commas, quotes and invisible characters"), lines);
-        assertEquals(lines.get(0).replace("bU+202EoU+200Bb", "x".repeat(37) + "..."),
-                problems(SCENE.replace("bob", "x".repeat(100))).get(0));
     }
 }

@@ -10,6 +10,7 @@ import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import java.util.Locale;
+import java.util.Map;
 import particles.SimulationException;
 import particles.output.files.OutputException;
 import particles.scene.SceneException;
@@ -20,6 +21,10 @@ import particles.scene.SceneException;
  * @param err the error stream
  */
 public record Failures(PrintWriter err) {
+    private static final Map<Class<?>, String> REASONS = Map.of(AccessDeniedException.class, "permission denied",
+            NoSuchFileException.class, "no such file or folder", NotDirectoryException.class, "not a folder",
+            FileAlreadyExistsException.class, "exists already and is not a folder");
+
     /**
      * Prints an exception.
      *
@@ -68,7 +73,7 @@ public record Failures(PrintWriter err) {
      */
     private static String line(IOException e) {
         if (e instanceof FileSystemException file && file.getReason() == null) {
-            return file.getFile() + ": " + reason(file);
+            return file.getFile() + ": " + REASONS.getOrDefault(e.getClass(), e.getClass().getSimpleName());
         }
         StringBuilder line = new StringBuilder();
         for (Throwable t = e; t != null; t = t.getCause()) {
@@ -78,19 +83,5 @@ public record Failures(PrintWriter err) {
             }
         }
         return line.toString();
-    }
-
-    private static String reason(FileSystemException e) {
-        if (e instanceof AccessDeniedException) {
-            return "permission denied";
-        }
-        if (e instanceof NoSuchFileException) {
-            return "no such file or folder";
-        }
-        if (e instanceof NotDirectoryException) {
-            return "not a folder";
-        }
-        return e instanceof FileAlreadyExistsException ? "exists already and is not a folder"
-                : e.getClass().getSimpleName();
     }
 }

@@ -1,5 +1,6 @@
 package particles.app.run;
 
+import java.util.List;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
@@ -50,16 +51,14 @@ public final class CameraFinder {
     private static Box rehearse(Scene copy) {
         Extent extent = new Extent();
         Limits limits = new Limits(copy, extent);
-        copy.simulation().addObserver(extent);
-        copy.simulation().addObserver(limits);
         try {
             copy.simulation().run();
         } catch (SimulationException e) {
-            return limits.beforeBlowUp;     // the visible part; the run itself reports why it ends
+            limits.blewUp = true;           // the visible part; the run itself reports why it ends
         } catch (StoppedException e) {
             return limits.blewUp ? limits.beforeBlowUp : Box.of(extent);
         }
-        return Box.of(extent);
+        return limits.blewUp ? limits.beforeBlowUp : Box.of(extent);
     }
 
     /** A box from the lowest to the highest coordinates (m). */
@@ -68,8 +67,8 @@ public final class CameraFinder {
             return new Box(extent.low(), extent.high());
         }
 
-        Box grown(double factor) {
-            Vector3 more = high.minus(low).times((factor - 1) / 2);
+        Box grown() {
+            Vector3 more = high.minus(low).times((GROWTH - 1) / 2);
             return new Box(low.minus(more), high.plus(more));
         }
     }
@@ -89,14 +88,14 @@ public final class CameraFinder {
         /** @param extent an observer that is called before this one */
         Limits(Scene scene, Extent extent) {
             this.extent = extent;
-            scene.simulation().addObserver(ledger);
+            List.of(ledger, extent, this).forEach(scene.simulation()::addObserver);
             mostEnergy = MOST_ENERGY * scene.energyEstimate();
             mostEvaluations = MOST_PARTICLE_EVALUATIONS / scene.system().getParticles().count();
         }
 
         @Override
         public void started(ParticleSystem system) {
-            beforeBlowUp = Box.of(extent).grown(GROWTH);
+            beforeBlowUp = Box.of(extent).grown();
         }
 
         @Override
@@ -106,7 +105,7 @@ public final class CameraFinder {
             double energy = system.getInternalEnergy(state, motion.getEndTime());
             boolean right = Math.abs(ledger.getNumericalError()) <= energy / 2;
             if (right) {
-                beforeBlowUp = Box.of(extent).grown(GROWTH);
+                beforeBlowUp = Box.of(extent).grown();
             }
             blewUp = system.getKineticEnergy(state) > mostEnergy && !right;
             if (blewUp || system.getEvaluations() > mostEvaluations) {

@@ -63,7 +63,7 @@ public final class RunCommand extends ResultsCommand {
             description = "Whether to draw pictures (default: true).")
     private boolean frames;
 
-    @Option(names = "--video", paramLabel = "none|mp4", converter = VideoOption.class,
+    @Option(names = "--video", paramLabel = "none|mp4",
             description = "Whether to make film.mp4 from the pictures (default: as the scene says, or none).")
     private String video;
 
@@ -153,6 +153,10 @@ public final class RunCommand extends ResultsCommand {
     }
 
     private void checkPictures() {
+        if (video != null && !OutputDescription.FILMS.contains(video)) {
+            throw wrong("video", "'" + video + "' is not a kind of film; allowed: "
+                    + String.join(", ", OutputDescription.FILMS));
+        }
         if (!frames && (OutputDescription.MP4.equals(video) || size != null)) {
             throw new Failure(ExitCode.BAD_INPUT, getStyle().option(size != null ? "size" : "video")
                     + " needs pictures; remove " + getStyle().option("frames") + "=false");
@@ -179,9 +183,7 @@ public final class RunCommand extends ResultsCommand {
             RunObservers observers = new RunObservers(scene, folder, replay);
             Optional<String> early;
             try (observers) {
-                observers.add(progress);
-                observers.add(stop);
-                observers.attach();
+                observers.attach(progress, stop);
                 early = simulateOrDiscard(scene, folder, observers);
             }
             Summary summary = new Summary(name, hash, scene, observers.getEnergy(), progress.seconds());
@@ -190,7 +192,7 @@ public final class RunCommand extends ResultsCommand {
             observers.writeReplay(name, text, early.orElse("")).ifPresent(out::println);
             summary.lines(early.isPresent()).forEach(out::println);
             out.println("files in " + getFolder() + ": " + String.join(", ", files));
-            if (scene.description().output().phase().isEmpty()) {
+            if (description.output().phase().isEmpty()) {
                 out.println("no phase.png: under 'output', the scene names no particle for it");
             }
             FolderSize.notice(getFolder(), getStyle().option("frames")).ifPresent(out::println);

@@ -27,6 +27,7 @@ import particles.output.report.Picture;
 import particles.scene.Scene;
 import particles.scene.format.OutputDescription;
 import particles.scene.format.OutputDescription.Frames;
+import particles.scene.format.SceneDescription;
 import particles.view.Camera;
 import particles.view.ChartData;
 
@@ -41,6 +42,8 @@ final class RunObservers implements AutoCloseable {
     private static final String PHASE = "phase";
 
     private final Scene scene;
+    private final SceneDescription description;
+    private final OutputDescription output;
     private final OutputFolder folder;
     private final TrajectoryWriter trajectory;
     private final EnergyRecorder energy;
@@ -86,7 +89,8 @@ final class RunObservers implements AutoCloseable {
     RunObservers(Scene scene, OutputFolder folder, boolean replay) {
         this.scene = scene;
         this.folder = folder;
-        OutputDescription output = scene.description().output();
+        description = scene.description();
+        output = description.output();
         double steps = Math.ceil(scene.simulation().getDuration() / scene.simulation().getDeltaT());
         trajectory = new TrajectoryWriter(folder, count -> output.trajectoryStride().map(Integer::longValue)
                 .orElseGet(() -> TrajectoryWriter.strideFor(steps, count, MOST_LINES)));
@@ -94,28 +98,24 @@ final class RunObservers implements AutoCloseable {
                 TrajectoryWriter.strideFor(steps, 1, MOST_ENERGIES));
         phase = output.phase().map(plot -> new PhaseHistory(plot.particle(), plot.about()));
         this.replay = replay ? Optional.of(new Replay(scene, energy.getLedger())) : Optional.empty();
-        this.replay.map(Replay::getRecorder).ifPresent(this::add);
-        add(trajectory);
-        phase.ifPresent(this::add);
+        this.replay.map(Replay::getRecorder).ifPresent(others::add);
+        others.add(trajectory);
+        phase.ifPresent(others::add);
         if (output.frames().drawn()) {
-            addFrames(CameraFinder.find(scene.description()), output.frames());
+            addFrames(CameraFinder.find(description), output.frames());
         }
     }
 
-    /** @param observer an observer, called after the earlier ones */
-    void add(Observer observer) {
-        others.add(observer);
-    }
-
-    /** Attaches all observers to the run that is about to begin. */
-    void attach() {
+    /** Attaches all observers to the run that is about to begin, and then others. */
+    void attach(Observer... last) {
+        others.addAll(List.of(last));
         energy.attachTo(scene.simulation(), others);
     }
 
     /** Adds observers that draw frames and make the animation and film, if wanted. */
     private void addFrames(Camera camera, Frames format) {
-        FrameSetup stage = new FrameSetup(camera, scene.description().drawing().look(), scene.scenery(),
-                scene.description().title(), caption());
+        FrameSetup stage = new FrameSetup(camera, description.drawing().look(), scene.scenery(),
+                description.title(), caption());
         int decimals = (int) Math.max(0, Math.ceil(Math.log10(format.rate())));
         FrameRenderer renderer = new FrameRenderer(stage, format.width(), format.height(), decimals);
         List<FrameSink> sinks = new ArrayList<>(List.of(new PngFrames(folder, format.width(), format.height())));
@@ -127,10 +127,10 @@ final class RunObservers implements AutoCloseable {
         }
         FrameObserver observer = new FrameObserver(renderer, format.rate(), sinks);
         frames = Optional.of(observer);
-        add(observer);
+        others.add(observer);
         LastSteps last = new LastSteps(camera, format.width(), format.height());
         lastSteps = Optional.of(last);
-        add(last);
+        others.add(last);
     }
 
     /**
@@ -162,12 +162,12 @@ final class RunObservers implements AutoCloseable {
      * @param format the format of the charts
      */
     void drawCharts(ChartFormat format) {
-        if (!scene.description().output().energy() && phase.isEmpty()) {
+        if (!output.energy() && phase.isEmpty()) {
             return;                                     // drawing classes are not even loaded
         }
-        String title = scene.description().title() + " (" + caption() + "): ";
+        String title = description.title() + " (" + caption() + "): ";
         List<Picture> pictures = new ArrayList<>();
-        if (scene.description().output().energy()) {
+        if (output.energy()) {
             boolean log = energy.getHistory().hasGrown();
             List<ChartData> charts = new ArrayList<>();
             ChartData energies = energy.getHistory().chart(title);
@@ -179,7 +179,7 @@ final class RunObservers implements AutoCloseable {
             pictures.add(Picture.of(ENERGY, "", Panel.stacked(charts)));
         }
         phase.ifPresent(history -> {
-            Axis axis = Axis.values()[scene.description().output().phase().orElseThrow().axis()];
+            Axis axis = Axis.values()[output.phase().orElseThrow().axis()];
             ChartData path = history.chart(axis, title);
             ChartData.Series states = path.series().get(0);
             pictures.add(Picture.of(PHASE, "", Panel.phase(path.titled(title + RunFindings.path(states)),
@@ -206,6 +206,6 @@ final class RunObservers implements AutoCloseable {
 
     /** The caption: solver and settings of this run. */
     private String caption() {
-        return scene.description().solver() + ", deltaT = " + Digits.exact(scene.simulation().getDeltaT()) + " s";
+        return description.solver() + ", deltaT = " + Digits.exact(scene.simulation().getDeltaT()) + " s";
     }
 }

@@ -7,6 +7,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.law.Vector3;
+import particles.view.Surface;
 
 /**
  * A regular grid of particles in one, two or three directions: a rope, a cloth or a block. The first index varies
@@ -58,6 +59,15 @@ public record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vect
             strides[d] = stride;
         }
         return strides;
+    }
+
+    /**
+     * @param first     the index of its first particle in the system
+     * @param ofSprings whether springs connect neighbours along its two or three directions
+     * @return its surface
+     */
+    public Surface surface(int first, boolean ofSprings) {
+        return LatticeSurface.of(this, first, ofSprings);
     }
 
     /** @return the name of particle n */

@@ -147,15 +147,16 @@ public final class ShapeKind extends Kind {
     }
 
     private static Vector3 turned(Vector3 v, Vector3 degrees) {
-        double a = StrictMath.toRadians(degrees.x());
-        double b = StrictMath.toRadians(degrees.y());
-        double c = StrictMath.toRadians(degrees.z());
-        Vector3 x = new Vector3(v.x(), StrictMath.cos(a) * v.y() - StrictMath.sin(a) * v.z(),
-                StrictMath.sin(a) * v.y() + StrictMath.cos(a) * v.z());
-        Vector3 y = new Vector3(StrictMath.cos(b) * x.x() + StrictMath.sin(b) * x.z(), x.y(),
-                StrictMath.cos(b) * x.z() - StrictMath.sin(b) * x.x());
-        return new Vector3(StrictMath.cos(c) * y.x() - StrictMath.sin(c) * y.y(),
-                StrictMath.sin(c) * y.x() + StrictMath.cos(c) * y.y(), y.z());
+        double[] r = {v.x(), v.y(), v.z()};
+        double[] angles = {degrees.x(), degrees.y(), degrees.z()};
+        for (int axis = 0, i = 1, j = 2; axis < 3; i = j, j = axis, axis++) {
+            double sin = StrictMath.sin(StrictMath.toRadians(angles[axis]));
+            double cos = StrictMath.cos(StrictMath.toRadians(angles[axis]));
+            double before = r[i];
+            r[i] = cos * before - sin * r[j];
+            r[j] = sin * before + cos * r[j];
+        }
+        return Vector3.at(r, 0);
     }
 
     /** All shapes. */
