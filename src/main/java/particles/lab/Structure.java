@@ -2,11 +2,12 @@ package particles.lab;
 
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.spec.Ordered;
-import particles.view.SpringView;
+import particles.view.SpringList;
 
 /**
  * The particles, springs and rods of a run, until some are added or removed.
@@ -15,50 +16,25 @@ import particles.view.SpringView;
  * @param fixed  1 for fixed particles, else 0
  * @param births the time of birth of each particle (s)
  * @param lives  the lifetime of each particle (s); infinite if it has none
- * @param links  the springs and rods
+ * @param springs the springs and rods
  */
-record Structure(String[] ids, int[] fixed, float[] births, float[] lives, Links links) {
-
-    /**
-     * Springs and rods.
-     *
-     * @param ends        the particles at their ends, two each
-     * @param restLengths their lengths at rest (m)
-     * @param rigid       1 for rods, else 0
-     */
-    record Links(int[] ends, float[] restLengths, int[] rigid) {
-        Links(int count) {
-            this(new int[2 * count], new float[count], new int[count]);
-        }
-    }
+record Structure(String[] ids, int[] fixed, float[] births, float[] lives, SpringList springs) {
 
     static Structure of(ParticleSystem system) {
         Particles particles = system.getParticles();
         int n = particles.count();
-        int count = views(system).stream().mapToInt(SpringView::springCount).sum();
-        Structure made = new Structure(new String[n], new int[n], new float[n], new float[n],
-                new Links(count));
+        Structure made = new Structure(new String[n], new int[n], new float[n], new float[n], springs(system));
         for (int i = 0; i < n; i++) {
             made.ids[i] = particles.id(i);
             made.fixed[i] = particles.isFixed(i) ? 1 : 0;
             made.births[i] = (float) particles.birthTime(i);
             made.lives[i] = (float) (particles.deathTime(i) - particles.birthTime(i));
         }
-        int next = 0;
-        for (SpringView view : views(system)) {
-            for (int s = 0; s < view.springCount(); s++, next++) {
-                made.links.ends[2 * next] = view.from(s);
-                made.links.ends[2 * next + 1] = view.to(s);
-                made.links.restLengths[next] = (float) view.restLength(s);
-                made.links.rigid[next] = view.stiffness(s) == Double.POSITIVE_INFINITY ? 1 : 0;
-            }
-        }
         return made;
     }
 
-    private static List<SpringView> views(ParticleSystem system) {
-        return Stream.concat(system.getEffects().stream(), system.getReactions().stream())
-                .filter(SpringView.class::isInstance).map(SpringView.class::cast).toList();
+    private static SpringList springs(ParticleSystem system) {
+        return SpringList.of(Stream.concat(system.getEffects().stream(), system.getReactions().stream()));
     }
 
     /**
@@ -68,17 +44,20 @@ record Structure(String[] ids, int[] fixed, float[] births, float[] lives, Links
     boolean isOf(ParticleSystem system) {
         int n = system.getParticles().count();
         return n == ids.length && (n == 0 || ids[n - 1].equals(system.getParticles().id(n - 1)))
-                && views(system).stream().mapToInt(SpringView::springCount).sum() == links.restLengths.length;
+                && springs(system).count() == springs.count();
     }
 
     /** The same, by name, as pages read it. */
     Map<String, Object> facts() {
-        return Ordered.map("ids", List.of(ids), "fixed", fixed, "births", births, "lives", lives, "springs", links.ends,
-                "restLengths", links.restLengths, "rigid", links.rigid);
+        IntStream ends = IntStream.range(0, 2 * springs.count())
+                .map(k -> k % 2 == 0 ? springs.from()[k / 2] : springs.to()[k / 2]);
+        return Ordered.map("ids", List.of(ids), "fixed", fixed, "births", births, "lives", lives, "springs",
+                ends.toArray(), "restLengths", springs.restLength(), "rigid",
+                IntStream.range(0, springs.count()).map(s -> springs.isRigid(s) ? 1 : 0).toArray());
     }
 
     /** About the number of bytes that it takes. */
     long bytes() {
-        return 100 + 40L * ids.length + 16L * links.restLengths.length;
+        return 100 + 40L * ids.length + 24L * springs.count();
     }
 }

@@ -37,16 +37,10 @@ public record ParticleStyle(Kind kind, List<Integer> ageColours, double trail, b
         this(kind, ageColours, trail, night, 0, List.of());
     }
 
-    /** @throws IllegalArgumentException if there is no colour, or the duration of trails is out of its range */
+    /** Copies the lists. */
     public ParticleStyle {
         ageColours = List.copyOf(ageColours);
         marks = List.copyOf(marks);
-        if (ageColours.isEmpty()) {
-            throw new IllegalArgumentException("a glow needs at least one colour");
-        }
-        if (!(trail >= 0) || !(trail <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("a trail has to last 0 s or more, not " + trail + " s");
-        }
     }
 
     /** @return the same with trails of this duration (s) */

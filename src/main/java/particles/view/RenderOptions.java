@@ -30,15 +30,6 @@ public record RenderOptions(Visibility particles, Visibility springs, double par
      * @param back     the colour of its back
      */
     public record Colours(int particle, int fixed, int front, int back) {
-        /** @throws IllegalArgumentException if a number is no colour */
-        public Colours {
-            for (int colour : new int[] {particle, fixed, front, back}) {
-                if (colour < 0 || colour > 0xffffff) {
-                    throw new IllegalArgumentException("a colour has to be from 0x000000 to 0xffffff, not 0x"
-                            + Integer.toHexString(colour));
-                }
-            }
-        }
     }
 
     /** Whether particles, or springs, are drawn. */
@@ -52,17 +43,6 @@ public record RenderOptions(Visibility particles, Visibility springs, double par
         BESIDE_SURFACES,
         /** None. */
         NEVER,
-    }
-
-    /** @throws IllegalArgumentException if a number is out of its range */
-    public RenderOptions {
-        if (!(particleRadius >= 0) || !(particleRadius <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("the particles' radius has to be 0 or more and finite, not "
-                    + particleRadius);
-        }
-        if (!(strainRange > 0) || !(strainRange <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("the range of strain has to be positive and finite, not " + strainRange);
-        }
     }
 
     /** @return the same options with another style of particles */

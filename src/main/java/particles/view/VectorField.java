@@ -12,14 +12,6 @@ import java.util.stream.IntStream;
  * @param dv rates of the velocities, the accelerations (m/s&sup2;)
  */
 public record VectorField(double[] x, double[] v, double[] dx, double[] dv) {
-    /** @throws IllegalArgumentException if the arrays differ in length */
-    public VectorField {
-        if (v.length != x.length || dx.length != x.length || dv.length != x.length) {
-            throw new IllegalArgumentException("a vector field of " + x.length + ", " + v.length + ", " + dx.length
-                    + " and " + dv.length + " entries; all four have to be of one length");
-        }
-    }
-
     /** @return arrows at all pairs of these positions and velocities, with accelerations of 0 as yet */
     public static VectorField over(double[] positions, double[] velocities) {
         int n = positions.length * velocities.length;

@@ -35,6 +35,7 @@ import particles.output.painters.TrailSample;
 import particles.view.Camera;
 import particles.view.ParticleStyle;
 import particles.view.Scenery;
+import particles.view.SpringList;
 import particles.view.Surface;
 
 /** Styles of particles: areas, positions and brightness against computed values. */
@@ -262,11 +263,8 @@ class ParticleStylesTest {
             state.trail = new TrailSample[] {new TrailSample(-0.5, new float[] {1e30f, Float.NaN, 0, 0, 0,
                 Float.POSITIVE_INFINITY, 1, 2, 3, 4, 5, 6, 7, 8, 9}, new int[0])};
             state.death = new double[] {0, Double.NaN, 1, Double.POSITIVE_INFINITY, 1};
-            state.springs = 4;
-            state.stiffness = new double[4];
-            state.from = new int[] {0, 1, 2, 3};
-            state.to = new int[] {1, 2, 3, 4};
-            state.restLength = new double[] {1, 0, 1, 1};
+            state.springs = new SpringList(new int[] {0, 1, 2, 3}, new int[] {1, 2, 3, 4},
+                    new double[] {1, 0, 1, 1}, new double[4]);
             for (boolean perspective : new boolean[] {true, false}) {
                 Camera camera = new Camera(new Vector3(0, 3, 9), Vector3.ZERO, new Vector3(0, 1, 0), perspective, 40,
                         9);

@@ -11,6 +11,7 @@ import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
+import particles.view.SpringList;
 
 /** Small pictures seen from the front, 20 pixels a metre, for tests that count pixels. */
 public final class SmallPictures {
@@ -57,11 +58,8 @@ public final class SmallPictures {
     /** @return a state whose first two particles are joined by a spring */
     public static FrameState spring(double restLength, double stiffness, double... positions) {
         FrameState state = state(positions);
-        state.springs = 1;
-        state.from = new int[] {0};
-        state.to = new int[] {1};
-        state.restLength = new double[] {restLength};
-        state.stiffness = new double[] {stiffness};
+        state.springs = new SpringList(new int[] {0}, new int[] {1}, new double[] {restLength},
+                new double[] {stiffness});
         return state;
     }
 

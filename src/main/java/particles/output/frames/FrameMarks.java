@@ -91,9 +91,9 @@ final class FrameMarks {
     /** The springs, rods and trail of a particle. */
     private List<Line2D> lines(FrameState state, int particle) {
         List<Line2D> lines = new ArrayList<>();
-        for (int s = 0; s < state.springs; s++) {
-            if (state.from[s] == particle || state.to[s] == particle) {
-                join(place(state, state.from[s], 0), place(state, state.to[s], 0), lines::add);
+        for (int s = 0; s < state.springs.count(); s++) {
+            if (state.springs.from()[s] == particle || state.springs.to()[s] == particle) {
+                join(place(state, state.springs.from()[s], 0), place(state, state.springs.to()[s], 0), lines::add);
             }
         }
         int index = state.trailIndex.length == 0 ? particle : state.trailIndex[particle];

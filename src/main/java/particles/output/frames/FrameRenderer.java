@@ -52,8 +52,6 @@ public final class FrameRenderer {
     private Backdrop backdrop;
     private OpaquePainter opaque;
     private Optional<ShadowPainter> shadows;
-    /** Whether a spring was visible; the scale of strain then stays in the picture. */
-    private boolean springsSeen;
 
     /**
      * @param stage    the settings of the frames
@@ -153,8 +151,7 @@ public final class FrameRenderer {
         if (backdrop == null) {
             prepare(state);
         }
-        springsSeen |= draw(state);
-        return label(state, springsSeen);
+        return label(state, draw(state));
     }
 
     /** Draws a frame without its text, and returns whether a spring is visible whose colour shows its strain. */

@@ -25,10 +25,7 @@ public record DrawnSizes(double ball, double coilBelow, double point) {
 
     /** Chooses the sizes for a frame; viewHeight is the height of the picture at the target (m). */
     public static DrawnSizes of(FrameState state, RenderOptions look, double viewHeight) {
-        double mean = 0;
-        for (int s = 0; s < state.springs; s++) {
-            mean += state.restLength[s] / state.springs;
-        }
+        double mean = Arrays.stream(state.springs.restLength()).average().orElse(0);
         double ball = viewHeight * Math.min(PART_OF_PICTURE,
                 PART_OF_DISTANCE / Math.cbrt(Math.max(1, state.particles)));
         if (mean > 0) {
@@ -46,18 +43,17 @@ public record DrawnSizes(double ball, double coilBelow, double point) {
     }
 
     private static double coilBelow(FrameState state) {
-        if (state.springs <= MOST_COILS) {
+        double[] stiffness = state.springs.stiffness();
+        if (stiffness.length <= MOST_COILS) {
             return Double.POSITIVE_INFINITY;
         }
-        double soft = SOFT * IntStream.range(0, state.springs).filter(s -> !state.isRigid(s))
-                .mapToDouble(s -> state.stiffness[s]).max().orElse(0);
-        return Arrays.stream(state.stiffness, 0, state.springs).filter(stiffness -> stiffness < soft).count()
-                <= MOST_COILS ? soft : 0;
+        double soft = SOFT * Arrays.stream(stiffness).filter(Double::isFinite).max().orElse(0);
+        return Arrays.stream(stiffness).filter(one -> one < soft).count() <= MOST_COILS ? soft : 0;
     }
 
     /** @return whether spring s is drawn as a coil, not as a straight tube */
     boolean isCoil(FrameState state, int s) {
-        return coilBelow == Double.POSITIVE_INFINITY || state.stiffness[s] < coilBelow;
+        return coilBelow == Double.POSITIVE_INFINITY || state.springs.stiffness()[s] < coilBelow;
     }
 
     /** @return the radius of a fixed particle among glowing ones, whose spots of light are larger (m) */

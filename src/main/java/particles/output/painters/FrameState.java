@@ -9,7 +9,7 @@ import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.law.Vector3;
 import particles.view.ParticleMark;
-import particles.view.SpringView;
+import particles.view.SpringList;
 
 /** A snapshot of a running simulation, so that a frame can be drawn in another thread. */
 public final class FrameState {
@@ -23,16 +23,8 @@ public final class FrameState {
     public double[] positions = {};
     /** Whether each particle is fixed. */
     public boolean[] fixed = {};
-    /** The number of springs and rods. */
-    public int springs;
-    /** The particle at the first end of each spring. */
-    public int[] from = {};
-    /** The particle at the second end of each spring. */
-    public int[] to = {};
-    /** The rest length of each spring (m). */
-    public double[] restLength = {};
-    /** The stiffness of each spring (N/m); infinite for a rod. */
-    public double[] stiffness = {};
+    /** The springs and rods. */
+    public SpringList springs = SpringList.NONE;
     /** The times of birth of particles (s), if requested. */
     public double[] birth = {};
     /** The times of death of particles (s), if requested. */
@@ -99,27 +91,7 @@ public final class FrameState {
                 death[i] = system.getParticles().deathTime(i);
             }
         }
-        List<SpringView> views = Stream.concat(system.getEffects().stream(), system.getReactions().stream())
-                .filter(SpringView.class::isInstance).map(SpringView.class::cast).toList();
-        springs = views.stream().mapToInt(SpringView::springCount).sum();
-        from = new int[springs];
-        to = new int[springs];
-        restLength = new double[springs];
-        stiffness = new double[springs];
-        int at = 0;
-        for (SpringView view : views) {
-            for (int s = 0; s < view.springCount(); s++, at++) {
-                from[at] = view.from(s);
-                to[at] = view.to(s);
-                restLength[at] = view.restLength(s);
-                stiffness[at] = view.stiffness(s);
-            }
-        }
-    }
-
-    /** @return whether spring s is a rod */
-    boolean isRigid(int s) {
-        return stiffness[s] == Double.POSITIVE_INFINITY;
+        springs = SpringList.of(Stream.concat(system.getEffects().stream(), system.getReactions().stream()));
     }
 
     /** @return the position of particle i (m) */
@@ -143,10 +115,6 @@ public final class FrameState {
         birth = other.birth;
         death = other.death;
         springs = other.springs;
-        from = other.from;
-        to = other.to;
-        restLength = other.restLength;
-        stiffness = other.stiffness;
         marks = other.marks;
     }
 

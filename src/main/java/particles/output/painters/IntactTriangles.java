@@ -32,8 +32,8 @@ public final class IntactTriangles {
 
     private void find(FrameState state) {
         springs.clear();
-        for (int s = 0; s < state.springs && surface.ofSprings(); s++) {
-            springs.put(pair(state.from[s], state.to[s]));
+        for (int s = 0; s < state.springs.count() && surface.ofSprings(); s++) {
+            springs.put(pair(state.springs.from()[s], state.springs.to()[s]));
         }
         int[] corners = surface.triangles();
         for (int t = 0; t < whole.length; t++) {

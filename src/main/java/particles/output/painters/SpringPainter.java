@@ -25,8 +25,8 @@ public record SpringPainter(RoundShapes shapes, RenderOptions look, DrawnSizes s
     /** @return whether any spring with strain is visible so far */
     boolean paint(FrameState state, ProjectedParticles projected, VisibilityFilter shown) {
         boolean seen = false;
-        for (int s = 0; s < state.springs; s++) {
-            if (shown.spring(state.from[s], state.to[s])) {
+        for (int s = 0; s < state.springs.count(); s++) {
+            if (shown.spring(state.springs.from()[s], state.springs.to()[s])) {
                 seen |= paint(state, projected, s);
             }
         }
@@ -34,12 +34,12 @@ public record SpringPainter(RoundShapes shapes, RenderOptions look, DrawnSizes s
     }
 
     private boolean paint(FrameState state, ProjectedParticles projected, int s) {
-        int a = state.from[s];
-        int b = state.to[s];
+        int a = state.springs.from()[s];
+        int b = state.springs.to()[s];
         if (!projected.visible[a] || !projected.visible[b]) {
             return false;
         }
-        if (state.isRigid(s) || state.fixed[a] && state.fixed[b]) {
+        if (state.springs.isRigid(s) || state.fixed[a] && state.fixed[b]) {
             double radius = sizes.rod() * (projected.scale[a] + projected.scale[b]) / 2;
             shapes.tube(projected.x[a], projected.y[a], projected.near[a], projected.x[b], projected.y[b],
                     projected.near[b], radius, ROD);
@@ -47,13 +47,12 @@ public record SpringPainter(RoundShapes shapes, RenderOptions look, DrawnSizes s
         }
         Vector3 from = state.place(a);
         Vector3 whole = state.place(b).minus(from);
-        double length = Math.sqrt(whole.dot(whole));
-        double rest = state.restLength[s];
+        double length = whole.length();
+        double rest = state.springs.restLength()[s];
         double strain = rest > 0 ? (length - rest) / rest : length > 0 ? look.strainRange() : 0;
         int rgb = Colours.ofStrain(strain, look.strainRange());
         if (sizes.isCoil(state, s) && length > 4 * sizes.wire() && rest > 0) {
-            Vector3 along = new Vector3(whole.x() / length, whole.y() / length, whole.z() / length);
-            return paintCoil(from, along, length, rest, rgb);
+            return paintCoil(from, whole, rest, rgb);
         }
         double radius = sizes.tube() * (projected.scale[a] + projected.scale[b]) / 2;
         return shapes.tube(projected.x[a], projected.y[a], lifted(projected, a), projected.x[b], projected.y[b],
@@ -66,13 +65,12 @@ public record SpringPainter(RoundShapes shapes, RenderOptions look, DrawnSizes s
     }
 
     /** Draws a helix from particle to particle; the number of turns does not change with length. */
-    private boolean paintCoil(Vector3 from, Vector3 along, double length, double rest, int rgb) {
+    private boolean paintCoil(Vector3 from, Vector3 whole, double rest, int rgb) {
+        Vector3 along = whole.normalized();
         // two directions across, the first of them as far as possible towards the viewer
         CameraProjection view = shapes.view();
         Vector3 towards = Math.abs(along.dot(view.back)) > 0.999 ? view.right : view.back;
-        Vector3 across = towards.minus(along.times(along.dot(towards)));
-        double size = Math.sqrt(across.dot(across));
-        Vector3 first = new Vector3(across.x() / size, across.y() / size, across.z() / size);
+        Vector3 first = towards.minus(along.times(along.dot(towards))).normalized();
         Vector3 second = along.cross(first);
         int turns = (int) Math.max(4, Math.min(16, Math.rint(rest / (1.5 * sizes.coil()))));
         int segments = turns * SEGMENTS_A_TURN;
@@ -82,9 +80,8 @@ public record SpringPainter(RoundShapes shapes, RenderOptions look, DrawnSizes s
             double inside = Math.min(t, 1 - t);
             double radius = sizes.coil() * Math.max(0, Math.min(1, (inside - STRAIGHT) / (WIDE - STRAIGHT)));
             double angle = 2 * Math.PI * turns * (t - STRAIGHT) / (1 - 2 * STRAIGHT);
-            Vector3 place = from.plus(along.times(t * length)).plus(second.times(radius * Math.sin(angle)))
-                    .plus(first.times(radius * Math.cos(angle)));
-            place.put(helix, 3 * k);
+            from.plus(whole.times(t)).plus(second.times(radius * Math.sin(angle)))
+                    .plus(first.times(radius * Math.cos(angle))).put(helix, 3 * k);
         }
         ProjectedParticles coil = new ProjectedParticles(view, helix, segments + 1);
         boolean seen = false;

@@ -34,8 +34,7 @@ public record SurfacePainter(RoundShapes shapes, RenderOptions look, List<Intact
             }
         }
         for (int i = 0; i < normals.length; i++) {
-            double length = length(normals[i]);
-            normals[i] = length > 0 ? over(normals[i], length) : Vector3.ZERO;
+            normals[i] = unit(normals[i]);
         }
         int[] colours = new int[normals.length];
         for (int t = 0; t + 2 < corners.length; t += 3) {
@@ -52,12 +51,8 @@ public record SurfacePainter(RoundShapes shapes, RenderOptions look, List<Intact
         return state.place(corners[t + 1]).minus(a).cross(state.place(corners[t + 2]).minus(a));
     }
 
-    private static double length(Vector3 v) {
-        return Math.sqrt(v.dot(v));
-    }
-
-    private static Vector3 over(Vector3 v, double length) {
-        return new Vector3(v.x() / length, v.y() / length, v.z() / length);
+    private static Vector3 unit(Vector3 v) {
+        return v.length() > 0 ? v.normalized() : Vector3.ZERO;
     }
 
     /** Whether the viewer sees the front; y points down in the picture, so counter-clockwise is a negative area. */
@@ -72,10 +67,10 @@ public record SurfacePainter(RoundShapes shapes, RenderOptions look, List<Intact
 
     /** Computes the colours of a triangle's corners. */
     private void shade(int[] corners, int t, boolean front, Vector3 normal, Vector3[] normals, int[] colours) {
-        double length = length(normal);
+        Vector3 own = unit(normal);
         for (int c = t; c < t + 3; c++) {
             Vector3 smooth = normals[corners[c]];
-            Vector3 used = normal.dot(smooth) / length >= SMOOTH ? smooth : normal.times(1 / length);
+            Vector3 used = own.dot(smooth) >= SMOOTH ? smooth : own;
             colours[corners[c]] = shapes.lighting().shade(front ? look.colours().front() : look.colours().back(),
                     shapes.view().turned(front ? used : used.times(-1)), 0.35f);
         }

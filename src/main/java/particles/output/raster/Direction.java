@@ -9,7 +9,7 @@ package particles.output.raster;
  */
 public record Direction(float right, float up, float back) {
     /** @return the scalar product with another direction */
-    float dot(float x, float y, float z) {
-        return x * right + y * up + z * back;
+    float dot(Direction other) {
+        return other.right * right + other.up * up + other.back * back;
     }
 }

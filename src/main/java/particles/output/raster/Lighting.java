@@ -29,27 +29,17 @@ public final class Lighting {
 
     /** @return the light on a surface with this normal */
     float light(Direction normal) {
-        return light(normal.right(), normal.up(), normal.back());
+        return AMBIENT + FROM_ABOVE * up.dot(normal) + LAMP * Math.max(0, seenLamp.dot(normal));
     }
 
     /** @return a colour in this light, on a surface with this normal, with a highlight of this strength */
     public int shade(int rgb, Direction normal, float gloss) {
-        return shade(rgb, normal.right(), normal.up(), normal.back(), gloss);
-    }
-
-    /** The same, with the components of the normal. */
-    int shade(int rgb, float nx, float ny, float nz, float gloss) {
-        return Colours.lit(rgb, light(nx, ny, nz), gloss * highlight(nx, ny, nz));
-    }
-
-    private float light(float nx, float ny, float nz) {
-        float lambert = Math.max(0, seenLamp.dot(nx, ny, nz));
-        return AMBIENT + FROM_ABOVE * up.dot(nx, ny, nz) + LAMP * lambert;
+        return Colours.lit(rgb, light(normal), gloss * highlight(normal));
     }
 
     /** @return the highlight there, from 0 to 1 */
-    private float highlight(float nx, float ny, float nz) {
-        float h = half.dot(nx, ny, nz);
+    private float highlight(Direction normal) {
+        float h = half.dot(normal);
         if (h <= 0) {
             return 0;
         }

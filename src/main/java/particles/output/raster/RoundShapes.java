@@ -45,7 +45,7 @@ public record RoundShapes(Raster raster, CameraProjection view, Lighting lightin
                 float n = middle + nz * (front - middle);
                 if (n > raster.near[at]) {
                     raster.near[at] = n;
-                    raster.colour[at] = lighting.shade(rgb, nx, ny, nz, 1);
+                    raster.colour[at] = lighting.shade(rgb, new Direction(nx, ny, nz), 1);
                 }
             }
         }
@@ -107,7 +107,7 @@ public record RoundShapes(Raster raster, CameraProjection view, Lighting lightin
                 float nx = side * (float) acrossX;
                 float ny = -side * (float) acrossY;
                 float nz = (float) Math.sqrt(Math.max(0, 1 - nx * nx - ny * ny));
-                raster.colour[at] = lighting.shade(rgb, nx, ny, nz, 0.6f);
+                raster.colour[at] = lighting.shade(rgb, new Direction(nx, ny, nz), 0.6f);
             }
         }
         return seen;

@@ -93,7 +93,7 @@ class FrameLayoutTest {
         }
 
         private void check(ParticleSystem system, FrameState state) {
-            boolean springs = setup.look().springs() != Visibility.NEVER && state.springs > 0;
+            boolean springs = setup.look().springs() != Visibility.NEVER && state.springs.count() > 0;
             List<Rectangle2D> words = new FrameText(setup, HEIGHT, 2).boxes(WIDTH, HEIGHT, state, springs);
             List<Rectangle2D> labels = new FrameMarks(view, setup.look().style()).boxes(state, sizes.ball());
             String when = " at t = " + state.time;
@@ -115,10 +115,10 @@ class FrameLayoutTest {
                         "words on " + what);
                 note(!state.fixed[i] && (p[0] < 0 || p[0] > WIDTH || p[1] < 0 || p[1] > HEIGHT), "not seen: " + what);
             }
-            for (int s = 0; s < state.springs; s++) {
-                if (shown.spring(state.from[s], state.to[s])) {
-                    lineFree(words, state, state.from[s], state.to[s], when);
-                    lineFree(labels, state, state.from[s], state.to[s], when);
+            for (int s = 0; s < state.springs.count(); s++) {
+                if (shown.spring(state.springs.from()[s], state.springs.to()[s])) {
+                    lineFree(words, state, state.springs.from()[s], state.springs.to()[s], when);
+                    lineFree(labels, state, state.springs.from()[s], state.springs.to()[s], when);
                 }
             }
             for (CurveView wire : setup.scenery().wires()) {

@@ -26,6 +26,7 @@ import particles.view.ParticleMark;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 import particles.view.Scenery;
+import particles.view.SpringList;
 
 /** Particles with a colour, a size and a label of their own, and arrows, in pictures of 20 pixels a metre. */
 class FrameMarksTest {
@@ -130,9 +131,7 @@ class FrameMarksTest {
             FrameState state = state(style, x);
             state.positions[0] = 0;
             state.positions[4] = y;
-            state.springs = 1;
-            state.from = new int[] {0};
-            state.to = new int[] {1};
+            state.springs = new SpringList(new int[] {0}, new int[] {1}, new double[] {1}, new double[] {1});
             Rectangle2D box = marks.boxes(state, RADIUS / 2).get(0);
             assertFalse(box.intersectsLine(160, 100, 160 + 20 * x, 100 - 20 * y), "place " + k + ": " + box);
         }
@@ -178,6 +177,6 @@ class FrameMarksTest {
         state.takeStructure(system, false, List.of());
         double below = DrawnSizes.of(state, RenderOptions.STANDARD, 10).coilBelow();
         return springs.springCount() == count ? IntStream.range(0, count)
-                .filter(s -> state.stiffness[s] < below).count() : -1;
+                .filter(s -> state.springs.stiffness()[s] < below).count() : -1;
     }
 }

@@ -10,6 +10,7 @@ import static particles.output.SmallPictures.W;
 import static particles.output.SmallPictures.spring;
 import static particles.output.SmallPictures.state;
 
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import particles.law.Plane;
@@ -22,6 +23,7 @@ import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
+import particles.view.SpringList;
 import particles.view.Surface;
 
 /** Pictures against computed values: positions, visibility and shadows. */
@@ -153,17 +155,14 @@ class FrameRendererTest {
     void aTornTriangleIsNotDrawn() {
         Surface cloth = new Surface(new int[] {0, 1, 2, 0, 2, 3}, true);
         FrameState state = state(-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0);
-        state.from = new int[] {1, 0, 2, 3};
-        state.to = new int[] {0, 3, 1, 2};
-        state.springs = 4;
         IntactTriangles whole = new IntactTriangles(cloth);
-        assertArrayEquals(new boolean[] {true, true}, whole.in(state));
-        state.springs = 3;                              // 2-3 is torn: only 3-0 holds the upper triangle
-        state.structure++;
-        assertArrayEquals(new boolean[] {true, false}, whole.in(state));
-        state.springs = 2;
-        state.structure++;
-        assertArrayEquals(new boolean[] {false, false}, whole.in(state));
+        boolean[][] drawn = {{false, false}, {true, false}, {true, true}};      // with two springs, three, and all
+        for (int springs = 2; springs <= 4; springs++) {
+            state.springs = new SpringList(Arrays.copyOf(new int[] {1, 0, 2, 3}, springs),
+                    Arrays.copyOf(new int[] {0, 3, 1, 2}, springs), new double[springs], new double[springs]);
+            state.structure++;
+            assertArrayEquals(drawn[springs - 2], whole.in(state), springs + " springs");
+        }
         assertArrayEquals(new boolean[] {true, true},
                 new IntactTriangles(new Surface(cloth.triangles(), false)).in(state));
         state.particles = 3;
