@@ -53,7 +53,7 @@ final class Browser implements AutoCloseable {
             public final class UnfinishedSolver extends FixedStepSolver {
                 @Override
                 protected void step(deSolvers.DEStateSource source, double[] s, double deltaT) {
-                    throw new UnsupportedOperationException("the second half is yet to be written");
+                    throw new IllegalStateException("the second half is yet to be written");
                 }
             }
             """;

@@ -113,7 +113,7 @@ class LabStateTest extends LabPageTestCase {
         }
         press(Keys.ARROW_LEFT);
         until("text('clock') === '0.1 s'");
-        assertEquals("3", page.text("steps"));
+        assertEquals("2", page.text("steps"));
         page.element("deltaTNumber").sendKeys("f", " ", Keys.ARROW_RIGHT);
         press("f");
         until("Boolean(document.fullscreenElement)");
@@ -149,6 +149,7 @@ class LabStateTest extends LabPageTestCase {
             assertTrue(run == null || options.contains(run + " "), station + " and " + row.group());
         }
         assertTrue(row.find() && row.group().contains("Interface to DE Solver") && !row.find(), "README's last slide");
+        edit("title: ", "title: My own, #");
         press("l");
         until("text('ask').startsWith('Which six numbers') && view.facts.title === 'A falling particle'");
         assertEquals("21px", page.script("return getComputedStyle(document.getElementById('clock')).fontSize;"));
@@ -163,7 +164,10 @@ class LabStateTest extends LabPageTestCase {
         page.click("step");
         until("location.hash.length > 10 && text('steps') === '1'");
         page.screenshot("lecture");
-        page.go(page.driver().getCurrentUrl());
+        String link = page.driver().getCurrentUrl();
+        press("l");
+        until("!document.body.classList.contains('lecture') && view.facts.title.startsWith('My own')");
+        page.go(link);
         until("value('slides') === '10' && caption().startsWith('euler')");
         press("l");
         until("!document.body.classList.contains('lecture')");

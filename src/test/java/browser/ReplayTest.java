@@ -41,10 +41,7 @@ class ReplayTest extends LabPageTestCase {
         until("Math.abs(number('clock') - " + time + ") < 0.02");
     }
 
-    /**
-     * Checks that the particles seen are those of the trajectory at the same time, in single precision. A trajectory
-     * also has those that rules made at that time.
-     */
+    /** Checks that the particles seen are those of the trajectory at the same time, in single precision. */
     private void assertSeenAsInTheTrajectory() throws IOException {
         double time = value("view.moment.time");
         List<String> rows = Files.readAllLines(OUT.resolve("trajectory.csv")).stream()
@@ -58,8 +55,7 @@ class ReplayTest extends LabPageTestCase {
                 return [ids.filter((id, i) => rows.get(id) === state.subarray(6 * i, 6 * i + 6).join()).length,
                   Math.max(ids.length, rows.size)];
                 """, rows);
-        double same = ((Number) counts.get(0)).doubleValue();
-        assertTrue(same > 0 && same >= 0.9 * ((Number) counts.get(1)).doubleValue(), counts + " at " + time + " s");
+        assertEquals(counts.get(1), counts.get(0), "at " + time + " s");
     }
 
     /** A spring, a fountain whose particles come and go, and a cloth. */

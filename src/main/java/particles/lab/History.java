@@ -23,8 +23,11 @@ final class History {
         return frames.isEmpty() || time >= last().time() + interval;
     }
 
-    /** Keeps a moment, later than all before. */
+    /** Keeps a moment, later than all before, or in place of the latest where that has the same time. */
     void add(Frame frame) {
+        if (!frames.isEmpty() && last().time() == frame.time()) {
+            bytes -= bytesOf(frames.remove(frames.size() - 1));
+        }
         append(frame);
         while (bytes > mostBytes && thin()) {
             // half of them is left
@@ -52,9 +55,14 @@ final class History {
     }
 
     private void append(Frame frame) {
-        bytes += frame.bytes() + (frames.isEmpty() || last().structure() != frame.structure()
-                ? frame.structure().bytes() : 0);
+        bytes += bytesOf(frame);
         frames.add(frame);
+    }
+
+    /** What a frame takes after the latest. */
+    private long bytesOf(Frame frame) {
+        return frame.bytes() + (frames.isEmpty() || last().structure() != frame.structure()
+                ? frame.structure().bytes() : 0);
     }
 
     /** The latest moment. */

@@ -2,7 +2,6 @@ package particles.lab;
 
 import deSolvers.catalog.SolverCatalog;
 import java.util.List;
-import java.util.Map;
 import java.util.function.BooleanSupplier;
 import particles.Motion;
 import particles.Observer;
@@ -21,7 +20,6 @@ public final class LabRun {
     private final Scene scene;
     private final Simulation simulation;
     private final ParticleSystem system;
-    private final EnergyRecorder energy;
     private final FrameRecorder frames;
     private final PointerSpring pointer;
     private double wanted;
@@ -35,8 +33,8 @@ public final class LabRun {
         this.scene = scene;
         simulation = scene.simulation();
         system = scene.system();
-        energy = new EnergyRecorder(simulation, scene.energyEstimate(), 1);
-        frames = new FrameRecorder(new EnergyParts(system, energy.getLedger()), HISTORY_BYTES);
+        EnergyRecorder energy = new EnergyRecorder(simulation, scene.energyEstimate(), 1);
+        frames = new FrameRecorder(scene, energy.getLedger(), HISTORY_BYTES);
         pointer = new PointerSpring(system.getParticles(), mostOmega(scene.description()));
         system.addEffect(pointer);
         simulation.addRule(pointer);
@@ -122,11 +120,6 @@ public final class LabRun {
 
     PointerSpring getPointer() {
         return pointer;
-    }
-
-    /** The work done on the system so far, by name (J). */
-    Map<String, Double> work() {
-        return energy.getLedger().getWork();
     }
 
     Frame getShown() {

@@ -34,7 +34,7 @@ public final class Replay {
      */
     public Replay(Scene scene, EnergyLedgerRecorder ledger) {
         this.scene = scene;
-        recorder = new FrameRecorder(new EnergyParts(scene.system(), ledger), MEMORY);
+        recorder = new FrameRecorder(scene, ledger, MEMORY);
     }
 
     /** @return whether the page's libraries are here: only the tasks that write pages have them */
@@ -100,6 +100,8 @@ public final class Replay {
         facts.put("recorded", thinning().orElse(""));
         return JsonText.compact(Ordered.map("facts", facts, "structures", structures,
                 "times", frames.stream().map(Frame::time).toList(),
+                "steps", frames.stream().map(frame -> frame.account().steps()).toList(),
+                "evaluations", frames.stream().map(frame -> frame.account().evaluations()).toList(),
                 "structureOf", frames.stream().map(frame -> numbers.get(frame.structure())).toList(),
                 "failure", failure, "floats", Base64.getEncoder().encodeToString(floats.array())));
     }

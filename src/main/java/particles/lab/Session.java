@@ -161,13 +161,14 @@ public final class Session {
                 ParticleForces.of(system, i)));
     }
 
-    /** @return the time of the run, the time shown, and the cost so far, as JSON */
+    /** @return the time of the run, the time shown, the cost until then, and the time taken so far, as JSON */
     public String status() {
-        return JsonText.compact(Ordered.map("time", shown.time(), "reached", run.getScene().system().getTime(),
-                "steps", run.getScene().simulation().getSteps(),
-                "evaluations", run.getScene().system().getEvaluations(), "seconds", nanoseconds / (1e3 * NANOSECONDS),
-                "work", run.work(), "historyBytes", run.getHistory().getBytes(),
-                "over", run.isOver() && shown.time() >= run.getScene().system().getTime(), "failure", failure));
+        Frame.Account account = shown.account();
+        double reached = run.getScene().system().getTime();
+        return JsonText.compact(Ordered.map("time", shown.time(), "reached", reached, "steps", account.steps(),
+                "evaluations", account.evaluations(), "seconds", nanoseconds / (1e3 * NANOSECONDS),
+                "work", account.work(), "historyBytes", run.getHistory().getBytes(),
+                "over", run.isOver() && shown.time() >= reached, "failure", failure));
     }
 
     /** @return positions and velocities at the moment that is shown, six numbers per particle */

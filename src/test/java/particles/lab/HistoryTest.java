@@ -1,9 +1,11 @@
 package particles.lab;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import particles.view.SpringList;
 
@@ -15,7 +17,7 @@ class HistoryTest {
             new float[PARTICLES], new float[PARTICLES], SpringList.NONE);
 
     private static Frame frame(double time) {
-        return new Frame(time, new float[6 * PARTICLES], new float[4], STRUCTURE);
+        return new Frame(time, new float[6 * PARTICLES], new float[4], STRUCTURE, new Frame.Account(0, 0, Map.of()));
     }
 
     private static History filled(int moments, double step) {
@@ -49,6 +51,17 @@ class HistoryTest {
         }
         assertTrue(longest <= 2 * shortest + 1e-9, shortest + " s to " + longest + " s");
         assertTrue(frames.size() > 180, frames.size() + " moments");       // 376 fill the memory, and half of them stay
+    }
+
+    @Test
+    void ofTwoMomentsAtOneTimeTheLaterIsKept() {
+        History history = filled(3, 0.5);
+        long bytes = history.getBytes();
+        Frame later = frame(1);
+        history.add(later);
+        assertEquals(3, history.after(-1).size());
+        assertSame(later, history.at(1));
+        assertEquals(bytes, history.getBytes());
     }
 
     @Test

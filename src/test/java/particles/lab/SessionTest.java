@@ -66,6 +66,8 @@ class SessionTest {
         session.open("x.yaml", SCENE, "", "", 0);
         float[] start = session.state();
         session.advance(1, 1e4);
+        session.look(0.501);
+        assertTrue(session.status().contains("\"steps\":50,\"evaluations\":200,"), session.status());
         session.look(0);
         assertArrayEqualsExactly(start, session.state());
         float[] points = session.phase("bob", 0, -1);

@@ -95,8 +95,8 @@ public final class Amplification {
         try {
             double growth = manySteps ? rate(source) : StepMatrix.of(maker.get(), source, 1, 1, 1).radius();
             return Double.isNaN(growth) ? Double.POSITIVE_INFINITY : growth;
-        } catch (DESolverException | IllegalStateException | ArithmeticException e) {
-            return Double.POSITIVE_INFINITY;            // refused, or overflown: no step that anyone could take
+        } catch (DESolverException e) {
+            return Double.POSITIVE_INFINITY;
         }
     }
 

@@ -4,9 +4,12 @@ import {$} from './dom.js';
 const STATIONS = JSON.parse($('stations').textContent);
 
 export class Lecture {
-  /** open(state): shows a scene as a slide needs it; ended(): the page is as it was; resize(): all has another size */
-  constructor({open, ended, resize}) {
-    Object.assign(this, {open, ended, resize, slide: -1});
+  /**
+   * describe(): the state of the page; open(state): goes to one; ended(): a lecture that a link began is over;
+   * resize(): all has another size
+   */
+  constructor({describe, open, ended, resize}) {
+    Object.assign(this, {describe, open, ended, resize, slide: -1, before: null});
     $('slides').append(...STATIONS.map(({slide}, i) => new Option(slide, i)));
     $('slides').onchange = () => {
       $('slides').blur();               // the keys are for the lecture again
@@ -21,12 +24,17 @@ export class Lecture {
     return this.slide >= 0;
   }
 
+  /** Begins, or ends with what the page showed before. */
   toggle() {
-    if (this.on) {
+    if (!this.on) {
+      this.before = this.describe();
+      $('endLecture').textContent = 'End, back to my scene';
+      this.go(0);
+    } else if (this.before) {
+      this.open(this.before);
+    } else {
       this.show(-1);
       this.ended();
-    } else {
-      this.go(0);
     }
   }
 

@@ -44,7 +44,7 @@ const phase = new PhaseSpace(phasePlot, engine, question => { worker.postMessage
     () => panels.all.length, () => address.changed());
 const tables = [new Table($('energyTable'), () => energy.table()), new Table($('phaseTable'), () => phasePlot.table())];
 const film = new Film($('view'), note), rates = new Rates();
-const lecture = new Lecture({open: openState, ended: () => open(), resize: () => resize()});
+const lecture = new Lecture({describe: beforeLecture, open: openState, ended: () => open(), resize: () => resize()});
 const address = new Address(describe, openState, note);
 
 function note(text) {
@@ -84,6 +84,12 @@ function describe() {
   return {scene, ...(text !== textOf(scene) && {text}), ...chosen, time: player.playing ? 0 : player.frame?.time,
     panels: panels.describe(), equalWork: $('equalWork').checked, camera: view.camera?.describe(),
     particle: phase.id, axis: phase.axis, ...(lecture.on && {lecture: lecture.slide})};
+}
+
+/** What the page goes back to when a lecture ends. */
+function beforeLecture() {
+  editor.settle();
+  return describe();
 }
 
 /** Goes to a state that this or another page has described. */
@@ -237,11 +243,12 @@ function shown(message) {
   }
   view.show(message);
   energy.add(message.energies);
-  phasePlot.add(message.points);
+  phasePlot.add(0, message.points);
   addEnergies(0, message, facts);
   player.show(message);                 // at its end, tables are written of what the plots have
   nearest.add(0, message, structure);
   panels.tell({type: 'follow', time: message.time});
+  phase.reach(message.time);
   const particle = structure.ids.indexOf(phase.id);
   if (particle >= 0) {
     const at = 6 * particle + phase.axis;
@@ -317,7 +324,7 @@ function heard(i, message) {
     }
   } else if (message.type === 'frame' && panel.facts) {
     addEnergies(i + 1, message, panel.facts);
-    phasePlot.addTo(i, message.points);
+    phasePlot.add(i + 1, message.points);
     nearest.add(i + 1, message, panel.structure);
   } else if (message.type === 'phase') {
     phase.answer(i + 1, message);

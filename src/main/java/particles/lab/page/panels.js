@@ -60,11 +60,10 @@ export class Panels {
     this.all.forEach(panel => panel.worker.postMessage(message));
   }
 
-  /** The time step that costs as many evaluations per simulated second as the first run; null if that is not known. */
+  /** The time step that costs as many evaluations per simulated second as the first run; NaN if that is not known. */
   equalStep(solver, facts) {
     const cost = name => Number(this.solvers.find(one => one.name === name)?.evaluations);
-    const step = facts.deltaT * cost(solver) / cost(facts.solver);
-    return step > 0 ? Number(step.toPrecision(6)) : null;
+    return Number((facts.deltaT * cost(solver) / cost(facts.solver)).toPrecision(6));
   }
 
   draw(camera, arrows) {
@@ -129,18 +128,32 @@ class Panel {
   }
 
   open(sent, facts) {
-    const equal = $('equalWork').checked ? this.panels.equalStep(this.choice.solver, facts) : null;
-    this.note = $('equalWork').checked && equal === null
-        ? 'No fixed number of evaluations per step, so its own deltaT.' : '';
-    this.facts = null;
     const {solver, deltaT, text} = this.choice;
-    this.worker.postMessage({type: 'open', ...sent, text: text ?? sent.text, solver,
-      deltaT: String(equal ?? (deltaT || (text === undefined ? facts.deltaT : ''))), tolerance: 0});
+    const opening = {type: 'open', ...sent, text: text ?? sent.text, solver, tolerance: 0,
+      deltaT: String(deltaT || (text === undefined ? facts.deltaT : ''))};
+    this.facts = null;
+    this.note = '';
+    this.equalise = $('equalWork').checked ? own => this.openEqually(opening, this.panels.equalStep(own, facts)) : null;
+    this.worker.postMessage(opening);
+  }
+
+  /** Once it is known which solver the text or the choice names. */
+  openEqually(opening, deltaT) {
+    if (deltaT > 0) {
+      this.worker.postMessage({...opening, deltaT: String(deltaT)});
+    } else {
+      this.note = 'No fixed number of evaluations per step, so its own deltaT.';
+    }
+    return deltaT > 0;
   }
 
   hear(message) {
     if (message.type === 'opened') {
-      const {errors} = message.facts;
+      const {errors, solver} = message.facts, equalise = this.equalise;
+      this.equalise = null;
+      if (!errors && equalise?.(solver)) {
+        return;                         // it is opened once more
+      }
       this.error.textContent = errors ? errors.join('\n').replace(/^deltaT: /gm, '') : this.note;
       this.facts = errors ? this.facts : message.facts;
       this.opened = false;

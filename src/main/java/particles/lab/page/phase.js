@@ -2,7 +2,8 @@
 import {$} from './dom.js';
 import {COLOURS} from './panels.js';
 
-const REFERENCE_PARTICLES = 40, REFERENCE_MILLISECONDS = 4000;
+const REFERENCE_PARTICLES = 40;
+const SLICE = 250, AHEAD = 4000;        // milliseconds that the reference runs between two answers; before it has to wait
 
 /** What computes a scene as exactly as the page can; null where that would take too long, or nothing can compute. */
 export const referenceOf = (sent, facts, structure, tolerance) =>
@@ -87,13 +88,30 @@ export class PhaseSpace {
   /** What a run answers: the first has number 0. */
   answer(run, message) {
     if (this.isChosen(message)) {
-      run ? this.plot.addTo(run - 1, message.points) : this.plot.set(message.points);
+      this.plot.set(run, message.points);
+    }
+  }
+
+  /** The first run is shown at this time (s). */
+  reach(time) {
+    this.time = time;
+    this.runReference();
+  }
+
+  /** The reference runs for as long as it may and, beyond that, until it is where the picture is. */
+  runReference() {
+    const done = this.done;
+    if (this.reference && !done.running && !done.over && (done.milliseconds < AHEAD || done.reached < this.time)) {
+      done.running = true;
+      this.reference.postMessage({type: 'run', milliseconds: SLICE});
+      this.reference.postMessage(this.question());
     }
   }
 
   startReference(opening) {
     this.reference?.terminate();
     this.reference = null;
+    this.done = {milliseconds: 0, reached: 0};
     $('ghost').hidden = true;
     if (!opening) {
       return;
@@ -103,10 +121,13 @@ export class PhaseSpace {
       if (data.type === 'phase' && this.isChosen(data)) {
         this.plot.setReference(data.points);
         $('ghost').hidden = false;
+      } else if (data.type === 'ran') {
+        this.done = {milliseconds: this.done.milliseconds + SLICE, reached: data.reached,
+          over: data.over || data.failure};
+        this.runReference();
       }
     };
     this.reference.postMessage(opening);
-    this.reference.postMessage({type: 'run', milliseconds: REFERENCE_MILLISECONDS});
-    this.reference.postMessage(this.question());
+    this.runReference();
   }
 }

@@ -72,7 +72,7 @@ export class Player {
   /** The worker computes the run anew up to this moment; pulls are not repeated, so what they changed is not kept. */
   goOn(time) {
     $('message').textContent = this.pulled && time > 0 ? WITHOUT_PULLS : '';
-    this.tell({type: 'goOn', run: ++this.run, time, speed: this.speed});
+    this.tell({type: 'goOn', time, speed: this.speed});
     if (this.pulled) {
       this.pulled = false;
       this.restarted();
@@ -129,7 +129,7 @@ export class Player {
     $('clock').textContent = few(frame.time) + ' s';
     $('steps').textContent = frame.steps;
     $('evaluations').textContent = frame.evaluations;
-    $('seconds').textContent = few(frame.seconds) + ' s';
+    $('seconds').textContent = this.looking ? '' : few(frame.seconds) + ' s';
     $('work').replaceChildren(...Object.entries(frame.work).filter(([name, joules]) => joules)
         .map(([name, joules]) => make('li', {textContent: name + ': ' + few(joules)})));
     if (frame.failure && !this.looking) {

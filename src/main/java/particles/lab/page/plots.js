@@ -129,7 +129,7 @@ export class EnergyPlot {
 
 /** Drops every second point of a long curve. */
 function thin(curve) {
-  if (curve?.[0].length > MOST) {
+  while (curve[0].length > MOST) {
     curve.forEach(column => column.splice(0, Infinity, ...column.filter((value, k) => k % 2 === 0)));
   }
 }
@@ -220,11 +220,10 @@ export class PhasePlot {
   /** others: the colours of other runs' curves */
   start(axis, others = []) {
     this.axis = axis;
-    this.others = others.map(() => -Infinity);                  // until when they are known
+    this.curves = [COLOURS[1], ...others].map(() => [[], [], []]);      // times, positions and velocities of each run
     const facets = [{scale: 'x', auto: true}, {scale: 'y', auto: true}];
-    this.data = [null, [[], []], [[], []], [[], []], ...others.map(() => [[], []])];
-    this.times = [];
-    this.lastTime = -Infinity;
+    const [first, ...more] = this.curves.map(([times, ...curve]) => curve);
+    this.data = [null, [[], []], first, [[], []], ...more];
     this.plot?.destroy();
     const range = (u, low, high, scale) => this.ranges(u)[scale];
     this.plot = new uPlot({...size(this.element), mode: 2, axes: axes(axis + ' (m)', 'v (m/s)'),
@@ -250,48 +249,29 @@ export class PhasePlot {
         : {x: widen(x, Math.max(1, up / across)), y: widen(y, Math.max(1, across / up))};
   }
 
-  /** points: time, position and velocity after each step, one after the other; in place of those before */
-  set(points) {
-    this.data[2] = [[], []];
-    this.times = [];
-    this.lastTime = -Infinity;
-    this.add(points);
+  /** points: of a run, time, position and velocity after each step, one after the other; in place of those before */
+  set(run, points) {
+    this.curves[run]?.forEach(column => column.splice(0));
+    this.add(run, points);
   }
 
-  /** Adds what is later than the points before. */
-  add(points) {
-    const [xs, ys] = this.data[2];
-    for (let i = 0; i < points.length; i += 3) {
-      if (points[i] > this.lastTime) {
-        xs.push(points[i + 1]);
-        ys.push(points[i + 2]);
-        this.times.push(points[i]);
-        this.lastTime = points[i];
-      }
-    }
-    if (xs.length > MOST) {
-      [this.times, ...this.data[2]] = [this.times, xs, ys].map(column => column.filter((value, i) => i % 2 === 0));
-    }
-    this.stale = true;
-  }
-
-  /** Adds to the curve of another run what is later than its points before. */
-  addTo(other, points) {
-    const curve = this.data?.[4 + other];
+  /** Adds to a run's curve what is later than its points before. */
+  add(run, points) {
+    const curve = this.curves?.[run];
     for (let i = 0; curve && i < points.length; i += 3) {
-      if (points[i] > this.others[other]) {
-        curve[0].push(points[i + 1]);
-        curve[1].push(points[i + 2]);
-        this.others[other] = points[i];
+      if (!(points[i] <= curve[0].at(-1))) {
+        curve.forEach((column, c) => column.push(points[i + c]));
       }
     }
-    thin(curve);
-    this.stale = true;
+    if (curve) {
+      thin(curve);
+      this.stale = true;
+    }
   }
 
   /** The names of the columns, and their numbers. */
   table() {
-    return [['time (s)', this.axis + ' (m)', 'v (m/s)'], [this.times, ...this.data[2]]];
+    return [['time (s)', this.axis + ' (m)', 'v (m/s)'], this.curves[0]];
   }
 
   setReference(points) {

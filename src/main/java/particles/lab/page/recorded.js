@@ -46,7 +46,8 @@ function step() {
   look(times[Math.min(at + 1, last)]);
 }
 
-const status = () => JSON.stringify({time: now, reached: times[last], steps: at, evaluations: 0, seconds: 0, work: {},
+const status = () => JSON.stringify({time: now, reached: times[last], steps: RECORDED.steps[at],
+  evaluations: RECORDED.evaluations[at], seconds: 0, work: {},
   over: at === last, failure: at === last ? RECORDED.failure : ''});
 
 /** Between two moments of the same particles, on straight lines. */

@@ -8,10 +8,11 @@ import {scenery} from './scenery.js';
 const LABEL_GAP = 6;                    // pixels
 const FEW_BALLS = 100;
 
+// asked once: browsers drop the oldest of some 16 pictures when there are more
+const CAN_DRAW = Boolean(document.createElement('canvas').getContext('webgl2'));
+
 /** The picture; where the browser cannot draw one, a line that says so. */
-export function makeView(element) {
-  return document.createElement('canvas').getContext('webgl2') ? new View(element) : new NoPicture(element);
-}
+export const makeView = element => CAN_DRAW ? new View(element) : new NoPicture(element);
 
 class NoPicture {
   constructor(element) {

@@ -31,7 +31,8 @@ function guarded(work) {
   };
 }
 
-function open(message) {
+/** Puts a scene at its start, unless it has errors. */
+function start(message) {
   playing = false;
   const facts = JSON.parse(openScene(message.file, message.text, message.solver, message.deltaT, message.tolerance));
   if (!facts.errors) {
@@ -43,11 +44,7 @@ function open(message) {
     stops = false;
     followed = 0;
   }
-  postMessage({type: 'opened', run: message.run, facts});
-  if (!facts.errors) {
-    tell();
-  }
-  return !facts.errors;
+  return facts;
 }
 
 function tick() {
@@ -124,8 +121,14 @@ function tableOfRun(names) {
 
 const commands = {
   solvers: () => postMessage({type: 'solvers', solvers: JSON.parse(solvers())}),
-  open,
-  play: message => { speed = message.speed; play(); },
+  open: message => {
+    const facts = start(message);
+    postMessage({type: 'opened', run: message.run, facts});
+    if (!facts.errors) {
+      tell();
+    }
+  },
+  play: message => { speed = message.speed; stops = false; play(); },
   pause: () => { playing = false; },
   step: () => {
     step();
@@ -135,7 +138,7 @@ const commands = {
   },
   look: message => { playing = false; look(message.time); tell({looking: true}); },
   // What comes after a moment seen long ago is computed anew from the start.
-  goOn: message => { if (open(file)) { speed = message.speed; catchUp = message.time; play(); } },
+  goOn: message => { start(file); speed = message.speed; catchUp = message.time; play(); },
   // Another run's moment.
   follow: ({time}) => {
     if (time === followed) {
@@ -168,5 +171,10 @@ const commands = {
     postMessage({type: 'state', ...JSON.parse(status()), state: exactState()});
   }
 };
+const WITHOUT_SCENE = ['solvers', 'open', 'region'];
 const handle = guarded(message => commands[message.type](message));
-onmessage = event => handle(event.data);
+onmessage = ({data}) => {
+  if (file || WITHOUT_SCENE.includes(data.type)) {      // before a scene is there, nobody waits for what is said of it
+    handle(data);
+  }
+};
