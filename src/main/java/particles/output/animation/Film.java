@@ -53,10 +53,6 @@ public final class Film implements FrameSink {
      * @param fps    frames a second
      */
     public Film(OutputFolder folder, int width, int height, double fps) {
-        if (width < 2 || height < 2 || !(fps > 0)) {
-            throw new IllegalArgumentException("a film of " + width + " x " + height + " pixels with " + fps
-                    + " frames a second");
-        }
         this.folder = folder;
         this.fps = fps;
         rowLength = width;

@@ -65,10 +65,6 @@ public final class GifAnimation implements FrameSink {
     /** @param importantColours colours that later frames may have */
     public GifAnimation(OutputFolder folder, int frameWidth, int frameHeight, int[] importantColours, int width,
             double fps) {
-        if (width < 1 || !(fps > 0)) {
-            throw new IllegalArgumentException("an animation " + width + " pixels wide with " + fps
-                    + " frames a second");
-        }
         this.folder = folder;
         this.importantColours = importantColours.clone();
         this.fps = fps;

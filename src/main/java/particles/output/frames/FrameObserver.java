@@ -47,9 +47,6 @@ public final class FrameObserver implements Observer, AutoCloseable {
 
     /** @param threads the number of threads that draw; the frames are the same with any number */
     FrameObserver(FrameRenderer renderer, double fps, List<? extends FrameSink> sinks, int threads) {
-        if (!(fps > 0) || !Double.isFinite(fps)) {
-            throw new IllegalArgumentException("frames per second have to be positive and finite, not " + fps);
-        }
         this.fps = fps;
         style = renderer.style();
         trails = new TrailRecorder(style.trail(), fps);
@@ -121,7 +118,7 @@ public final class FrameObserver implements Observer, AutoCloseable {
     }
 
     private FrameState take(ParticleSystem system, double[] state, int count, double time) {
-        FrameState frame = worker.next();
+        FrameState frame = new FrameState();
         frame.take(state, count, time, style.arrows() > 0);
         if (taken.structure != structure) {
             // one copy for all frames: effects may reorder their springs, which decides what hides what

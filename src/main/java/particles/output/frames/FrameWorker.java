@@ -1,17 +1,13 @@
 package particles.output.frames;
 
 import java.util.List;
-import java.util.Optional;
-import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import particles.output.painters.FrameState;
 
 /** Draws frames on threads of their own, beside the simulation, and passes them on in order. */
 final class FrameWorker implements AutoCloseable {
     private final List<FrameSink> sinks;
     private final Pipeline<FrameRenderer> pipeline;
-    private final Queue<FrameState> free = new ConcurrentLinkedQueue<>();
     private CompletableFuture<Boolean> strainSeen = CompletableFuture.completedFuture(false);
     private FrameState opening;
     private boolean closed;
@@ -19,11 +15,6 @@ final class FrameWorker implements AutoCloseable {
     FrameWorker(FrameRenderer renderer, List<FrameSink> sinks, int threads) {
         this.sinks = List.copyOf(sinks);
         pipeline = new Pipeline<>(threads, () -> renderer.another(opening));
-    }
-
-    /** @return a state to be filled and handed back by {@link #draw} */
-    FrameState next() {
-        return Optional.ofNullable(free.poll()).orElseGet(FrameState::new);
     }
 
     /** @param times the number of frames that show the picture, from frame index on */
@@ -44,7 +35,6 @@ final class FrameWorker implements AutoCloseable {
                 for (int k = 1; k < times; k++) {
                     prepare(index + k, rgb).forEach(Runnable::run);
                 }
-                free.add(state);
             };
         }).thenRun(() -> now.complete(false));          // after a failure, so that nobody waits for this frame
     }

@@ -48,12 +48,8 @@ public final class FrameState {
      */
     public void take(double[] state, int count, double time, boolean withVelocities) {
         this.time = time;
-        notes = List.of();
-        trail = new TrailSample[0];
         particles = count;
-        if (positions.length < 3 * count) {
-            positions = new double[3 * count];
-        }
+        positions = new double[3 * count];
         for (int i = 0, x = 0; i < 3 * count; i += 3, x += Particles.STRIDE) {
             positions[i] = state[x];
             positions[i + 1] = state[x + 1];

@@ -32,7 +32,7 @@ public record OpaquePainter(RoundShapes shapes, VisibilityFilter shown, SurfaceP
         List<IntactTriangles> surfaces = scenery.surfaces().stream().map(IntactTriangles::new).toList();
         return new OpaquePainter(shapes, shown, new SurfacePainter(shapes, look, surfaces),
                 new SpringPainter(shapes, look, sizes),
-                new WirePainter(shapes, scenery.wires(), target, sizes.railing()),
+                WirePainter.of(shapes, scenery.wires(), target, sizes.railing()),
                 new ParticlePainter(shapes, look, shown, sizes));
     }
 

@@ -6,8 +6,14 @@ import particles.output.raster.CameraProjection;
 import particles.output.raster.RoundShapes;
 import particles.view.CurveView;
 
-/** Draws curves in space as wires; infinite ones are cut off outside the picture. */
-public final class WirePainter {
+/**
+ * Draws curves in space as wires; infinite ones are cut off outside the picture.
+ *
+ * @param shapes draws onto the camera's raster
+ * @param radius the radius of the wires (m)
+ * @param wires  each wire's points
+ */
+public record WirePainter(RoundShapes shapes, double radius, List<ProjectedParticles> wires) {
     static final int COLOUR = 0x75808d;
     /** Pieces per height of the picture. */
     private static final int PIECES = 120;
@@ -19,21 +25,14 @@ public final class WirePainter {
      */
     private static final int SEARCH = 60;
 
-    private final RoundShapes shapes;
-    private final double radius;
-    /** Each wire's points, projected by the camera. */
-    private final List<ProjectedParticles> wires;
-
     /**
      * @param target the middle of the picture (m)
      * @param radius the radius of the wires (m)
      */
-    public WirePainter(RoundShapes shapes, List<CurveView> curves, Vector3 target, double radius) {
-        this.shapes = shapes;
-        this.radius = radius;
+    static WirePainter of(RoundShapes shapes, List<CurveView> curves, Vector3 target, double radius) {
         CameraProjection view = shapes.view();
-        wires = curves.stream().map(curve -> points(curve, view, target))
-                .map(wire -> new ProjectedParticles(view, wire, wire.length / 3)).toList();
+        return new WirePainter(shapes, radius, curves.stream().map(curve -> points(curve, view, target))
+                .map(wire -> new ProjectedParticles(view, wire, wire.length / 3)).toList());
     }
 
     private static double[] points(CurveView curve, CameraProjection view, Vector3 target) {
@@ -57,8 +56,7 @@ public final class WirePainter {
         int pieces = (int) Math.max(FEWEST, Math.min(MOST, Math.ceil(PIECES * (to - from) / view.viewHeight)));
         double[] points = new double[3 * (pieces + 1)];
         for (int k = 0; k <= pieces; k++) {
-            Vector3 place = curve.at(from + (to - from) * k / pieces);
-            place.put(points, 3 * k);
+            curve.at(from + (to - from) * k / pieces).put(points, 3 * k);
         }
         return points;
     }

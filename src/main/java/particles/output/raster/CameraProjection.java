@@ -29,7 +29,7 @@ public final class CameraProjection {
     private final double focal;
     private final double nearest;
 
-    /** @throws IllegalArgumentException if the camera has no direction, or no angle or height */
+    /** @throws IllegalArgumentException if the camera has no direction */
     public CameraProjection(Camera camera, int width, int height) {
         this.width = width;
         this.height = height;
@@ -40,22 +40,8 @@ public final class CameraProjection {
         right = camera.up().cross(back).normalized();
         up = back.cross(right);
         double distance = sight.length();
-        if (perspective) {
-            if (!(camera.fieldOfView() > 0) || !(camera.fieldOfView() < 180)) {
-                throw new IllegalArgumentException("a field of view has to be between 0 and 180 degrees, not "
-                        + camera.fieldOfView());
-            }
-            double half = Math.tan(Math.toRadians(camera.fieldOfView()) / 2);
-            focal = height / (2 * half);
-            viewHeight = 2 * half * distance;
-        } else {
-            if (!(camera.height() > 0) || !(camera.height() <= Double.MAX_VALUE)) {
-                throw new IllegalArgumentException("the height of a picture has to be positive, not "
-                        + camera.height());
-            }
-            focal = height / camera.height();
-            viewHeight = camera.height();
-        }
+        viewHeight = perspective ? 2 * Math.tan(Math.toRadians(camera.fieldOfView()) / 2) * distance : camera.height();
+        focal = perspective ? height * distance / viewHeight : height / viewHeight;
         nearest = NEAREST * distance;
     }
 

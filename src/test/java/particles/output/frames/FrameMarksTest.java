@@ -15,6 +15,8 @@ import java.util.OptionalInt;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import particles.ParticleSystem;
 import particles.effects.springs.SpringForce;
 import particles.law.Vector3;
@@ -120,36 +122,30 @@ class FrameMarksTest {
         }
     }
 
-    /** A spring from the middle of the picture to a ball that goes round it: a label to the right meets it at half. */
-    @Test
-    void aLabelStandsClearOfTheSpringOfItsBall() {
+    /**
+     * A spring from the middle of the picture to a ball that goes round it, or a ball in the middle that came from the
+     * right, or from any other direction.
+     */
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void aLabelStandsClearOfTheSpringAndTheTrailOfItsBall(boolean spring) {
         ParticleStyle style = style(0, new ParticleMark("marked", OptionalInt.empty(), 0, "a label"));
         FrameMarks marks = new FrameMarks(new CameraProjection(FRONT, W, H), style);
         for (int k = 0; k < 24; k++) {
             double x = 3.5 * Math.cos(Math.PI * k / 12);
             double y = 3.5 * Math.sin(Math.PI * k / 12);
-            FrameState state = state(style, x);
-            state.positions[0] = 0;
-            state.positions[4] = y;
-            state.springs = new SpringList(new int[] {0}, new int[] {1}, new double[] {1}, new double[] {1});
+            FrameState state = state(style, spring ? x : 0);
+            if (spring) {
+                state.positions[0] = 0;
+                state.positions[4] = y;
+                state.springs = new SpringList(new int[] {0}, new int[] {1}, new double[] {1}, new double[] {1});
+            } else {
+                state.trail = new TrailSample[] {
+                    new TrailSample(0, new float[] {9, 9, 0, (float) x, (float) y, 0}, new int[0]),
+                    new TrailSample(1, new float[] {9, 9, 0, 0, 0, 0}, new int[0])};
+            }
             Rectangle2D box = marks.boxes(state, RADIUS / 2).get(0);
             assertFalse(box.intersectsLine(160, 100, 160 + 20 * x, 100 - 20 * y), "place " + k + ": " + box);
-        }
-    }
-
-    /** A ball that came from the right, or from any other direction. */
-    @Test
-    void aLabelStandsClearOfTheTrailOfItsBall() {
-        ParticleStyle style = style(0, new ParticleMark("marked", OptionalInt.empty(), 0, "a label"));
-        FrameMarks marks = new FrameMarks(new CameraProjection(FRONT, W, H), style);
-        for (int k = 0; k < 24; k++) {
-            float x = (float) (3.5 * Math.cos(Math.PI * k / 12));
-            float y = (float) (3.5 * Math.sin(Math.PI * k / 12));
-            FrameState state = state(style, 0);
-            state.trail = new TrailSample[] {new TrailSample(0, new float[] {9, 9, 0, x, y, 0}, new int[0]),
-                new TrailSample(1, new float[] {9, 9, 0, 0, 0, 0}, new int[0])};
-            Rectangle2D box = marks.boxes(state, RADIUS / 2).get(0);
-            assertFalse(box.intersectsLine(160, 100, 160 + 20 * x, 100 - 20 * y), "direction " + k + ": " + box);
         }
     }
 

@@ -184,13 +184,6 @@ class FrameObserverTest {
         assertEquals(1, notes.closed);
     }
 
-    @Test
-    void framesASecondArePositive() {
-        for (double fps : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
-            assertThrows(IllegalArgumentException.class, () -> new FrameObserver(renderer(), fps, List.of()));
-        }
-    }
-
     private static LastSteps lastSteps(Simulation simulation) {
         LastSteps last = new LastSteps(FRONT, W, H);
         simulation.addObserver(last);
