@@ -1,5 +1,7 @@
 package particles;
 
+import particles.law.Violation;
+
 /**
  * A law that acts between steps, never inside the derivative: a bounce, a birth, a tear, or the change from sliding to
  * sticking. A rule may change anything at the end of a step.
@@ -15,6 +17,14 @@ public interface Rule {
      */
     default boolean isCorrection() {
         return false;
+    }
+
+    /**
+     * @param system the system
+     * @return how far its present state is off what the rule keeps
+     */
+    default Violation getViolation(ParticleSystem system) {
+        return Violation.NONE;
     }
 
     /**

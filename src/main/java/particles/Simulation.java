@@ -146,9 +146,13 @@ public final class Simulation {
         }
     }
 
-    /** @return the largest violation of a rod, wire or contact that was seen in the run or is present */
+    /** @return the largest violation of a rod, wire or contact in the run, or overlap of hard balls at present */
     public Violation getViolation() {
-        return constraints.getWorst(system);
+        Violation worst = constraints.getWorst(system);
+        for (Rule rule : rules) {
+            worst = worst.or(rule.getViolation(system));
+        }
+        return worst;
     }
 
     private void step(double h) {

@@ -137,8 +137,8 @@ class ArchitectureTest {
             particles.reactions.algebra:   org.ejml
             particles.reactions.contact:   particles particles.law
             particles.reactions.wires:     particles.law particles.view
-            particles.rules:               particles particles.effects particles.effects.springs particles.law
-                                           particles.reactions particles.reactions.contact particles.view
+            particles.rules:               deSolvers.text particles particles.effects particles.effects.springs
+                                           particles.law particles.reactions particles.reactions.contact particles.view
             particles.scene:               deSolvers.text particles particles.effects
                                            particles.effects.springs particles.law particles.reactions particles.rules
                                            particles.scene.checks particles.scene.format particles.scene.parts

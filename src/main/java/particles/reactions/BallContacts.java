@@ -2,7 +2,11 @@ package particles.reactions;
 
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import particles.reactions.contact.ContactModes.Mode;
 
 /**
@@ -10,24 +14,12 @@ import particles.reactions.contact.ContactModes.Mode;
  * theory}. The rule {@code particles.rules.Collisions} decides when they begin and end.
  */
 public final class BallContacts {
-    /** Relative to the largest force of a block. */
-    private static final double NO_FORCE = 1e-12;
-
     private final RigidConstraints constraints;
     private final ConstraintRows rows;
 
     BallContacts(RigidConstraints constraints, ConstraintRows rows) {
         this.constraints = constraints;
         this.rows = rows;
-    }
-
-    /** Whether a row pushes, by more than round-off. */
-    static boolean pushes(Block block, int row) {
-        double largest = 0;
-        for (int r = 0; r < block.size(); r++) {
-            largest = Math.max(largest, Math.abs(block.force(r)));
-        }
-        return block.force(row) > NO_FORCE * largest;
     }
 
     /** Adds a contact of two balls, whose centres are this far apart (m); its number is the next one. */
@@ -67,20 +59,14 @@ public final class BallContacts {
         return end() > begin();
     }
 
-    /** @return whether two balls are in contact, or a rod keeps their distance */
-    public boolean areLinked(int i, int j) {
+    /** @return the pairs that are in contact or joined by a rod, each in both orders */
+    public Set<List<Integer>> findLinks() {
+        Set<List<Integer>> links = new HashSet<>();
         for (int r = 0; r < end(); r++) {
-            if (rows.first(r) == i && rows.second(r) == j || rows.first(r) == j && rows.second(r) == i) {
-                return true;
-            }
+            links.add(List.of(first(r), second(r)));
+            links.add(List.of(second(r), first(r)));
         }
-        return false;
-    }
-
-    /** @return the speed at which the two balls of a contact separate (m/s) */
-    public double separation(int contact, double[] state) {
-        rows.evaluate(state);
-        return rows.rate[contact];
+        return links;
     }
 
     /**
@@ -99,11 +85,9 @@ public final class BallContacts {
 
     /** Moves balls in contact, and all that is connected to them, by the small error of a step. */
     public void putTogether(double[] state) {
-        for (Block block : withContacts()) {
-            rows.evaluate(state);
-            constraints.getBlocks().correct(block, state, 0, false);
-            constraints.getBlocks().settle(block, state, true, Block.ALL);
-        }
+        rows.evaluate(state);
+        forEach(block -> constraints.getBlocks().correct(block, state, 0, Block.ALL));
+        stop(state, false);
     }
 
     /**
@@ -112,52 +96,51 @@ public final class BallContacts {
      * @param mayPart whether balls may separate; if not, they stop too
      */
     public void stop(double[] state, boolean mayPart) {
-        for (Block block : withContacts()) {
-            constraints.getBlocks().settle(block, state, mayPart, Block.ALL);
-        }
+        forEach(block -> constraints.getBlocks().settle(block, state, mayPart, Block.ALL));
     }
 
-    private List<Block> withContacts() {
-        return !hasContacts() ? List.of() : constraints.getJoined().stream()
-                .filter(block -> Arrays.stream(block.getMembers()).anyMatch(rows::isContact)).toList();
+    /** Calls something for each block in which balls touch. */
+    private void forEach(Consumer<Block> action) {
+        if (hasContacts()) {
+            constraints.getJoined().stream()
+                    .filter(block -> Arrays.stream(block.members).anyMatch(rows::isContact)).forEach(action);
+        }
     }
 
     /**
      * @param force the total force of all effects (N)
-     * @return the smallest force between two balls in contact (N), negative if they would have to pull
+     * @return the smallest force between two balls in contact (N); if some separate, minus their acceleration, but for
+     *         round-off
      */
     public double leastPush(double[] state, double time, double[] force) {
-        double least = Double.POSITIVE_INFINITY;
-        for (Block block : withContacts()) {
-            constraints.getBlocks().prepare(state, time);
-            constraints.getBlocks().solve(block, state, time, force);
-            for (int r = 0; r < block.size(); r++) {
-                least = block.isPair(r) ? Math.min(least, push(block, r)) : least;
-            }
-        }
-        return least;
+        BlockForces blocks = constraints.getBlocks();
+        double[] least = {Double.POSITIVE_INFINITY};
+        blocks.prepare(state, time);
+        forEach(block -> {
+            blocks.solve(block, state, time, force);
+            IntStream.range(0, block.size()).filter(block::isPair)
+                    .forEach(r -> least[0] = Math.min(least[0], blocks.push(block, r, force)));
+        });
+        return least[0];
     }
 
-    private static double push(Block block, int r) {
-        return block.force(r) != 0 ? block.force(r) : -block.separation(r);
-    }
-
-    /** Ends all contacts of balls, and theirs with surfaces, that do not push but for round-off, if none may pull. */
+    /** Ends all contacts of balls, and theirs with surfaces, that separate, but for round-off. */
     public void partWhereFree(double[] state, double time, double[] force) {
+        BlockForces blocks = constraints.getBlocks();
         BitSet ending = new BitSet();
-        for (Block block : withContacts()) {
-            constraints.getBlocks().prepare(state, time);
-            constraints.getBlocks().solveOpening(block, state, time, force);
+        blocks.prepare(state, time);
+        forEach(block -> {
+            blocks.solve(block, state, time, force);
             for (int r = 0; r < block.size(); r++) {
-                boolean free = !block.isIdle(r) && !pushes(block, r);
+                boolean free = block.isContact(r) && blocks.push(block, r, force) < 0;
                 if (free && block.isPair(r)) {
                     ending.set(block.member(r));
-                } else if (free && !block.isMember(r)) {
+                } else if (free) {
                     int k = block.contact(r);
                     constraints.getModes().set(block.touching.surface[k], block.touching.particle[k], Mode.FREE);
                 }
             }
-        }
+        });
         for (int r = ending.length() - 1; r >= 0; r = ending.previousSetBit(r - 1)) {
             part(r);
         }

@@ -9,13 +9,13 @@ import particles.reactions.algebra.EnvelopeMatrix;
 import particles.reactions.contact.ContactModes.Mode;
 
 /**
- * A block: the particles connected by rods and wires, or one particle without any, and the linear system of their
- * reaction forces. It has a row for each rod and each contact, and two for each particle on a wire. Two balls in
- * contact have the row of a rod that may only push. Column c of the
- * matrix is the acceleration of all rows if row c has a force of 1 N. The force of a sliding contact includes friction,
- * -S<sup>T</sup> lambda, so the matrix A = J W (J - S)<sup>T</sup> is not symmetric. It has entries only where two rows
- * share a movable particle. A particle's contacts come right after its first rod, so the envelope of a chain is narrow.
- * A single particle on one surface has the 1 x 1 matrix 1. The set of rows changes only with the contact modes.
+ * A block: the particles connected by rods, wires and contacts of balls, or one particle without any, and the linear
+ * system of their reaction forces. It has a row for each rod and each contact, and two for each particle on a wire. Two
+ * balls in contact have the row of a rod that may only push. Column c of the matrix is the acceleration of all rows if
+ * row c has a force of 1 N. The force of a sliding contact includes friction, -S<sup>T</sup> lambda, so the matrix A =
+ * J W (J - S)<sup>T</sup> is not symmetric. It has entries only where two rows share a movable particle. A particle's
+ * contacts come right after its first rod, so the envelope of a chain is narrow. A single particle on one surface has
+ * the 1 x 1 matrix 1. The set of rows changes only with the contact modes.
  */
 final class Block {
     private static final int STRIDE = Particles.STRIDE;
@@ -24,14 +24,14 @@ final class Block {
     /** For {@link #solve} and {@link #take}: all rows. */
     static final int ALL = -2;
 
-    private final int[] members;                        // the rows of its rods and wires, neighbours near each other
-    private final int[] particles;                      // that can move
+    final int[] members;                                // the rows of its rods and wires, neighbours near each other
+    final int[] particles;                              // that can move
     private final ConstraintRows rows;
     private final Particles all;
     private final RestingContacts contacts;
     private final ActiveSetMethod activeSet;
     private final EnvelopeMatrix matrix = new EnvelopeMatrix();
-    private final BitSet held = new BitSet();
+    final BitSet held = new BitSet();                   // particles that do not move
     final ContactRows touching;
     double[] right = {};
     private double[] solution = {};
@@ -41,11 +41,12 @@ final class Block {
     private double[] gradient = {};                     // 6 doubles a row
     private double[] pull = {};                         // the force on both particles per 1 N of a row
     private boolean[] mayOpen = {};
+    private boolean[] active = {};
     private final int[] firstRow;                       // by place in particles; -1 for none yet
     private int size;
+    private boolean pairs;
     private boolean assembled;                          // for the present gradients
     private int gatheredAt = NONE;                     // the modes' count of changes
-    private double left;
 
     Block(int[] members, int[] particles, ConstraintRows rows, Particles all, RestingContacts contacts,
             ActiveSetMethod activeSet) {
@@ -57,14 +58,6 @@ final class Block {
         this.activeSet = activeSet;
         firstRow = new int[particles.length];
         touching = new ContactRows(contacts);
-    }
-
-    int[] getMembers() {
-        return members;
-    }
-
-    int[] getParticles() {
-        return particles;
     }
 
     boolean isJoined() {
@@ -101,6 +94,7 @@ final class Block {
         gatheredAt = NONE;
         assembled = false;
         size = 0;
+        pairs = false;
         matrix.clear();
         touching.clear();
         held.clear();
@@ -137,11 +131,13 @@ final class Block {
             gradient = new double[6 * more];
             pull = new double[6 * more];
             mayOpen = new boolean[more];
+            active = new boolean[more];
             right = new double[more];
             solution = new double[more];
             separation = new double[more];
         }
         row[size] = index;
+        pairs |= isPair(size);
         matrix.add(Math.min(join(0, first), join(1, second)));
         size++;
     }
@@ -178,11 +174,6 @@ final class Block {
         }
     }
 
-    /** The held particles; they do not move. */
-    BitSet getHeld() {
-        return held;
-    }
-
     int size() {
         return size;
     }
@@ -195,6 +186,16 @@ final class Block {
     /** Whether a row is that of two balls in contact. */
     boolean isPair(int r) {
         return row[r] >= 0 && rows.isContact(row[r]);
+    }
+
+    /** Whether a row may only push: that of a surface or of two balls. */
+    boolean isContact(int r) {
+        return row[r] < 0 || isPair(r);
+    }
+
+    /** Whether some row is that of two balls in contact. */
+    boolean hasPairs() {
+        return pairs;
     }
 
     /** The row of a rod or wire among all. */
@@ -264,12 +265,13 @@ final class Block {
             assemble();
             assembled = size == 1;
         }
-        for (int r = 0; r < size; r++) {
-            mayOpen[r] = (row[r] < 0 || isPair(r)) && r != holding && holding != ALL;
+        if (!pairs || gatheredAt == NONE) {
+            Arrays.fill(active, true);                  // balls in contact push as they did before
         }
-        boolean solved = activeSet.solve(matrix, right, mayOpen, signed, solution, separation);
-        left = activeSet.getLeft();
-        return solved;
+        for (int r = 0; r < size; r++) {
+            mayOpen[r] = isContact(r) && r != holding && holding != ALL;
+        }
+        return activeSet.solve(matrix, right, mayOpen, signed, active, solution, separation);
     }
 
     /** The force of a row in the solution. */
@@ -280,11 +282,6 @@ final class Block {
     /** The separating acceleration of a row (m/s&sup2;), force of a single particle (N), or speed after an impact. */
     double separation(int r) {
         return separation[r];
-    }
-
-    /** The residual. */
-    double getLeft() {
-        return left;
     }
 
     /** The row of a contact; -1 if there is none. */

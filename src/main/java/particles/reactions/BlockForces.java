@@ -16,8 +16,8 @@ import particles.reactions.contact.ContactModes.Mode;
 
 /**
  * The reaction forces of one block at a time, see the {@linkplain particles.reactions theory}: normal forces, friction
- * and the forces of rods and wires, which depend on each other. A sticking particle does not move; its contact force
- * balances all others.
+ * and the forces of rods, wires and balls in contact, which depend on each other. A sticking particle does not move;
+ * its contact force balances all others.
  */
 final class BlockForces {
     private static final int STRIDE = Particles.STRIDE;
@@ -26,6 +26,11 @@ final class BlockForces {
      * redundant rods stays below.
      */
     private static final double CONTRADICTION = 1e-4;
+    /**
+     * Separations below this part of a block's largest acceleration are round-off, where balls touch: 1,000 times the
+     * pull that the active-set method tolerates, as a pile pushes harder than its balls fall.
+     */
+    private static final double STILL = 1e-7;
     private static final String CONTRADICTORY = "contradict each other: no forces can satisfy them all";
 
     private final ParticleSystem system;
@@ -38,7 +43,6 @@ final class BlockForces {
     private final List<Block> singles = new ArrayList<>();
     private double[] accelerations = {};
     private double[] total = {};                        // forces including those of rods, wires and contacts
-    private boolean opening;                            // contacts that would pull open
     private int solutions;
     private double left;                                // the residual of the last solution, relative to accelerations
 
@@ -58,7 +62,7 @@ final class BlockForces {
                 activeSet);
     }
 
-    /** The block of a particle without rods and wires. */
+    /** The block of a particle without rods, wires and contacts of balls. */
     Block single(int particle) {
         while (singles.size() <= particle) {
             singles.add(new Block(new int[0], new int[] {singles.size()}, rows, particles, contacts, activeSet));
@@ -87,7 +91,7 @@ final class BlockForces {
     void solve(Block block, double[] state, double time, double[] force) {
         block.take(state, true);
         Optional<String> failure = solve(block, state, force);
-        if (failure.isPresent() && !(failure.get().equals(CONTRADICTORY) && !block.getHeld().isEmpty())) {
+        if (failure.isPresent() && !(failure.get().equals(CONTRADICTORY) && !block.held.isEmpty())) {
             throw failure(block, time, failure.get());
         }
     }
@@ -100,24 +104,6 @@ final class BlockForces {
     Optional<String> solve(Block block, double[] state, double[] force, IntPredicate isHeld) {
         block.take(state, isHeld, Block.NONE, Block.NONE, Block.ALL);
         return solve(block, state, force);
-    }
-
-    /** As the first {@link #solve}, but contacts that would pull open, also if rules locate the end of contact. */
-    void solveOpening(Block block, double[] state, double time, double[] force) {
-        opening = true;
-        try {
-            solve(block, state, time, force);
-        } finally {
-            opening = false;
-        }
-    }
-
-    /** As {@link RestingContacts#isPressed} for balls that touch. */
-    boolean isPressed(Block block, int surface, int particle, double[] state, double[] force) {
-        prepare(state, system.getTime());
-        solveOpening(block, state, system.getTime(), force);
-        int r = block.find(surface, particle);
-        return r >= 0 && BallContacts.pushes(block, r);
     }
 
     /** Counts solutions: the last one is still at hand if the number has not changed. */
@@ -162,31 +148,38 @@ final class BlockForces {
 
     private Optional<String> solveOnce(Block block, double[] force) {
         putRight(block, force);
-        if (!block.solve(Block.NONE, opening || !contacts.isHolding())) {
-            return Optional.of("let no contact forces keep all particles out: friction jams");
+        if (!block.solve(Block.NONE, block.hasPairs() || !contacts.isHolding())) {
+            return Optional.of("let no contact forces keep all particles out: friction or a moving anchor jams them");
         }
-        left = block.getLeft() == 0 ? 0 : block.getLeft() / scale(block, force);
+        left = activeSet.getLeft() == 0 ? 0 : activeSet.getLeft() / scale(block, force);
         return left > CONTRADICTION ? Optional.of(CONTRADICTORY) : Optional.empty();
     }
 
     SimulationException failure(Block block, double time, String reason) {
-        int particle = block.getParticles()[0];
-        String what = !block.isJoined() ? "contacts of"
-                : (block.touching.count > 0 ? "rods, wires and contacts" : "rods and wires") + " connected to";
-        return new SimulationException(time, particle, "the " + what + " particle '" + particles.id(particle) + "' "
-                + reason, null);
+        int particle = block.particles[0];
+        List<String> what = new ArrayList<>();
+        if (block.isJoined() && rows.getRods() + rows.getBeads() > 0) {
+            what.add("rods and wires");
+        }
+        if (block.hasPairs() || block.touching.count > 0) {
+            what.add("contacts");
+        }
+        return new SimulationException(time, particle, "the " + String.join(" and ", what)
+                + " connected to particle '" + particles.id(particle) + "' " + reason, null);
     }
 
-    /** b = -(J W F + J' v) - k_s C - k_d C', with C the distance for contacts. */
+    /**
+     * b = -(J W F + J' v) - k_s C - k_d C', with C the distance for contacts. Where balls touch, contacts have no
+     * feedback: in a dense packing, the errors of many could not decay at the same time.
+     */
     private void putRight(Block block, double[] force) {
-        double decay = 0;
         if (block.isJoined()) {
-            decay = feedback;
             findAccelerations(block, force);
         }
         for (int r = 0; r < block.size(); r++) {
             int row = block.member(r);
             int k = block.contact(r);
+            double decay = !block.isJoined() || block.isContact(r) && block.hasPairs() ? 0 : feedback;
             block.right[r] = block.isIdle(r) ? 0 : block.isMember(r)
                     ? -(rows.times(row, accelerations, 3) + rows.bend[row]) - decay * decay * rows.value[row]
                             - 2 * decay * rows.rate[row]
@@ -198,19 +191,29 @@ final class BlockForces {
     /** W F of the particles that are not held. */
     private void findAccelerations(Block block, double[] force) {
         fit(force);
-        for (int i : block.getParticles()) {
-            double w = block.getHeld().get(i) ? 0 : block.weight(i);
+        for (int i : block.particles) {
+            double w = block.held.get(i) ? 0 : block.weight(i);
             for (int f = STRIDE * i + 3; f < STRIDE * (i + 1); f++) {
                 accelerations[f] = w * force[f];
             }
         }
     }
 
+    /**
+     * The push of a contact in the last solution (N), or minus the acceleration with which it separates. Where balls
+     * touch, an acceleration of 0 counts as a small push, but for round-off: one more contact may do no harm.
+     */
+    double push(Block block, int r, double[] force) {
+        boolean pushes = block.hasPairs() ? block.force(r) > 0 : block.force(r) != 0;
+        double rounding = block.hasPairs() ? STILL * scale(block, force) : 0;
+        return pushes ? block.force(r) : rounding - block.separation(r);
+    }
+
     /** The largest acceleration in the equations of a block. */
     private double scale(Block block, double[] force) {
         findAccelerations(block, force);
         double scale = 0;
-        for (int i : block.getParticles()) {
+        for (int i : block.particles) {
             for (int f = STRIDE * i + 3; f < STRIDE * (i + 1); f++) {
                 scale = Math.max(scale, Math.abs(accelerations[f]));
             }
@@ -224,7 +227,7 @@ final class BlockForces {
     /** Adds the forces found by {@link #solve}. */
     void addForces(Block block, double[] force) {
         block.addForces(force);
-        for (int i = block.getHeld().nextSetBit(0); i >= 0; i = block.getHeld().nextSetBit(i + 1)) {
+        for (int i = block.held.nextSetBit(0); i >= 0; i = block.held.nextSetBit(i + 1)) {
             Arrays.fill(force, STRIDE * i + 3, STRIDE * (i + 1), 0.0);
         }
     }
@@ -253,7 +256,7 @@ final class BlockForces {
         if (total.length != force.length) {
             total = new double[force.length];
         }
-        for (int i : block.getParticles()) {
+        for (int i : block.particles) {
             System.arraycopy(force, STRIDE * i + 3, total, STRIDE * i + 3, 3);
         }
         block.addForces(total);
@@ -298,13 +301,13 @@ final class BlockForces {
     /**
      * Projects positions or velocities onto rods, wires and touched surfaces. The rows must have been evaluated.
      *
-     * @param place   0 for positions, 3 for velocities
-     * @param mayOpen whether particles may leave surfaces
+     * @param place 0 for positions, 3 for velocities
+     * @param pairs as for {@link #settle}
      */
-    void correct(Block block, double[] state, int place, boolean mayOpen) {
+    void correct(Block block, double[] state, int place, int pairs) {
         solutions++;
-        block.take(state, true);
-        correctTaken(block, state, place, mayOpen);
+        block.take(state, modes::isSticking, Block.NONE, Block.NONE, pairs);
+        correctTaken(block, state, place, false);
     }
 
     /** As {@link #correct}, for the rows that were taken. */

@@ -86,7 +86,7 @@ final class BlockImpacts {
         }
         double[] before = state.clone();
         block.move(state, 3);
-        for (int i : block.getParticles()) {            // an impact on one ball leaves the rest of a pile at rest
+        for (int i : block.particles) {            // an impact on one ball leaves the rest of a pile at rest
             int v = STRIDE * i + 3;
             if (Vector3.at(state, v).minus(Vector3.at(before, v)).norm1() != 0) {
                 modes.setWhereTouching(i, Mode.SLIDING);

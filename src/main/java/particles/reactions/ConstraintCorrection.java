@@ -2,13 +2,15 @@ package particles.reactions;
 
 import deSolvers.text.Digits;
 import java.util.List;
+import java.util.stream.IntStream;
 import particles.SimulationException;
 import particles.law.Particles;
 import particles.law.Vector3;
 
 /**
- * Projects positions and velocities onto the constraints. Positions are corrected by Newton's method with the smallest
- * mass-weighted moves, W J<sup>T</sup> mu with J W J<sup>T</sup> mu = -C; velocities by one such system for C'.
+ * Projects positions and velocities onto rods and wires; contacts of balls are corrected by their own rule.
+ * Positions are corrected by Newton's method with the smallest mass-weighted moves, W J<sup>T</sup> mu with J W
+ * J<sup>T</sup> mu = -C; velocities by one such system for C'.
  */
 final class ConstraintCorrection {
     /** Target error, relative to a row's scale plus its particle's distance from the origin; less is round-off. */
@@ -18,12 +20,14 @@ final class ConstraintCorrection {
     private static final int MOST_ITERATIONS = 30;
 
     private final ConstraintRows rows;
-    private final List<Block> all;
+    private final List<Block> joined;
+    private final int[] all;
     private final BlockForces blocks;
 
-    ConstraintCorrection(ConstraintRows rows, List<Block> all, BlockForces blocks) {
+    ConstraintCorrection(ConstraintRows rows, List<Block> joined, BlockForces blocks) {
         this.rows = rows;
-        this.all = all;
+        this.joined = joined;
+        all = IntStream.range(0, rows.count()).filter(r -> !rows.isContact(r)).toArray();
         this.blocks = blocks;
     }
 
@@ -33,7 +37,7 @@ final class ConstraintCorrection {
         for (int iteration = 0;; iteration++) {
             rows.evaluate(state);
             double error = 0;
-            for (int r = 0; r < rows.count(); r++) {
+            for (int r : all) {
                 double place = Vector3.at(state, Particles.STRIDE * rows.first(r)).norm1();
                 error = Math.max(error, Math.abs(rows.value[r]) / (rows.scale(r) + place));
             }
@@ -57,7 +61,7 @@ final class ConstraintCorrection {
     boolean velocities(double[] state) {
         rows.evaluate(state);
         boolean changed = false;
-        for (int r = 0; r < rows.count(); r++) {
+        for (int r : all) {
             double speed = Vector3.at(state, Particles.STRIDE * rows.first(r) + 3).norm1();
             changed |= Math.abs(rows.rate[r]) > FINE * (1 + speed);
         }
@@ -68,8 +72,8 @@ final class ConstraintCorrection {
     }
 
     private void correct(double[] state, int place) {
-        for (Block block : all) {
-            blocks.correct(block, state, place, false);
+        for (Block block : joined) {
+            blocks.correct(block, state, place, Block.NONE);
         }
     }
 }

@@ -39,7 +39,7 @@ final class ContactDerivative {
      * @param force the force before contact (N), likewise
      */
     void add(Block block, double[] state, double[] force, ForceDerivatives derivatives) {
-        int i = block.getParticles()[0];
+        int i = block.particles[0];
         block.take(state, true);
         double curvature = block.touching.curvature(state);
         vary(block, force, STRIDE * i + 3, size(force, STRIDE * i + 3), state, force, byForce);
@@ -74,7 +74,7 @@ final class ContactDerivative {
 
     /** The total force on the particle of the block. */
     private void findTotal(Block block, double[] state, double[] force) {
-        int f = STRIDE * block.getParticles()[0] + 3;
+        int f = STRIDE * block.particles[0] + 3;
         System.arraycopy(force, f, total, 0, 3);
         blocks.solve(block, state, time, force);
         blocks.addForces(block, force);

@@ -41,7 +41,7 @@ final class ContactQueries {
     /** Finds the forces of a block at rules' request; the last answer is kept, as rules ask for each particle. */
     private void ask(Block block, double[] state, double[] force, IntPredicate isHeld) {
         BitSet held = new BitSet();
-        for (int i : block.getParticles()) {
+        for (int i : block.particles) {
             held.set(i, isHeld.test(i));
         }
         if (asked.isPresent() && asked.get() == block && askedSolution == blocks.getSolutions()
@@ -74,7 +74,7 @@ final class ContactQueries {
         if (block.isJoined()) {
             blocks.prepare(state, system.getTime());
             ask(block, state, force, modes::isSticking);
-            if (failure.isPresent() && block.getHeld().isEmpty()) {
+            if (failure.isPresent() && block.held.isEmpty()) {
                 throw blocks.failure(block, system.getTime(), failure.get());
             }
             if (modes.isSticking(particle)) {
@@ -84,7 +84,8 @@ final class ContactQueries {
             answer = push(particle, state, force);
         }
         int r = answer.find(surface, particle);
-        return r < 0 ? 0 : answer.force(r) != 0 ? answer.force(r) : -answer.separation(r) / answer.weight(particle);
+        double push = r < 0 ? 0 : blocks.push(answer, r, force);
+        return r < 0 || push == answer.force(r) ? push : push / answer.weight(particle);
     }
 
     /** Finds the normal forces on one particle under a known force, without friction. */
@@ -101,7 +102,7 @@ final class ContactQueries {
 
     /** Whether a moving anchor drives a rod, so that friction cannot hold its other end; -1 for any end. */
     private boolean isDriven(Block block, int end, double[] state) {
-        for (int row : block.getMembers()) {
+        for (int row : block.members) {
             if ((end < 0 || rows.first(row) == end || rows.second(row) == end) && rows.isDraggedByAnchor(row, state,
                     blocks.getAccelerations(), system.getParticles().getInverseMasses())) {
                 return true;

@@ -170,11 +170,12 @@ public final class RestingContacts implements Reaction {
      * entered, and sticking particles stay. Does nothing for a particle without rods and wires.
      *
      * @param particle a particle of the linkage
+     * @param balls    whether balls in contact may not separate either
      * @param state    the state, in which velocities are changed
      */
-    public void settle(int particle, double[] state) {
+    public void settle(int particle, boolean balls, double[] state) {
         if (isCoupled(particle)) {
-            blocks.settle(block(particle), state, false, Block.NONE);
+            blocks.settle(block(particle), state, false, balls ? Block.ALL : Block.NONE);
         }
     }
 
@@ -393,13 +394,6 @@ public final class RestingContacts implements Reaction {
      */
     public double pressure(int surface, int particle, double[] state, double[] force) {
         return queries.pressure(block(particle), surface, particle, state, force);
-    }
-
-    /** As {@link #pressure}, but tells only if it is positive; where balls touch, contacts that would pull are open. */
-    public boolean isPressed(int surface, int particle, double[] state, double[] force) {
-        return isCoupled(particle) && joints.get().balls().hasContacts()
-                ? blocks.isPressed(block(particle), surface, particle, state, force)
-                : pressure(surface, particle, state, force) > 0;
     }
 
     /**

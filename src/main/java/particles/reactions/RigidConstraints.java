@@ -112,7 +112,7 @@ public final class RigidConstraints implements Reaction, SpringView {
             for (int[] part : new RowGraph(rows, particles).parts()) {
                 Block block = blocks.block(part);
                 joined.add(block);
-                for (int i : block.getParticles()) {
+                for (int i : block.particles) {
                     blockOf[i] = block;
                 }
             }

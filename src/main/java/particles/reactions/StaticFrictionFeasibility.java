@@ -34,7 +34,7 @@ final class StaticFrictionFeasibility {
      * @param total the forces without these loads (N); the loads are added
      */
     void run(Block joint, double[] state, double[] total) {
-        ends = joint.getHeld();
+        ends = joint.held;
         double size = 0;
         for (int i = ends.nextSetBit(0); i >= 0; i = ends.nextSetBit(i + 1)) {
             size += Vector3.at(total, Particles.STRIDE * i + 3).norm1();

@@ -46,9 +46,10 @@
  * of a rod between their centres, C = |x<sub>j</sub> - x<sub>i</sub>| - r<sub>i</sub> - r<sub>j</sub>, with lambda
  * &ge; 0. It has no friction; impacts have, by an impulse of at most mu times the normal one. An impact is solved with
  * the rods, wires and surfaces of its two balls, but with no other contact of balls: of several at the same time, one
- * follows the other, as in Newton's cradle, until none is left or all that remain are slow. These stop together. After
- * each such event, and where a lambda becomes negative, the complementarity problem tells which contacts last. In a
- * dense packing with small errors it may have no solution; contacts are then elastic by 1e-6 of a row's diagonal.
+ * follows the other, as in Newton's cradle, until none is left or all that remain are slow. These stop together. Then,
+ * and where a lambda becomes negative, the complementarity problem tells which contacts separate; a contact with
+ * neither force nor separation lasts. In a dense packing many contacts are dependent: forces are not unique, motion is.
+ * Errors of distances are corrected after each step and not by feedback: those of dependent rows cannot all decay.
  *
  * <p>At about 200 steps and at the end of each run the largest violation of a rod, wire or contact is noted, and the
  * difference between the work that is reported for moving anchors and that of the forces on them. If one of them is

@@ -1,8 +1,11 @@
 package particles.rules;
 
+import deSolvers.text.Digits;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 import particles.EventRule;
 import particles.Motion;
 import particles.ParticleSystem;
@@ -12,7 +15,6 @@ import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.law.Violation;
 import particles.reactions.BallContacts;
-import particles.reactions.RestingContacts;
 import particles.reactions.RigidConstraints;
 
 /**
@@ -35,7 +37,7 @@ public final class Collisions implements EventRule {
     /** The largest number of simultaneous impacts for each contact; with r = 0.5, speeds fall to a millionth in 20. */
     private static final int MOST_IMPACTS = 100;
 
-    private final RestingContacts contacts;
+    private final ExactImpacts impacts;
     private final BallContacts touching;
     private final Balls balls;
     private final double largest;
@@ -45,7 +47,6 @@ public final class Collisions implements EventRule {
     private final double[] coefficients = new double[FirstCrossing.MOST_COEFFICIENTS];
     private double[] moves = {};                        // the farthest that each particle may get in a motion
     private int[] near = {};
-    private double[] force = {};
 
     /**
      * The law of impact.
@@ -64,12 +65,12 @@ public final class Collisions implements EventRule {
     }
 
     /**
-     * @param contacts    the surfaces, which an {@link ExactImpacts} handles
+     * @param impacts     the impacts with surfaces
      * @param constraints the rods and wires, solved with these contacts; also holds the contacts of balls
      * @param balls       the law of impact
      */
-    public Collisions(RestingContacts contacts, RigidConstraints constraints, Balls balls) {
-        this.contacts = contacts;
+    public Collisions(ExactImpacts impacts, RigidConstraints constraints, Balls balls) {
+        this.impacts = impacts;
         touching = constraints.balls();
         this.balls = balls;
         largest = Arrays.stream(balls.radii).max().orElse(0);
@@ -80,17 +81,16 @@ public final class Collisions implements EventRule {
         return "collisions";
     }
 
-    /**
-     * @param system the system at the start
-     * @return the two balls that overlap most, and by how much (m)
-     */
-    public Violation findOverlap(ParticleSystem system) {
+    /** {@inheritDoc} The largest overlap of balls, relative to their distance in contact. */
+    @Override
+    public Violation getViolation(ParticleSystem system) {
         double[] state = system.getOwnState();
         Violation[] worst = {Violation.NONE};
         findPairs(system, state, new double[system.getParticles().count()], (i, j) -> {
             double depth = -gap(state, i, j);
-            worst[0] = depth <= slack(state, i) ? worst[0] : worst[0].or(new Violation(depth, "'"
-                    + system.getParticles().id(i) + "' and '" + system.getParticles().id(j) + "'"));
+            worst[0] = depth <= slack(state, i) ? worst[0] : worst[0].or(new Violation(depth / reach(i, j), "'"
+                    + system.getParticles().id(i) + "' and '" + system.getParticles().id(j) + "' overlap by "
+                    + Digits.few(depth) + " m"));
         });
         return worst[0];
     }
@@ -119,13 +119,14 @@ public final class Collisions implements EventRule {
         ParticleSystem system = motion.getSystem();
         double[] begin = motion.getStartState();
         if (touching.hasContacts()) {
-            if (findImpact(begin) >= 0) {               // a surface has struck a ball
+            if (IntStream.range(touching.begin(), touching.end())       // a surface has struck or stopped a ball
+                    .anyMatch(r -> Math.abs(separation(r, begin)) > slow(r, begin))) {
                 found.add(new ExactImpacts.Change(motion.getStartTime(), false, s -> 0, this::settle));
                 return;
             }
             if (push(system) < 0) {
                 // just before the end: surfaces are only asked once the balls have parted
-                found.add(new ExactImpacts.Change(Math.nextDown(motion.getEndTime()), true, this::push, this::settle));
+                found.add(new ExactImpacts.Change(Math.nextDown(motion.getEndTime()), true, this::push, this::release));
             }
         }
         double h = motion.getEndTime() - motion.getStartTime();
@@ -159,12 +160,13 @@ public final class Collisions implements EventRule {
         int n = particles.count();
         near = near.length < n ? new int[n] : near;
         double farthest = Arrays.stream(moves).max().orElse(0);
+        Set<List<Integer>> links = touching.findLinks();
         grid.build(state, n, (2 * largest + 2 * farthest) * (1 + TOUCHING) + TOUCHING);
         for (int i = 0; i < n; i++) {
             for (int k = grid.findLater(i, near) - 1; k >= 0; k--) {
                 int j = near[k];
                 if (gap(state, i, j) <= moves[i] + moves[j] + slack(state, i)
-                        && !(particles.isFixed(i) && particles.isFixed(j)) && !touching.areLinked(i, j)) {
+                        && !(particles.isFixed(i) && particles.isFixed(j)) && !links.contains(List.of(i, j))) {
                     pair.take(i, j);
                 }
             }
@@ -202,33 +204,43 @@ public final class Collisions implements EventRule {
     /** Applies the impacts of balls in contact; contacts that do not push end. */
     private void settle(ParticleSystem system) {
         double[] state = system.getOwnState();
-        for (int left = MOST_IMPACTS * touching.end(); left > 0; left--) {
-            int r = findImpact(state);
-            if (r < 0) {
-                break;
-            }
-            double leaving = -balls.restitution * touching.separation(r, state);
+        int r = findImpact(state);
+        for (int left = MOST_IMPACTS * touching.end(); r >= 0 && left > 0; left--) {
+            double leaving = -balls.restitution * separation(r, state);
             touching.strike(r, leaving > balls.restSpeed ? leaving : 0, balls.friction, state);
+            r = findImpact(state);
         }
         touching.stop(state, true);
-        for (int r = touching.end() - 1; r >= touching.begin(); r--) {
-            if (touching.separation(r, state) > slow(r, state)) {
+        for (r = touching.end() - 1; r >= touching.begin(); r--) {
+            if (separation(r, state) > slow(r, state)) {
                 touching.part(r);
             }
         }
-        contacts.beginStep(system);                     // the direction of friction, on which the forces depend
-        touching.partWhereFree(state, system.getTime(), forces(system));
         touching.stop(state, false);
+        release(system);
+        impacts.stickOthers(system);
+    }
+
+    /** Ends contacts that do not push. */
+    private void release(ParticleSystem system) {
+        impacts.contacts.beginStep(system);             // the direction of friction, on which the forces depend
+        touching.partWhereFree(system.getOwnState(), system.getTime(), impacts.forces(system));
     }
 
     /** The first contact whose balls approach each other faster than the rest speed; -1 for none. */
     private int findImpact(double[] state) {
         for (int r = touching.begin(); r < touching.end(); r++) {
-            if (-touching.separation(r, state) > slow(r, state)) {
+            if (-separation(r, state) > slow(r, state)) {
                 return r;
             }
         }
         return -1;
+    }
+
+    private double separation(int r, double[] state) {
+        int i = touching.first(r);
+        int j = touching.second(r);
+        return apart(state, i, j, 0).dot(apart(state, i, j, 3)) / reach(i, j);
     }
 
     private double slow(int r, double[] state) {
@@ -237,13 +249,7 @@ public final class Collisions implements EventRule {
     }
 
     private double push(ParticleSystem system) {
-        return touching.leastPush(system.getOwnState(), system.getTime(), forces(system));
-    }
-
-    private double[] forces(ParticleSystem system) {
-        force = force.length == system.getStateSize() ? force : new double[system.getStateSize()];
-        system.addUpEffects(system.getOwnState(), system.getTime(), force);
-        return force;
+        return touching.leastPush(system.getOwnState(), system.getTime(), impacts.forces(system));
     }
 
     private double reach(int i, int j) {

@@ -193,14 +193,14 @@ public final class ExactImpacts extends Impacts implements EventRule {
             if (rests || isAlone) {
                 stickIfSlow(system, i, speed);
             }
-            contacts.settle(i, state);
+            contacts.settle(i, false, state);
         }
         contacts.beginStep(system);
     }
 
     private boolean isPressedOn(ParticleSystem system, int p, int i) {
         modes.set(p, i, Mode.SLIDING);
-        boolean pressed = isPressed(system, p, i);
+        boolean pressed = pressure(system, p, i) > 0;
         modes.set(p, i, Mode.FREE);
         return pressed;
     }

@@ -64,7 +64,7 @@ abstract class Impacts implements Rule {
         }
         for (int i = 0; i < modes.end(); i++) {
             stickIfSlow(system, i, velocity(before, i).length());
-            contacts.settle(i, state);
+            contacts.settle(i, false, state);
         }
         stickOthers(system);
         contacts.beginStep(system);
@@ -90,11 +90,6 @@ abstract class Impacts implements Rule {
 
     final double pressure(ParticleSystem system, int p, int i) {
         return contacts.pressure(p, i, system.getOwnState(), forces(system));
-    }
-
-    /** Whether a surface pushes a particle that touches it. */
-    final boolean isPressed(ParticleSystem system, int p, int i) {
-        return contacts.isPressed(p, i, system.getOwnState(), forces(system));
     }
 
     final double holdMargin(ParticleSystem system, int i) {
@@ -126,7 +121,7 @@ abstract class Impacts implements Rule {
             stopAlong(surfaces.get(p).normal(system.getOwnState(), i), system.getOwnState(), i);
             modes.set(p, i, Mode.SLIDING);
             modes.setWhereTouching(i, Mode.SLIDING);
-            if (contacts.isHolding() && !isPressed(system, p, i)) {
+            if (contacts.isHolding() && pressure(system, p, i) <= 0) {
                 modes.set(p, i, Mode.FREE);
             }
         }
@@ -191,7 +186,7 @@ abstract class Impacts implements Rule {
         if (velocity.length() <= slow && holdMargin(system, i) >= 0) {
             stick(i, state);
             stickOthers(system);
-        } else if (velocity.length() <= rounding && !contacts.isCoupled(i)) {   // rods would set it moving again
+        } else if (velocity.length() <= rounding) {
             moveAlong(velocity, state, STRIDE * i + 3, -1);
         }
         contacts.beginStep(system);
@@ -200,12 +195,12 @@ abstract class Impacts implements Rule {
     final void stick(int i, double[] state) {
         moveAlong(velocity(state, i), state, STRIDE * i + 3, -1);
         modes.setWhereTouching(i, Mode.STICKING);
-        contacts.settle(i, state);
+        contacts.settle(i, true, state);
         forceKnown &= !contacts.isCoupled(i);
     }
 
     /** Lets particles that are coupled to one that came to rest stick too; they have no event of their own. */
-    private void stickOthers(ParticleSystem system) {
+    final void stickOthers(ParticleSystem system) {
         for (int i = 0; i < modes.end(); i++) {
             if (contacts.isCoupled(i) && !modes.isSticking(i) && contacts.isSlow(i, system.getOwnState())
                     && holdMargin(system, i) >= 0) {

@@ -1,13 +1,11 @@
 package particles.scene;
 
-import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import particles.EnergyLimit;
 import particles.ParticleSystem;
-import particles.Rule;
 import particles.Simulation;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
@@ -15,7 +13,6 @@ import particles.effects.springs.SpringForce;
 import particles.law.Violation;
 import particles.reactions.RestingContacts;
 import particles.rules.ClampedImpacts;
-import particles.rules.Collisions;
 import particles.rules.ExactImpacts;
 import particles.scene.checks.MemoryEstimate;
 import particles.scene.checks.RunLimits;
@@ -115,7 +112,7 @@ public final class SceneBuilder {
         }
         contents.constraints().build(simulation, index, assembly, contacts);
         if (scene.hasHardBalls()) {
-            simulation.getRules().forEach(rule -> checkOverlap(rule, contents, system));
+            simulation.getRules().forEach(rule -> checkOverlap(rule.getViolation(system), contents));
         }
         assembly.rules().forEach(simulation::addRule);
         Scene built = new Scene(scene, simulation, springs, assembly.scenery(cloths), estimate);
@@ -123,12 +120,10 @@ public final class SceneBuilder {
         return built;
     }
 
-    private static void checkOverlap(Rule rule, Contents contents, ParticleSystem system) {
-        Violation overlap = rule instanceof Collisions balls ? balls.findOverlap(system) : Violation.NONE;
+    private static void checkOverlap(Violation overlap, Contents contents) {
         if (overlap.part() > 0) {
             throw new SceneException(contents.rules().stream().filter(RuleKind::hasBalls).findFirst().orElseThrow()
-                    .place() + ": " + overlap.what() + " begin with an overlap of " + Digits.few(overlap.part())
-                    + " m; hard balls may touch at the start, but not overlap");
+                    .place() + ": " + overlap.what() + " at the start; hard balls may touch, but not overlap");
         }
     }
 

@@ -185,6 +185,6 @@ class FallingRodsTest {
                 rods: [{from: a, to: b}]
                 """.formatted(Math.sqrt(1 / 3.0), Math.sqrt(2 / 3.0)) + ground(0, 1e-6, 4, 0));
         String message = assertThrows(SimulationException.class, rod::run).getMessage();
-        assertTrue(message.contains("friction jams"), message);
+        assertTrue(message.contains("jams"), message);
     }
 }

@@ -2,16 +2,17 @@ package particles.reactions.algebra;
 
 /**
  * Active-set solver of a mixed linear complementarity problem: A lambda - b = w with w = 0 in the rows of rods and
- * wires, and lambda &ge; 0, w &ge; 0, lambda w = 0 in those of contacts: a contact either pushes or separates. The
- * search starts with all contacts active, that is w = 0; for each active set one linear system is solved, in the
- * envelope of A. A contact is wrong if it is active with lambda &lt; 0, or inactive with w &lt; 0, but for the error of
- * active rows that contradict each other. If fewer are wrong
+ * wires, and lambda &ge; 0, w &ge; 0, lambda w = 0 in those of contacts: a contact either pushes or separates. For
+ * each active set one linear system is solved, in the envelope of A. A contact is wrong if it is active with lambda
+ * &lt; 0, or inactive with w &lt; 0, but for the error of active rows that contradict each other. If fewer are wrong
  * than ever before, all of them change sides (J. J&uacute;dice, F. Pires 1994), otherwise only the one with the least
- * index (K. Murty 1974). If A is positive definite, the search always ends.
+ * index (K. Murty 1974).
  *
  * <p>If rows are linearly dependent, as in a square with both diagonals, many solutions give the same motion; the one
- * with the least sum of squares is taken, the load of equal, slightly elastic rods. Where balls are packed so that no
- * motion keeps all of them apart exactly, but for a small error, contacts are slightly elastic too.
+ * with the least sum of squares is taken, the load of equal, slightly elastic rods. Where many balls are packed, a set
+ * of dependent contacts may have no solution although others do. Then contacts are made slightly elastic and added one
+ * by one, each as long as it pushes (C. Lawson, R. Hanson, "Solving Least Squares Problems", 1974): without friction
+ * this search always ends.
  */
 public final class ActiveSetMethod {
     private static final double ROUNDING = 1e-10;
@@ -22,14 +23,16 @@ public final class ActiveSetMethod {
     /** The residual of good factors, relative to the largest entry of b. */
     private static final double ACCURATE = 1e-12;
 
-    /** How much the diagonal of contacts grows where the search does not end; the motion changes by as much. */
-    private static final double SOFT = 1e-6;
-    /** The largest error of an elastic contact, relative to the largest entry of b. */
+    /** Active contacts contradict each other if the residual is above this fraction of the largest entry of b. */
+    private static final double CONTRADICTION = 1e-9;
+    /** How much the diagonal of elastic contacts grows. */
+    private static final double SOFT = 1e-9;
+    /** The largest error of an elastic contact, relative to the largest entry of b: more is a jam. */
     private static final double YIELDING = 1e-4;
 
     private final MinimumNormSolution dense = new MinimumNormSolution();
     private boolean[] wrong = {};
-    private boolean[] active = {};
+    private boolean[] active;
     private double[] work = {};
     private double largest;                             // entry of b
     private double left;
@@ -46,36 +49,16 @@ public final class ActiveSetMethod {
      * @param contact which rows are those of contacts
      * @param signed  true if contacts can only push; if false, all contacts stay active and may pull, unless the active
      *                rows are linearly dependent: then the search runs as if true
+     * @param active  the contacts with which the search starts; receives those that push
      * @param lambda  receives the solution
      * @param w       receives A lambda - b
-     * @return false if the search does not end, even with contacts that are elastic by a millionth: no forces satisfy
-     *         all conditions
+     * @return false if the search does not end, even with elastic contacts: no forces satisfy all conditions
      */
-    public boolean solve(EnvelopeMatrix a, double[] b, boolean[] contact, boolean signed, double[] lambda,
-            double[] w) {
-        if (search(a, b, contact, signed, lambda, w)) {
-            return true;
-        }
-        for (int r = 0; r < a.size(); r++) {
-            a.set(r, r, a.get(r, r) * (contact[r] ? 1 + SOFT : 1), 0);
-        }
-        if (!search(a, b, contact, signed, lambda, w)) {
-            return false;
-        }
-        for (int r = 0; r < a.size(); r++) {
-            w[r] -= contact[r] ? a.get(r, r) * SOFT / (1 + SOFT) * lambda[r] : 0;
-            if (w[r] < -YIELDING * largest) {           // huge forces: the elastic contacts give way to a jam
-                return false;
-            }
-        }
-        return true;
-    }
-
-    private boolean search(EnvelopeMatrix a, double[] b, boolean[] contact, boolean signed, double[] lambda,
-            double[] w) {
+    public boolean solve(EnvelopeMatrix a, double[] b, boolean[] contact, boolean signed, boolean[] active,
+            double[] lambda, double[] w) {
         int n = a.size();
-        if (active.length < n) {
-            active = new boolean[n];
+        this.active = active;
+        if (wrong.length < n) {
             wrong = new boolean[n];
             work = new double[n];
         }
@@ -87,11 +70,19 @@ public final class ActiveSetMethod {
             return true;
         }
         largest = 0;
+        for (int r = 0; r < n; r++) {
+            largest = Math.max(largest, Math.abs(b[r]));
+        }
+        return search(a, b, contact, signed, lambda, w) || searchElastic(a, b, contact, lambda, w);
+    }
+
+    private boolean search(EnvelopeMatrix a, double[] b, boolean[] contact, boolean signed, double[] lambda,
+            double[] w) {
+        int n = a.size();
         int contacts = 0;
         for (int r = 0; r < n; r++) {
-            active[r] = a.get(r, r) != 0;
+            active[r] = a.get(r, r) != 0 && (active[r] || !contact[r]);
             contacts += contact[r] ? 1 : 0;
-            largest = Math.max(largest, Math.abs(b[r]));
         }
         int fewest = contacts + 1;
         for (int pivots = 0; pivots <= 50 + 20 * contacts; pivots++) {
@@ -101,7 +92,7 @@ public final class ActiveSetMethod {
             }
             int count = findWrong(n, contact, lambda, w);
             if (count == 0) {
-                return true;
+                return isConsistent(n, contact, w);
             }
             boolean all = count < fewest;
             fewest = Math.min(fewest, count);
@@ -111,6 +102,82 @@ public final class ActiveSetMethod {
             }
         }
         return false;
+    }
+
+    /** Whether the active contacts do not contradict each other. */
+    private boolean isConsistent(int n, boolean[] contact, double[] w) {
+        for (int r = 0; r < n; r++) {
+            if (contact[r] && active[r] && Math.abs(w[r]) > CONTRADICTION * largest) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean searchElastic(EnvelopeMatrix a, double[] b, boolean[] contact, double[] lambda, double[] w) {
+        int n = a.size();
+        double[] rigid = new double[n];
+        double[] pushing = new double[n];
+        for (int r = 0; r < n; r++) {
+            rigid[r] = a.get(r, r);
+            a.set(r, r, rigid[r] * (contact[r] ? 1 + SOFT : 1), 0);
+            active[r] = rigid[r] != 0 && !contact[r];
+        }
+        boolean found = false;
+        for (int pivots = 0; pivots <= 50 + 20 * n && !found; pivots++) {
+            solveActive(a, b, lambda, w);
+            found = !dropFirst(contact, lambda, pushing, n) && !addWorst(contact, w, n);
+        }
+        for (int r = 0; r < n; r++) {
+            a.set(r, r, rigid[r], 0);
+        }
+        if (!found) {
+            return false;
+        }
+        solveActive(a, b, lambda, w);
+        if (findWrong(n, contact, lambda, w) > 0 || !isConsistent(n, contact, w)) {
+            System.arraycopy(pushing, 0, lambda, 0, n);
+            findResidual(a, b, lambda, w);
+        }
+        for (int r = 0; r < n; r++) {
+            if (contact[r] && w[r] < -YIELDING * largest) {     // huge forces: the contacts give way to a jam
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Goes towards a solution until the first contact would pull; drops that contact, if there is one. */
+    private boolean dropFirst(boolean[] contact, double[] lambda, double[] pushing, int n) {
+        double part = 1;
+        int first = -1;
+        for (int r = 0; r < n; r++) {
+            if (contact[r] && active[r] && lambda[r] < 0 && pushing[r] <= part * (pushing[r] - lambda[r])) {
+                part = pushing[r] / (pushing[r] - lambda[r]);
+                first = r;
+            }
+        }
+        for (int r = 0; r < n; r++) {
+            pushing[r] = r == first ? 0 : pushing[r] + part * (lambda[r] - pushing[r]);
+        }
+        if (first >= 0) {
+            active[first] = false;
+        }
+        return first >= 0;
+    }
+
+    /** Adds the contact that lets its particle in fastest, if there is one. */
+    private boolean addWorst(boolean[] contact, double[] w, int n) {
+        int worst = -1;
+        for (int r = 0; r < n; r++) {
+            if (contact[r] && !active[r] && w[r] < (worst < 0 ? -ROUNDING * largest : w[worst])) {
+                worst = r;
+            }
+        }
+        if (worst >= 0) {
+            active[worst] = true;
+        }
+        return worst >= 0;
     }
 
     /** Finds the contacts that pull or let their particle in; returns their number. */

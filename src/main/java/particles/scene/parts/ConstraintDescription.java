@@ -3,12 +3,14 @@ package particles.scene.parts;
 import java.util.List;
 import java.util.Optional;
 import particles.ParticleSystem;
+import particles.Rule;
 import particles.Simulation;
 import particles.reactions.RestingContacts;
 import particles.reactions.RigidConstraints;
 import particles.reactions.wires.Curve;
 import particles.rules.Collisions;
 import particles.rules.ConstraintProjection;
+import particles.rules.ExactImpacts;
 import particles.spec.Chosen;
 import particles.spec.FlagType;
 import particles.spec.Key;
@@ -58,10 +60,12 @@ public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireK
             constraints.addBead(index.find(bead).orElseThrow(), curve);
             assembly.show(curve);
         }
-        if (contacts.isPresent()) {
-            constraints.solveWith(contacts.get());
-            assembly.getBalls().ifPresent(balls ->
-                    simulation.addRule(new Collisions(contacts.get(), constraints, balls)));
+        contacts.ifPresent(constraints::solveWith);
+        for (Rule rule : List.copyOf(simulation.getRules())) {
+            if (rule instanceof ExactImpacts impacts) {
+                assembly.getBalls().ifPresent(balls -> simulation.addRule(new Collisions(impacts, constraints,
+                        balls)));
+            }
         }
         system.addReaction(constraints);
         constraints.project(system.getOwnState(), system.getTime());        // positions in files have few digits

@@ -28,7 +28,7 @@ class ActiveSetMethodTest {
         boolean[] contact = new boolean[n];
         Arrays.fill(contact, true);
         double[] push = new double[n];
-        assertTrue(new ActiveSetMethod().solve(a, b, contact, true, push, new double[n]));
+        assertTrue(new ActiveSetMethod().solve(a, b, contact, true, contact.clone(), push, new double[n]));
         return push;
     }
 
@@ -77,6 +77,6 @@ class ActiveSetMethodTest {
         a.set(1, 0, -1, -1);
         a.set(1, 1, 1, 1);
         assertFalse(new ActiveSetMethod().solve(a, new double[] {1, 0}, new boolean[] {false, true}, true,
-                new double[2], new double[2]));
+                new boolean[2], new double[2], new double[2]));
     }
 }
