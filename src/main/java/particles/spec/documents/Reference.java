@@ -2,11 +2,9 @@ package particles.spec.documents;
 
 import deSolvers.text.Digits;
 import java.util.ArrayList;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.Set;
 import java.util.stream.Collectors;
 import particles.spec.Key;
 import particles.spec.KindType;
@@ -20,9 +18,6 @@ import particles.spec.Type;
  * meaning.
  */
 public final class Reference {
-    private final List<String> lines = new ArrayList<>();
-    private final Set<String> told = new LinkedHashSet<>();
-
     private Reference() {
     }
 
@@ -32,30 +27,23 @@ public final class Reference {
      * @return the tables, ending with a line feed; the same text for the same type, always
      */
     public static String of(MappingType root, String heading) {
-        Reference reference = new Reference();
-        root.mappings().forEach(mapping -> reference.tell(mapping, heading));
-        return String.join("\n", reference.lines) + "\n";
+        // several shapes have springs of the same sort
+        return root.mappings().map(mapping -> heading + " " + section(mapping)).distinct()
+                .collect(Collectors.joining("\n\n", "", "\n"));
     }
 
-    private void tell(MappingType mapping, String heading) {
-        if (!told.add(mapping.getLabel() + mapping.getKeys())) {
-            return;                                     // several shapes have springs of the same sort
-        }
-        if (!lines.isEmpty()) {
-            lines.add("");
-        }
-        lines.add(heading + " " + heading(mapping));
+    private static String section(MappingType mapping) {
+        List<String> lines = new ArrayList<>(List.of(heading(mapping)));
         if (!mapping.getSentence().isEmpty()) {
             lines.add(mapping.getSentence());
         }
-        lines.add("");
-        lines.add("| key | value | default | meaning |");
-        lines.add("| --- | --- | --- | --- |");
+        lines.addAll(List.of("", "| key | value | default | meaning |", "| --- | --- | --- | --- |"));
         for (Key<?> key : mapping.getKeys()) {
             String standard = key.required() ? "*required*" : key.defaultJson().map(Reference::written).orElse("");
             String meaning = key.sentence().replace("|", "\\|");
             lines.add("| `" + key.name() + "` | " + values(key.type()) + " | " + standard + " | " + meaning + " |");
         }
+        return String.join("\n", lines);
     }
 
     private static String values(Type<?> type) {
