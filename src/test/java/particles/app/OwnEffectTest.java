@@ -1,5 +1,6 @@
 package particles.app;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -13,8 +14,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import particles.ParticleSystem;
-import particles.Rule;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import particles.app.student.StudentClasses;
 import particles.app.student.StudentLoader;
 import particles.scene.Scene;
@@ -126,38 +127,14 @@ class OwnEffectTest {
         }
     }
 
-    @Test
-    void aSceneNamesTheClass() throws IOException {
+    /** The radius is v/(2 w) = 1/pi m: after half a circle, in 1 s, the puck is a diameter away and comes back. */
+    @ParameterizedTest
+    @CsvSource({"1, 0.6366197723675814, -1", "2, 0, 1"})
+    void aSceneNamesTheClass(String duration, double z, double speed) throws IOException {
         write("Coriolis", LAW);
-        Scene scene = scene(SCENE);
+        Scene scene = scene(SCENE.replace("duration: 2", "duration: " + duration));
         scene.simulation().run();
-        double[] state = scene.system().getOwnState();
-        double radius = 1 / Math.PI;                    // v/(2 w)
-        assertEquals(0, state[0], 1e-7, "back where the circle began");
-        assertEquals(0, state[2], 1e-7);
-        assertEquals(1, state[3], 1e-7);
-        assertEquals(0, state[5], 1e-7);
-        assertEquals(2 * radius, farthestOf(SCENE), 1e-3, "the circle's diameter");
-    }
-
-    /** The largest z at the end of any step; a step goes at most 0.01 m, and from the farthest point 1.6e-4 m back. */
-    private static double farthestOf(String text) {
-        Scene scene = scene(text);
-        double[] farthest = {0};
-        scene.simulation().addRule(new Rule() {
-            @Override
-            public String getName() {
-                return "farthest";
-            }
-
-            @Override
-            public boolean afterStep(ParticleSystem system, double deltaT) {
-                farthest[0] = Math.max(farthest[0], system.getOwnState()[2]);
-                return false;
-            }
-        });
-        scene.simulation().run();
-        return farthest[0];
+        assertArrayEquals(new double[] {0, 0, z, speed, 0, 0}, scene.system().getOwnState(), 1e-7);
     }
 
     @Test
