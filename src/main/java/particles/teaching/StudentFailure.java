@@ -31,8 +31,7 @@ public final class StudentFailure {
      * without either
      */
     public static String place(StackTraceElement[] stack) {
-        List<StackTraceElement> written = Arrays.stream(stack).filter(frame -> !isOfJava(frame) && isWritten(frame))
-                .toList();
+        List<StackTraceElement> written = Arrays.stream(stack).filter(StudentFailure::isWritten).toList();
         Optional<StackTraceElement> found = written.stream().filter(frame -> !isOurs(frame)).findFirst()
                 .or(() -> written.stream().filter(frame ->
                         !frame.getClassName().startsWith("particles.teaching.")).findFirst());
@@ -41,16 +40,12 @@ public final class StudentFailure {
                 + frame.getLineNumber() + " of " + frame.getFileName()).orElse("");
     }
 
-    private static boolean isOfJava(StackTraceElement frame) {
-        return frame.getClassName().matches("(java|javax|jdk|sun)[.].*");
-    }
-
     /**
-     * Whether a frame is of written code. Between a lambda and its caller the JVM puts a class of its own, with no
-     * lines and a '/' in its name.
+     * Whether a frame is of written code, and not the JDK's. Between a lambda and its caller the JVM puts a class of
+     * its own, with no lines and a '/' in its name.
      */
     private static boolean isWritten(StackTraceElement frame) {
-        return frame.getLineNumber() > 0 && !frame.getClassName().contains("/");
+        return frame.getLineNumber() > 0 && !frame.getClassName().matches("(java|javax|jdk|sun)[.].*|.*/.*");
     }
 
     /**

@@ -8,6 +8,7 @@ import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -124,14 +125,9 @@ record Assignment(String text, Optional<OffsetDateTime> deadline, String shows, 
     }
 
     /** @return the solvers that count, if a student has these classes */
-    Map<String, Asked> solvers(Iterable<String> there) {
-        Map<String, Asked> every = new TreeMap<>();
-        there.forEach(name -> {
-            if (name.endsWith("Solver")) {
-                every.put(name, new Asked(AskedMethods.ANY, 1));
-            }
-        });
-        return solvers.orElse(every);
+    Map<String, Asked> solvers(Set<String> there) {
+        return solvers.orElseGet(() -> there.stream().filter(name -> name.endsWith("Solver")).collect(Collectors.toMap(
+                name -> name, name -> new Asked(AskedMethods.ANY, 1), (a, b) -> a, TreeMap::new)));
     }
 
     /** @return whether a student's own grade shows marks */

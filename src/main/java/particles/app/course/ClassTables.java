@@ -1,5 +1,7 @@
 package particles.app.course;
 
+import static particles.view.DataTable.column;
+
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
@@ -91,29 +93,25 @@ final class ClassTables {
         List<Row> rows = results.stream().flatMap(result -> result.items().stream().map(item -> new Row(result, item)))
                 .toList();
         DataTable all = DataTable.of("class", "All marks", rows,
-                DataTable.column("student", row -> row.result().student()),
-                DataTable.column("exercise", row -> row.item().name()),
-                DataTable.column("points", row -> number(row.item().points())),
-                DataTable.column("of", row -> number(row.item().weight())),
-                DataTable.column("mistake", row -> row.item().mistake()),
-                DataTable.column("attempt", row -> row.result().handedIn()),
-                DataTable.column("handed in", row -> date(row.result())),
-                DataTable.column("late (h)", row -> late(row.result())),
-                DataTable.column("version", row -> row.result().program()));
+                column("student", row -> row.result().student()), column("exercise", row -> row.item().name()),
+                column("points", row -> number(row.item().points())),
+                column("of", row -> number(row.item().weight())), column("mistake", row -> row.item().mistake()),
+                column("attempt", row -> row.result().handedIn()), column("handed in", row -> date(row.result())),
+                column("late (h)", row -> late(row.result())), column("version", row -> row.result().program()));
         DataTable each = DataTable.of("students", "Students", results,
-                DataTable.column("student", Result::student),
-                DataTable.column("points", result -> number(result.points())),
-                DataTable.column("of", result -> number(result.most())),
-                DataTable.column("handed in", ClassTables::date), DataTable.column("late (h)", this::late),
-                DataTable.column("attempt", Result::handedIn));
+                column("student", Result::student),
+                column("points", result -> number(result.points())),
+                column("of", result -> number(result.most())),
+                column("handed in", ClassTables::date), column("late (h)", this::late),
+                column("attempt", Result::handedIn));
         Map<String, Long> counts = rows.stream().filter(row -> row.item().answered()
                 && !row.item().mistake().isEmpty()).map(row -> row.item().name() + ": " + row.item().mistake())
                 .collect(Collectors.groupingBy(Function.identity(), TreeMap::new, Collectors.counting()));
         DataTable common = DataTable.of("mistakes", "The commonest mistakes", counts.entrySet().stream()
                 .sorted(Map.Entry.<String, Long>comparingByValue().reversed()).limit(MOST_COMMON).toList(),
-                DataTable.column("students", Map.Entry::getValue), DataTable.column("mistake", Map.Entry::getKey));
-        DataTable talk = DataTable.of("talk", "Students to talk to", toTalkTo(), DataTable.column("student",
-                Map.Entry::getKey), DataTable.column("why", Map.Entry::getValue));
+                column("students", Map.Entry::getValue), column("mistake", Map.Entry::getKey));
+        DataTable talk = DataTable.of("talk", "Students to talk to", toTalkTo(), column("student",
+                Map.Entry::getKey), column("why", Map.Entry::getValue));
         List<String> text = new ArrayList<>(problems);
         text.add("Nobody lost a mark for a class that is like another or uses a solver of the project: compare these"
                 + " classes yourself. JPlag compares more closely.");

@@ -1,5 +1,7 @@
 package particles.app.course;
 
+import static particles.view.DataTable.column;
+
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -157,10 +159,10 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
     static String write(Path folder, Result result) {
         String title = result.summary() + " for " + result.student();
         DataTable table = DataTable.of("marks", "Marks", result.items(),
-                DataTable.column("student", item -> result.student()), DataTable.column("exercise", Item::name),
-                DataTable.column("points", item -> ClassTables.number(item.points())),
-                DataTable.column("of", item -> ClassTables.number(item.weight())),
-                DataTable.column("what there is to say", item -> paragraph(item.lines())));
+                column("student", item -> result.student()), column("exercise", Item::name),
+                column("points", item -> ClassTables.number(item.points())),
+                column("of", item -> ClassTables.number(item.weight())),
+                column("what there is to say", item -> paragraph(item.lines())));
         List<String> names = List.of(PAGE + ".md", "marks.csv", Result.FILE, "TEST-" + PAGE + ".xml");
         clear(folder, names);
         try (OutputFolder files = OutputFolder.open(folder, names.toArray(new String[0]))) {

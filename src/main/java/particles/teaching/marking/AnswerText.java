@@ -22,7 +22,6 @@ public record AnswerText(Optional<Double> value, String problem) {
     private static final Map<String, List<String>> SAME_UNITS = Map.of("Ns/m", List.of("kg/s"), "m/s", List.of("ms^-1",
             "ms-1"));
     private static final Pattern FORM = Pattern.compile("(" + NUMBER + ")(?:\\s*/\\s*(" + NUMBER + "))?\\s*(.*)");
-    private static final String ALLOWED = "a number is wanted, such as 0.1234, 0,1234, 1.234e-3 or 3/8";
 
     /**
      * @param typed the text as typed
@@ -33,27 +32,25 @@ public record AnswerText(Optional<Double> value, String problem) {
         String text = typed.strip().replaceFirst(NAME, "").replace('\u2212',
                 '-').replaceAll("\\s*[x*\u00d7\u00b7]\\s*10\\s*\\^\\s*", "e");
         if (text.isEmpty()) {
-            return refused("The answer is empty; " + ALLOWED + ".");
+            return noNumber("The answer is empty");
         }
         String shown = text.length() > LONGEST ? text.substring(0, LONGEST) + "..." : text;
         if (text.toLowerCase(Locale.ROOT).matches("[+-]?(nan|inf|infinity|\u221e).*")) {
-            return refused("'" + shown + "' is no finite number: a calculation has divided by 0 or blown up; "
-                    + ALLOWED + ".");
+            return noNumber("'" + shown + "' is no finite number: a calculation has divided by 0 or blown up");
         }
         if (text.matches("[+-]?[\\d ']*\\d[.,]\\d+[.,]\\d+.*")) {
-            return refused("'" + shown + "' has two points or commas; write no separators of thousands; "
-                    + ALLOWED + ".");
+            return noNumber("'" + shown + "' has two points or commas; write no separators of thousands");
         }
         Matcher matcher = FORM.matcher(text);
         if (!matcher.matches()) {
-            return refused("'" + shown + "' is not a number; " + ALLOWED + ".");
+            return noNumber("'" + shown + "' is not a number");
         }
         double value = number(matcher.group(1));
         if (matcher.group(2) != null) {                 // null where there is no fraction
             value /= number(matcher.group(2));
         }
         if (!Double.isFinite(value)) {
-            return refused("'" + shown + "' is no finite number; " + ALLOWED + ".");
+            return noNumber("'" + shown + "' is no finite number");
         }
         String rest = packed(matcher.group(3));
         if (unit.isEmpty() && rest.equals("%")) {
@@ -74,6 +71,10 @@ public record AnswerText(Optional<Double> value, String problem) {
 
     private static double number(String text) {
         return Double.parseDouble(text.replace(',', '.').replaceAll("\\s", ""));
+    }
+
+    private static AnswerText noNumber(String problem) {
+        return refused(problem + "; a number is wanted, such as 0.1234, 0,1234, 1.234e-3 or 3/8.");
     }
 
     private static AnswerText refused(String problem) {

@@ -50,9 +50,9 @@ record UnreadMethod(Supplier<DESolver> maker) {
         return StudentSource.after(source, maker.get(), 1, deltaT);
     }
 
-    private static WindyOscillators windy(int particles, double start) {
+    private static WindyOscillators windy(int particles) {
         WindyOscillators source = new WindyOscillators(particles);
-        source.startAt(start);
+        source.startAt(START);
         return source;
     }
 
@@ -84,7 +84,7 @@ record UnreadMethod(Supplier<DESolver> maker) {
 
     /** @return the mistake if the derivative is evaluated for each entry, between two that are written */
     Optional<Finding> entryByEntry() {
-        WindyOscillators source = after(windy(2, START), H);
+        WindyOscillators source = after(windy(2), H);
         List<double[]> at = source.evaluatedAt();
         return Phrase.ENTRY_BY_ENTRY.when(source.getEvaluations() == SIZE && evaluations(1, H) == SIZE / 2
                 && !Arrays.equals(at.get(0), at.get(1)), SIZE);
@@ -125,9 +125,9 @@ record UnreadMethod(Supplier<DESolver> maker) {
      *         one long step than in several short ones
      */
     Optional<Finding> uncontrolled() {
-        WindyOscillators once = after(windy(1, START), LONG);
+        WindyOscillators once = after(windy(1), LONG);
         int moves = once.timeMoves();
-        WindyOscillators often = StudentSource.after(windy(1, START), maker.get(), SHORT_STEPS, LONG / SHORT_STEPS);
+        WindyOscillators often = StudentSource.after(windy(1), maker.get(), SHORT_STEPS, LONG / SHORT_STEPS);
         double error = once.error();
         boolean far = error < DIVERGED && (error > FAR || error > LITTLE && error > MUCH * often.error());
         return moves <= often.timeMoves() / 2 || !far ? Optional.empty() : rejectedClock().or(() -> uncut(LONG)).or(
@@ -145,7 +145,7 @@ record UnreadMethod(Supplier<DESolver> maker) {
 
     /** @return the mistake if a very short step does not move the state by deltaT times the derivative */
     Optional<Finding> moves() {
-        WindyOscillators source = windy(1, START);
+        WindyOscillators source = windy(1);
         double[] start = source.getState();
         double[] dSdt = new double[start.length];
         source.getStateDerivative(dSdt);

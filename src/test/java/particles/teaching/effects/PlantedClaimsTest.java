@@ -109,24 +109,6 @@ class PlantedClaimsTest {
         return k % 6 == 3 ? Math.max(0, -10 - state[k - 3]) : 0;
     }
 
-    @Test
-    void heatThatIsNotTold() {
-        assertFound(law(EnumSet.of(Trait.DISSIPATIVE), true, DRAG, NONE, NONE),
-                "turns 0 W into heat: getDissipatedPower is missing");
-    }
-
-    @Test
-    void heatOfTheWrongSign() {
-        assertFound(law(EnumSet.of(Trait.DISSIPATIVE), true, DRAG, NONE, state -> -0.3 * squares(state, 3)),
-                "the sign of the dissipated power is wrong; what becomes heat counts as positive");
-    }
-
-    @Test
-    void nothingIsClaimedAtAll() {
-        assertFound(law(EnumSet.noneOf(Trait.class), true, DRAG, NONE, NONE), "style: it claims no account of its"
-                + " energy: a run lists its work, whether it is stored or lost, until it claims CONSERVATIVE");
-    }
-
     /** Symmetries are claims too, and say nothing of the power. */
     @Test
     void onlyASymmetryIsClaimed() {
@@ -142,38 +124,6 @@ class PlantedClaimsTest {
                 3)),
                 "a claim does not hold: power: the force does work at -", " W; accounted for are -",
                 " W: getPotentialEnergy gives 0 W, getDissipatedPower takes ", " W and getDrivenPower adds 0 W");
-    }
-
-    @Test
-    void dampingThatClaimsToBeConservative() {
-        assertFound(law(EnumSet.of(Trait.CONSERVATIVE), true, DRAG, NONE, NONE),
-                "a force that depends on the velocity is not CONSERVATIVE");
-    }
-
-    @Test
-    void claimsThatContradictEachOther() {
-        assertFound(law(EnumSet.of(Trait.CONSERVATIVE, Trait.DISSIPATIVE), true, DRAG, NONE,
-                state -> 0.3 * squares(state, 3)), "it claims CONSERVATIVE and DISSIPATIVE,"
-                        + " which contradict each other");
-    }
-
-    @Test
-    void internalIsAWrongClaimWithoutPairs() {
-        assertFound(law(EnumSet.of(Trait.CONSERVATIVE, Trait.INTERNAL), false, SPRING, state -> 2 * squares(state, 0),
-                NONE),
-                "it claims INTERNAL, but planted is not: no particle's force changes with the place of another");
-    }
-
-    /** v * v, as students write it, never turns round. */
-    @Test
-    void dragThatDoesNotTurnRoundWithTheVelocity() {
-        assertFound(law(EnumSet.of(Trait.DISSIPATIVE), true, (state, k) -> -0.2 * state[k] * state[k], NONE,
-                state -> 0.2 * squares(state, 3)), "|v| v is meant, and not v v");
-    }
-
-    @Test
-    void energyThatIsNotTold() {
-        assertFound(law(EnumSet.of(Trait.CONSERVATIVE), false, SPRING, NONE, NONE), "getPotentialEnergy is missing");
     }
 
     @Test

@@ -1,6 +1,5 @@
 package particles.teaching.solvers;
 
-
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;
 import java.util.Arrays;
