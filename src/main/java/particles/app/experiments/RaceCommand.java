@@ -115,7 +115,7 @@ public final class RaceCommand extends ExperimentCommand {
         List<SolverChoice> solvers = options.solvers();
         int count = frameCount(scene.get());
         try (RacePictures pictures = new RacePictures(solvers.size(), count / scene.get().duration(), PLAYBACK)) {
-            Result race = new Race(scene.get(), solvers, count, Outcome::busy).run(pictures,
+            Result race = new Race(scene.get(), solvers, count, Outcome::seconds).run(pictures,
                     (part, what) -> progress.reached(RUNS * part, what));
             return page(race, count, pictures.write(folder, race,
                     part -> progress.reached(RUNS + (1 - RUNS) * part, "drawing the animation")));

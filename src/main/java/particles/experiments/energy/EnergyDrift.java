@@ -121,7 +121,7 @@ public final class EnergyDrift {
         double scale = scale(scene);
         long target = 4 * Math.max(1, Math.round(scene.duration() / scene.deltaT()));
         EqualWork work = new EqualWork(scene, target);
-        List<Drift> drifts = progress.each(solvers, SolverChoice::label, solver -> {
+        List<Drift> drifts = progress.onAllCores(solvers, SolverChoice::label, solver -> {
             Setting setting = equalWork ? work.find(solver).setting() : Setting.of(solver, scene.deltaT());
             return measure(SceneRun.build(scene, setting), setting, scale, List.of());
         });

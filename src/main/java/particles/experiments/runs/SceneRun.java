@@ -51,12 +51,10 @@ public final class SceneRun {
      * @param endTime     the simulated time that it reached (s)
      * @param steps       the number of steps
      * @param evaluations the number of evaluations of the derivative
-     * @param seconds     the wall-clock time (s), observers included
-     * @param busy        the CPU time of the calling thread (s)
+     * @param seconds     the CPU time of the calling thread (s), observers included
      * @param failure     the reason if it ended early
      */
-    public record Outcome(double endTime, long steps, long evaluations, double seconds, double busy,
-                          Optional<String> failure) {
+    public record Outcome(double endTime, long steps, long evaluations, double seconds, Optional<String> failure) {
     }
 
     /** @return the scene with this text, named like this in messages */
@@ -98,8 +96,7 @@ public final class SceneRun {
     public static Outcome run(Scene scene, long mostEvaluations, List<? extends Observer> observers) {
         observers.forEach(scene.simulation()::addObserver);
         scene.simulation().addObserver(new Budget(mostEvaluations));
-        long begin = System.nanoTime();
-        double busy = CpuClock.seconds();
+        double begin = CpuClock.seconds();
         Optional<String> failure = Optional.empty();
         try {
             scene.simulation().run();
@@ -107,7 +104,7 @@ public final class SceneRun {
             failure = Optional.of(e.getMessage());
         }
         return new Outcome(scene.system().getTime(), scene.simulation().getSteps(), scene.system().getEvaluations(),
-                (System.nanoTime() - begin) * 1e-9, CpuClock.seconds() - busy, failure);
+                CpuClock.seconds() - begin, failure);
     }
 
     /** Ends a run that makes too many evaluations. */

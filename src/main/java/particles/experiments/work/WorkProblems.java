@@ -6,7 +6,6 @@ import deSolvers.problems.Oscillator;
 import deSolvers.problems.Pendulum;
 import deSolvers.problems.ReferenceProblem;
 import deSolvers.problems.ShakenChain;
-import deSolvers.text.DidYouMean;
 import java.util.List;
 import java.util.Map;
 import java.util.NoSuchElementException;
@@ -62,8 +61,7 @@ public final class WorkProblems {
                     Optional.of(new Stiff(ShakenChain.STIFF_DELTA_T, Map.of("radau", 3.0))));
             case "cloth" -> computed(name, "A cloth of 36 particles that falls", 0.5, WorkProblems::cloth,
                     new Budget(20_000, 3_000, 1e-3));
-            default -> throw new NoSuchElementException("no problem is called '" + name + "'"
-                    + DidYouMean.hint(name, NAMES, "'%s'"::formatted) + " known: " + String.join(", ", NAMES));
+            default -> throw new NoSuchElementException("no problem is called '" + name + "'");
         };
     }
 

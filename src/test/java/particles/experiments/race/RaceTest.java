@@ -34,7 +34,8 @@ class RaceTest {
     }
 
     private static Result run(SceneDescription scene, String solvers, int frames, Race.ObserverFactory observers) {
-        return new Race(scene, SolverChoice.list(solvers), frames, Outcome::busy).run(observers, (part, what) -> { });
+        return new Race(scene, SolverChoice.list(solvers), frames, Outcome::seconds).run(observers,
+                (part, what) -> { });
     }
 
     /** A race by a clock of the test's own. */

@@ -1,13 +1,11 @@
 package particles.experiments.work;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DEStateSource;
 import deSolvers.catalog.SolverCatalog;
 import java.util.List;
-import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.hipparchus.special.elliptic.jacobi.CopolarN;
@@ -206,11 +204,5 @@ class WorkPrecisionTest {
     void fitIsAPowerLaw() {
         assertEquals(3, PowerLaw.exponent(List.of(1, 2, 4, 8), x -> x, x -> 5 * x * x * x), 1e-12);
         assertTrue(Double.isNaN(PowerLaw.exponent(List.of(1, 2), x -> x, x -> x)));
-    }
-
-    @Test
-    void unknownProblemIsMet() {
-        String message = assertThrows(NoSuchElementException.class, () -> WorkProblems.of("keplar")).getMessage();
-        assertTrue(message.contains("did you mean 'kepler'"), message);
     }
 }
