@@ -25,8 +25,7 @@ public final class Anchors {
     /** Adds an anchor and moves it to its position at a time. */
     public void add(int particle, AnchorMotion motion, double[] state, double time) {
         anchors.add(new Anchor(particle, motion));
-        motion.at(time, values);
-        System.arraycopy(values, 0, state, STRIDE * particle, STRIDE);
+        put(time, state);
     }
 
     /** Writes the anchors' positions and velocities at a time into a state. */
