@@ -25,8 +25,18 @@ import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
 
-/** Checks a scene's springs, rods and wires: known and free ends, and initial velocities that respect them. */
-final class ConstraintChecks {
+/**
+ * Checks a scene's springs, rods and wires: known and free ends, and initial velocities that respect them.
+ *
+ * @param scene    the values in the file
+ * @param problems receives the problems
+ * @param known    the particles
+ * @param index    those without mistakes
+ * @param rods     receives the rods without mistakes
+ * @param wires    receives the wires without mistakes
+ */
+record ConstraintChecks(Values scene, Problems problems, KnownParticles known, ParticleIndex index,
+        List<RodDescription> rods, List<Chosen<WireKind>> wires) {
     /** The largest initial distance of a bead from its wire (m): positions in files have few digits. */
     private static final double ON_WIRE = 1e-3;
     /** Speeds along a rod or off a wire below this are round-off (m/s). */
@@ -36,20 +46,6 @@ final class ConstraintChecks {
     private static final double MOST_FEEDBACK = 0.5;
     /** The largest number of Newton steps; far from a wire each may only halve the distance. */
     private static final int MOST_STEPS = 100;
-
-    private final Values scene;
-    private final Problems problems;
-    private final KnownParticles known;
-    private final ParticleIndex index;
-    private final List<RodDescription> rods = new ArrayList<>();
-    private final List<Chosen<WireKind>> wires = new ArrayList<>();
-
-    ConstraintChecks(Values scene, Problems problems, KnownParticles known) {
-        this.scene = scene;
-        this.problems = problems;
-        this.known = known;
-        index = known.getIndex();
-    }
 
     /** @return the springs without mistakes of their own */
     List<SpringDescription> checkSprings() {

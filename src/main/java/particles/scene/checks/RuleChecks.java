@@ -12,21 +12,15 @@ import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
 
-/** Checks rules against the particles and springs that they name or act on. */
-final class RuleChecks {
-    private final Values scene;
-    private final List<Chosen<RuleKind>> rules;
-    private final Problems problems;
-    private final KnownParticles known;
-    private final Map<String, Place> moved = new HashMap<>();
-
-    RuleChecks(Values scene, Problems problems, KnownParticles known) {
-        this.scene = scene;
-        rules = scene.list(SceneFormat.RULES);
-        this.problems = problems;
-        this.known = known;
-    }
-
+/**
+ * Checks rules against the particles and springs that they name or act on.
+ *
+ * @param rules    the rules
+ * @param scene    the values in the file
+ * @param problems receives the problems
+ * @param known    the particles
+ */
+record RuleChecks(List<Chosen<RuleKind>> rules, Values scene, Problems problems, KnownParticles known) {
     /** @return whether a rule makes particles, so that a scene may begin without any */
     boolean giveBirth() {
         return rules.stream().anyMatch(rule -> rule.kind().alive(rule.values(), 1, 1) > 0);
@@ -55,16 +49,17 @@ final class RuleChecks {
     /** @param springs whether the scene has springs */
     void check(boolean springs) {
         checkBalls();
+        Map<String, Place> moved = new HashMap<>();
         for (Chosen<RuleKind> rule : rules) {
             rule.kind().anchor().filter(key -> known.has(rule.values(), key))
-                    .ifPresent(key -> checkAnchor(rule.values().get(key), rule.values().place(key)));
+                    .ifPresent(key -> checkAnchor(rule.values().get(key), rule.values().place(key), moved));
             if (rule.kind().needsSprings() && !springs && problems.count() == 0) {
                 problems.add(rule.place(), rule.kind().getLabel() + " acts on springs, and the scene has none");
             }
         }
     }
 
-    private void checkAnchor(String id, Place place) {
+    private void checkAnchor(String id, Place place, Map<String, Place> moved) {
         Place first = moved.putIfAbsent(id, place);
         if (first != null) {
             problems.add(place, "particle " + Wording.quote(id) + " already has a motion, at line " + first.line());

@@ -1,5 +1,6 @@
 package particles.scene.checks;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -39,18 +40,19 @@ public final class SceneChecks {
     public static Optional<SceneDescription> describe(Values scene, Problems problems) {
         KnownParticles known = new KnownParticles(scene, problems);
         ParticleIndex index = known.getIndex();
-        RuleChecks rules = new RuleChecks(scene, problems, known);
+        RuleChecks rules = new RuleChecks(scene.list(SceneFormat.RULES), scene, problems, known);
         if (index.count() == 0 && problems.count() == 0) {
             problems.add(scene.getPlace(), rules.giveBirth()
                     ? "the scene has no particle at the start, and emitters add theirs only later; add one under"
                             + " 'particles', such as {id: source, position: [0, 0, 0], fixed: true}"
                     : "the scene has no particle; add some under 'particles' or 'shapes'");
         }
-        ConstraintChecks constraints = new ConstraintChecks(scene, problems, known);
+        ConstraintChecks constraints = new ConstraintChecks(scene, problems, known, index, new ArrayList<>(),
+                new ArrayList<>());
         List<SpringDescription> springs = constraints.checkSprings();
         constraints.check();
         checkEffects(scene, problems);
-        OutsideCheck.check(scene.list(SceneFormat.RULES), index, problems);
+        OutsideCheck.check(rules.rules(), index, problems);
         rules.check(!springs.isEmpty() || index.getShapes().stream().anyMatch(shape -> shape.springCount() > 0));
         Optional<Camera> camera = scene.find(SceneFormat.CAMERA).filter(Values::isSound)
                 .flatMap(values -> CameraFormat.of(values, problems));
