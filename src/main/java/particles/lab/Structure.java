@@ -1,5 +1,6 @@
 package particles.lab;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
@@ -52,7 +53,8 @@ record Structure(String[] ids, int[] fixed, float[] births, float[] lives, Sprin
         IntStream ends = IntStream.range(0, 2 * springs.count())
                 .map(k -> k % 2 == 0 ? springs.from()[k / 2] : springs.to()[k / 2]);
         return Ordered.map("ids", List.of(ids), "fixed", fixed, "births", births, "lives", lives, "springs",
-                ends.toArray(), "restLengths", springs.restLength(), "rigid",
+                ends.toArray(), "restLengths",
+                Arrays.stream(springs.restLength()).boxed().toList(), "rigid",
                 IntStream.range(0, springs.count()).map(s -> springs.isRigid(s) ? 1 : 0).toArray());
     }
 

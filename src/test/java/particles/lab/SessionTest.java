@@ -38,6 +38,8 @@ class SessionTest {
         assertTrue(facts.contains("\"rk4\":0.2828"), facts);
         assertTrue(facts.contains("\"euler\":0.0"), facts);
         assertTrue(session.structure().contains("\"ids\":[\"wall\",\"bob\"],\"fixed\":[1,0]"), session.structure());
+        assertTrue(session.structure().endsWith("\"springs\":[0,1],\"restLengths\":[1.0],\"rigid\":[0]}"),
+                session.structure());
     }
 
     @Test
