@@ -81,7 +81,7 @@ record StepReading(Scheme scheme, double h, int steps, Probe calls, double[] bef
     static Optional<StepReading> of(Supplier<DESolver> maker, double h, double size, int steps) {
         for (boolean particles : new boolean[] {false, true}) {
             try {
-                return Optional.of(new Reader(maker, h, size, steps, particles).read());
+                return Optional.of(new Reader(maker, h, size, steps, particles, new ArrayList<>()).read());
             } catch (RuntimeException e) {
                 continue;                               // with velocities, adaptive or implicit
             }
@@ -92,10 +92,6 @@ record StepReading(Scheme scheme, double h, int steps, Probe calls, double[] bef
     /** Reads a step, of all entries alike or of positions and velocities; throws an exception if that is not all. */
     private record Reader(Supplier<DESolver> maker, double h, double size, int steps, boolean particles,
             List<Finding> findings) {
-        Reader(Supplier<DESolver> maker, double h, double size, int steps, boolean particles) {
-            this(maker, h, size, steps, particles, new ArrayList<>());
-        }
-
         private int first() {
             return particles ? 2 : 1;
         }

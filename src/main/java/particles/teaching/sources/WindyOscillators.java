@@ -11,15 +11,6 @@ import particles.teaching.EndlessLoop;
  * particle. A loose iteration, which solves a linear law in one go, shows there.
  */
 public final class WindyOscillators extends StudentSource implements SecondOrderSource {
-    /** The exception that the source throws on request. */
-    public static final class Failure extends RuntimeException {
-        private static final long serialVersionUID = 1L;
-
-        Failure() {
-            super("the source fails, as it was told to");
-        }
-    }
-
     private static final double COUPLING = 0.5;
 
     private final int bend;
@@ -96,7 +87,7 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
     protected void rates(double t, double[] s, double[] dSdt) {
         if (getEvaluations() - 1 >= failFrom) {
             failed = true;
-            throw new Failure();
+            throw new IllegalStateException("the source fails, as it was told to");
         }
         if (spoilt && getEvaluations() > endFrom) {
             throw new EndlessLoop("the derivative was evaluated " + endFrom + " times");
