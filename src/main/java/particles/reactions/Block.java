@@ -169,7 +169,7 @@ final class Block {
                 System.arraycopy(rows.gradient, 6 * row[r], gradient, 6 * r, 6);
             } else {
                 touching.update(contact(r), state, isJoined());
-                touching.putNormal(contact(r), gradient, 6 * r);
+                System.arraycopy(touching.normal, 3 * contact(r), gradient, 6 * r, 3);
             }
         }
     }

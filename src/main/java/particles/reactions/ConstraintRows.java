@@ -86,14 +86,17 @@ final class ConstraintRows {
         gradient = new double[6 * count()];
     }
 
-    /** Updates indices after particles were removed; their rods and beads are removed too. */
+    /** Updates indices after particles were removed; their rods, contacts and beads are removed too. */
     void reindex(int[] newIndex) {
         int kept = 0;
+        int begin = getRods();
+        contacts = 0;
         for (int r = 0; r < rods; r++) {
             if (newIndex[from[r]] >= 0 && newIndex[to[r]] >= 0) {
                 from[kept] = newIndex[from[r]];
                 to[kept] = newIndex[to[r]];
                 length[kept++] = length[r];
+                contacts += r < begin ? 0 : 1;
             }
         }
         rods = kept;

@@ -90,11 +90,6 @@ final class ContactRows {
         return most;
     }
 
-    /** Writes the normal of row k to three entries of an array. */
-    void putNormal(int k, double[] vectors, int place) {
-        System.arraycopy(normal, 3 * k, vectors, place, 3);
-    }
-
     /** The normal of row k times a vector of its particle, which begins at {@code place} + 6 i. */
     double times(int k, double[] vectors, int place) {
         int i = STRIDE * particle[k] + place;

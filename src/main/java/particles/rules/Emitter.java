@@ -102,9 +102,4 @@ public final class Emitter implements Rule {
         system.setLife(i, birth, birth + nozzle.lifetime());
         born++;
     }
-
-    /** @return the number of particles born so far */
-    public long getBorn() {
-        return born;
-    }
 }

@@ -427,6 +427,22 @@ class CollisionsTest {
         assertTrue(e.getMessage().startsWith("'a' and 'b' overlap by 0.05 m"), e.getMessage());
     }
 
+    /** A contact ends with the death of a ball, and rods stay rods. */
+    @Test
+    void aDeathEndsContacts() {
+        ParticleSystem system = new ParticleSystem();
+        for (int i = 0; i < 5; i++) {
+            system.addParticle("p" + i, 1, new Vector3(i, 0, 0), Vector3.ZERO, false);
+        }
+        RigidConstraints rods = new RigidConstraints(system, 0);
+        rods.addRod(0, 1, 1);
+        rods.balls().touch(1, 2, 1);
+        rods.balls().touch(3, 4, 1);
+        rods.reindex(new int[] {0, 1, 2, -1, 3});
+        assertEquals(1, rods.springCount());
+        assertEquals(1, rods.balls().end() - rods.balls().begin());
+    }
+
     /** An impact on one ball leaves its neighbour where static friction holds it on the slope. */
     @Test
     void anImpactLeavesStuckNeighboursWhereTheyAre() {

@@ -39,6 +39,27 @@ class SummaryTest {
         return new Summary("one \"spring\"", "ab12", scene, energy, 0.25);
     }
 
+    /** A ball between two others, 0.1 mm from each: at 1 m/s it hits one of them 5,000 times a second. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.1, 1})
+    void thousandsOfImpactsPerSecondAdviseSoftBalls(double speed) {
+        String warning = lines(Path.of("scenes/rattle.yaml"), """
+                title: A rattle
+                teaches: Impacts.
+                solver: rk4
+                deltaT: 0.01
+                duration: 0.05
+                particles:
+                  - {id: left, position: [-0.2001, 0, 0], fixed: true}
+                  - {id: ball, position: [0, 0, 0], velocity: [%s, 0, 0]}
+                  - {id: right, position: [0.2001, 0, 0], fixed: true}
+                effects: []
+                rules:
+                  - collisions: {radius: 0.1, restitution: 1}
+                """.formatted(speed)).stream().filter(line -> line.contains("'repulsion'")).findFirst().orElse("none");
+        assertTrue(warning.startsWith(speed < 1 ? "none" : "warning: 250 impacts"), warning);
+    }
+
     /** Euler multiplies 0.5 J by 1 + h^2 = 1.25 in its only step, and the energy scale is what it ends with. */
     @Test
     void runJsonHoldsEveryNumber() throws IOException {
