@@ -3,7 +3,6 @@ package particles.spec.messages;
 import deSolvers.text.DidYouMean;
 import java.util.Collection;
 import java.util.List;
-import java.util.Locale;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.snakeyaml.engine.v2.nodes.MappingNode;
@@ -79,8 +78,8 @@ public final class Wording {
         if (node instanceof MappingNode) {
             return "a mapping (key: value)";
         }
-        if (node instanceof SequenceNode) {
-            List<Node> items = ((SequenceNode) node).getValue();
+        if (node instanceof SequenceNode sequence) {
+            List<Node> items = sequence.getValue();
             return items.size() > 3 || !items.stream().allMatch(ScalarNode.class::isInstance) ? "a list"
                     : items.stream().map(item -> quote(((ScalarNode) item).getValue()).replace("'", ""))
                             .collect(Collectors.joining(", ", "[", "]"));
@@ -95,17 +94,9 @@ public final class Wording {
     /** Makes a text one line and writes invisible or direction-changing characters as codes such as U+200B. */
     static String oneLine(String text) {
         String plain = text.replaceAll("[\\p{Cntrl}\\u0085\\u2028\\u2029]+", " ");
-        StringBuilder line = new StringBuilder();
-        for (int i = 0, next; i < plain.length(); i = next) {
-            next = i + Character.charCount(plain.codePointAt(i));
-            String character = plain.substring(i, next);
-            line.append(INVISIBLE.matcher(character).matches() ? codePoint(plain.codePointAt(i)) : character);
-        }
-        return line.length() > LONGEST_MESSAGE ? line.substring(0, LONGEST_MESSAGE) + " ..." : line.toString();
-    }
-
-    private static String codePoint(int c) {
-        String digits = Integer.toHexString(c).toUpperCase(Locale.ROOT);
-        return "U+" + "0".repeat(Math.max(0, 4 - digits.length())) + digits;
+        String line = plain.codePoints().mapToObj(c -> new String(Character.toChars(c)))
+                .map(character -> INVISIBLE.matcher(character).matches()
+                        ? String.format("U+%04X", character.codePointAt(0)) : character).collect(Collectors.joining());
+        return line.length() > LONGEST_MESSAGE ? line.substring(0, LONGEST_MESSAGE) + " ..." : line;
     }
 }
