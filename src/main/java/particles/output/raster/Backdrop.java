@@ -50,8 +50,8 @@ public final class Backdrop {
                 .map(plane -> new Plane(plane.point().minus(plane.normal().times(inset)), plane.normal()))
                 .filter(plane -> isSeen(view, plane)).toList();
         CameraProjection lampView = ShadowMap.view(lighting, camera, view.viewHeight);
-        shadows = () -> seen.stream().anyMatch(plane -> isLit(plane, lighting))
-                ? Optional.of(new ShadowMap(lampView, lighting)) : Optional.empty();
+        List<Plane> lit = seen.stream().filter(plane -> isLit(plane, lighting)).toList();
+        shadows = () -> lit.isEmpty() ? Optional.empty() : Optional.of(new ShadowMap(lampView, lighting, lit));
         Setting setting = new Setting(view, lighting, lampView, seen, camera.target(), camera.up().normalized(),
                 new DecimalTicks().getCeilingTickUnit(view.viewHeight / LINES).getSize());
         for (int y = 0; y < view.height; y++) {
@@ -137,7 +137,7 @@ public final class Backdrop {
     }
 
     /** The depth at which a ray meets a plane's outer side; infinity if it does not. */
-    private static double depth(Plane plane, Vector3 start, Vector3 ray) {
+    static double depth(Plane plane, Vector3 start, Vector3 ray) {
         double fall = -ray.dot(plane.normal());
         return fall > 1e-6 ? plane.distance(start.x(), start.y(), start.z()) / fall : Double.POSITIVE_INFINITY;
     }

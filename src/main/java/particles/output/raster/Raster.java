@@ -57,11 +57,11 @@ public final class Raster {
         return near[SAMPLES * (y * width + x)];
     }
 
-    /** @return how many of a pixel's four samples were drawn on */
-    int covered(int x, int y) {
+    /** @return how many of a pixel's four samples were drawn on, nearer than something behind */
+    int covered(int x, int y, float behind) {
         int count = 0;
         for (int k = 0; k < 4; k++) {
-            count += near[(SAMPLES * y + k / 2) * width + SAMPLES * x + k % 2] > Float.NEGATIVE_INFINITY ? 1 : 0;
+            count += near[(SAMPLES * y + k / 2) * width + SAMPLES * x + k % 2] > behind ? 1 : 0;
         }
         return count;
     }

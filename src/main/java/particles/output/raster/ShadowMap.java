@@ -1,6 +1,8 @@
 package particles.output.raster;
 
 import java.util.Arrays;
+import java.util.List;
+import particles.law.Plane;
 import particles.view.Camera;
 
 /**
@@ -16,15 +18,28 @@ public final class ShadowMap {
     private static final int REACH = WEIGHTS.length / 2;
 
     private final RoundShapes shapes;
+    /** The nearness of the ground. */
+    private final float[] ground = new float[SIZE * SIZE];
     private final float[] coverage = new float[SIZE * SIZE];
     private final float[] work = new float[SIZE * SIZE];
     // the part of the map in which there may be shadows
     private int from;
     private int to;
 
-    /** @param view the lamp's */
-    ShadowMap(CameraProjection view, Lighting lighting) {
+    /**
+     * @param view   the lamp's
+     * @param planes those that bear the shadows; what lies below them casts none
+     */
+    ShadowMap(CameraProjection view, Lighting lighting, List<Plane> planes) {
         shapes = new RoundShapes(new Raster(SIZE, SIZE), view, lighting);
+        Arrays.fill(ground, Float.NEGATIVE_INFINITY);
+        for (Plane plane : planes) {
+            for (int p = 0; p < ground.length; p++) {
+                double depth = Backdrop.depth(plane, view.rayStart(p % SIZE + 0.5, p / SIZE + 0.5),
+                        view.rayDirection(0, 0));
+                ground[p] = Math.max(ground[p], (float) view.nearness(depth));
+            }
+        }
     }
 
     /**
@@ -57,7 +72,7 @@ public final class ShadowMap {
         to = SIZE * Math.min(SIZE - REACH, raster.endRow() + REACH) - REACH;
         for (int y = raster.firstRow(); y < raster.endRow(); y++) {
             for (int x = raster.firstColumn(); x < raster.endColumn(); x++) {
-                coverage[y * SIZE + x] = raster.covered(x, y) / 4f;
+                coverage[y * SIZE + x] = raster.covered(x, y, ground[y * SIZE + x]) / 4f;
             }
         }
         blur(coverage, work, 1);

@@ -114,6 +114,8 @@ class FrameRendererTest {
         Camera above = new Camera(new Vector3(0, 20, 20), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
         List<Plane> ground = List.of(Plane.ground(0));
         int[] empty = renderer(above, LOOK, List.of(), ground).render(state(0, -50, 0)).clone();
+        assertArrayEquals(empty, renderer(above, LOOK, List.of(), ground).render(state(0, -2, 0)),
+                "a shadow from below");
         int[] hovering = renderer(above, LOOK, List.of(), ground).render(state(0, 1, 0));
         int darker = 0;
         int green = 0;
