@@ -39,7 +39,7 @@ public abstract class RuleKind extends Kind {
     static final Key<Values> FRICTION = MappingType.of("'friction'", LAW, COEFFICIENT, STATIC, THRESHOLD)
             .optional("friction", "Friction on particles in contact with the surface; no friction if left out.");
     static final Key<Double> REST_SPEED = NumberType.notNegative("m/s").withDefault("restSpeed", 0.01,
-            "A particle that would bounce off more slowly than this stays on the surface (m/s).");
+            "A particle that would bounce off more slowly than this stays in contact (m/s).");
 
     RuleKind(String name, String sentence, Key<?>... keys) {
         super(name, sentence, keys);
