@@ -16,6 +16,7 @@ import deSolvers.problems.Steps;
 import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.Random;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -23,6 +24,10 @@ import org.junit.jupiter.api.Test;
  * FixedStepContract}, which adds the measured order.
  */
 public abstract class DESolverContract extends FailureContract {
+    /** @param maker makes a new solver */
+    protected DESolverContract(Supplier<DESolver> maker) {
+        super(maker);
+    }
 
     /** @return whether the solver takes only second-order sources */
     protected boolean needsSecondOrder() {

@@ -11,10 +11,14 @@ import deSolvers.problems.SecondOrderProblem;
 import deSolvers.problems.SpySource;
 import deSolvers.problems.Steps;
 import java.util.Arrays;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 
 /** Contract of failing steps: the exception names the reason, and the source is put back where it was. */
 public abstract class FailureContract extends ContractBasics {
+    FailureContract(Supplier<DESolver> maker) {
+        super(maker);
+    }
 
     @Test
     void deltaTMustBeFinite() {

@@ -7,8 +7,10 @@ import deSolvers.problems.Chain;
 import deSolvers.problems.Decay;
 import deSolvers.problems.LinearPair;
 import deSolvers.problems.StepMatrix;
+import deSolvers.problems.Steps;
 import deSolvers.symplectic.SymplecticEulerSolver;
 import deSolvers.symplectic.VelocityVerletSolver;
+import java.util.function.DoubleUnaryOperator;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -27,23 +29,8 @@ class StabilityLimitTest {
         return StepMatrix.of(solver, LinearPair.spring(1, 0), 1, h, 1).radius();
     }
 
-    private interface Growth {
-        double at(double h);
-    }
-
-    private static double limit(Growth growth) {
-        double low = 0.5;
-        double high = 4;
-        assertTrue(growth.at(low) <= 1 + 1e-12 && growth.at(high) > 1);
-        while (high - low > 1e-10) {
-            double mid = (low + high) / 2;
-            if (growth.at(mid) <= 1 + 1e-12) {
-                low = mid;
-            } else {
-                high = mid;
-            }
-        }
-        return low;
+    private static double limit(DoubleUnaryOperator growth) {
+        return Steps.bisect(0.5, 4, h -> growth.applyAsDouble(h) <= 1 + 1e-12);
     }
 
     @Test

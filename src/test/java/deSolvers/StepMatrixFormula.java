@@ -1,5 +1,9 @@
 package deSolvers;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+
+import deSolvers.problems.Oscillator;
+
 /**
  * The matrix of one step for x'' = -x, from a method's stability function R: with A = (0 1; -1 0), whose eigenvalues
  * are +-i, it is R(hA) = Re R(ih) I + Im R(ih) A.
@@ -30,6 +34,23 @@ public final class StepMatrixFormula {
         double re = (p[0] * q[0] + p[1] * q[1]) / norm;
         double im = (p[1] * q[0] - p[0] * q[1]) / norm;
         return new double[] {re, im, -im, re};
+    }
+
+    /** The product of two matrices. */
+    public static double[] product(double[] a, double[] b) {
+        return new double[] {a[0] * b[0] + a[1] * b[2], a[0] * b[1] + a[1] * b[3],
+            a[2] * b[0] + a[3] * b[2], a[2] * b[1] + a[3] * b[3]};
+    }
+
+    /** Asserts that a step of x'' = -x is a multiplication by a matrix. */
+    public static void assertStep(DESolver solver, double h, double[] closed) {
+        for (int column = 0; column < 2; column++) {
+            Oscillator problem = new Oscillator(1, 1 - column, column);
+            solver.reset();
+            solver.stepState(problem, h);
+            assertArrayEquals(new double[] {closed[column], closed[2 + column]}, problem.getState(), 1e-12,
+                    "column " + column + " at h = " + h);
+        }
     }
 
     /** A polynomial at z = ih, by Horner's rule: real and imaginary part. */

@@ -20,6 +20,7 @@ import deSolvers.problems.Steps;
 import deSolvers.problems.StiffPair;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Tag;
@@ -33,11 +34,20 @@ public abstract class AdaptiveContract extends DESolverContract {
      */
     private static final double LATE = 1e-7;
 
-    /** @return a new solver with these tolerances */
-    protected abstract DESolver createSolver(double relativeTolerance, double absoluteTolerance);
+    private final Maker maker;
+    private final double toleranceExponent;
 
-    /** @return the power of the tolerance with which the error at the end falls in theory */
-    protected abstract double toleranceExponent();
+    /** Makes a solver with two tolerances. */
+    public interface Maker {
+        DESolver create(double relative, double absolute);
+    }
+
+    /** @param toleranceExponent the power of the tolerance with which the error at the end falls in theory */
+    protected AdaptiveContract(Supplier<DESolver> usual, Maker maker, double toleranceExponent) {
+        super(usual);
+        this.maker = maker;
+        this.toleranceExponent = toleranceExponent;
+    }
 
     /** @return whether the method is explicit, so that stiff systems make it crawl */
     protected boolean isExplicit() {
@@ -46,7 +56,7 @@ public abstract class AdaptiveContract extends DESolverContract {
 
     private double errorAfter(ReferenceProblem problem, double duration, double tolerance) {
         problem.startAt(0);
-        createSolver(tolerance, tolerance).stepState(problem, duration);
+        maker.create(tolerance, tolerance).stepState(problem, duration);
         return problem.error();
     }
 
@@ -77,14 +87,14 @@ public abstract class AdaptiveContract extends DESolverContract {
             // 1.05,
             // 1.03, 0.93; bulirsch-stoer 1.10, 1.05, 1.02. They scatter because errors of sub-steps partly cancel.
             assertTrue(exponent > 0.7 && exponent < 1.3, problem.getClass().getSimpleName() + ": " + exponent);
-            assertEquals(toleranceExponent(), exponent, 0.15, problem.getClass().getSimpleName());
+            assertEquals(toleranceExponent, exponent, 0.15, problem.getClass().getSimpleName());
         }
     }
 
     @Test
     void smoothStretchesCostLess() {
         Kepler orbit = new Kepler(0.9);
-        DESolver solver = createSolver(1e-8, 1e-8);
+        DESolver solver = maker.create(1e-8, 1e-8);
         double quarter = Math.PI / 2;
         solver.stepState(orbit, quarter);
         long nearTheSun = orbit.getEvaluations();
@@ -119,7 +129,7 @@ public abstract class AdaptiveContract extends DESolverContract {
     @Test
     void aSourceIsToldOfEachSubStep() {
         Watched problem = new Watched();
-        createSolver(1e-6, 1e-9).stepState(problem, 20);
+        maker.create(1e-6, 1e-9).stepState(problem, 20);
         double before = 0;
         for (double[] stop : problem.stops) {
             assertTrue(stop[0] > before, stop[0] + " s after " + before + " s");
@@ -135,7 +145,7 @@ public abstract class AdaptiveContract extends DESolverContract {
     @Test
     void theNextSubStepIsRemembered() {
         DragInWind problem = new DragInWind(2, 2);
-        DESolver solver = createSolver(1e-6, 1e-6);
+        DESolver solver = maker.create(1e-6, 1e-6);
         run(solver, problem, 40, false);
         long remembered = problem.getEvaluations();
         problem.startAt(0);
@@ -157,7 +167,7 @@ public abstract class AdaptiveContract extends DESolverContract {
     @Test
     void shortStepsAreMoreAccurateThanALongOne() {
         DragInWind problem = new DragInWind(2, 2);
-        DESolver solver = createSolver(1e-6, 1e-6);
+        DESolver solver = maker.create(1e-6, 1e-6);
         Steps.make(768, solver, problem, 1.0 / 64);
         double inFrames = problem.error();
         // Measured 2e-5 (step-doubling) and less: the frames are shorter than the tolerance would allow.
@@ -167,7 +177,7 @@ public abstract class AdaptiveContract extends DESolverContract {
     @Test
     void steppingForwardsAndBackwardsReturnsToTheStart() {
         DragInWind problem = new DragInWind(2, 2);
-        DESolver solver = createSolver(1e-9, 1e-9);
+        DESolver solver = maker.create(1e-9, 1e-9);
         solver.stepState(problem, 3);
         solver.stepState(problem, -3);
         // Measured 0.9e-9 to 2.7e-9.
@@ -180,11 +190,11 @@ public abstract class AdaptiveContract extends DESolverContract {
             {Double.POSITIVE_INFINITY, 1e-6}, {1e-6, Double.POSITIVE_INFINITY}, {0.0011, 1e-6}, {0.1, 1e-6}};
         for (double[] pair : bad) {
             Steps.assertFails(IllegalArgumentException.class, "relativeTolerance " + pair[0],
-                    () -> createSolver(pair[0], pair[1]));
+                    () -> maker.create(pair[0], pair[1]));
         }
         for (double[] pair : new double[][] {{1e-6, 0}, {0, 1e-6}}) {
             GrowthInSeason problem = new GrowthInSeason();
-            createSolver(pair[0], pair[1]).stepState(problem, 1);
+            maker.create(pair[0], pair[1]).stepState(problem, 1);
             // Measured up to 2.4e-6 (step-doubling).
             assertTrue(problem.error() < 1e-5, "error " + problem.error());
         }
@@ -193,7 +203,7 @@ public abstract class AdaptiveContract extends DESolverContract {
     @Test
     void aPoleIsAnExceptionAndTheSourceIsPutBack() {
         Pole problem = new Pole();
-        DESolver solver = createSolver(1e-6, 1e-9);
+        DESolver solver = maker.create(1e-6, 1e-9);
         DESolverException e = assertThrows(DESolverException.class, () -> solver.stepState(problem, 2));
         assertEquals(0, problem.error());
         assertEquals(0, problem.getTime());
@@ -210,7 +220,7 @@ public abstract class AdaptiveContract extends DESolverContract {
     private double errorFrom(double t, double omega, double deltaT) {
         Oscillator problem = new Oscillator(omega, 1, 0);
         problem.incTime(t);
-        DESolver solver = createSolver(1e-6, 1e-9);
+        DESolver solver = maker.create(1e-6, 1e-9);
         Steps.make(60, solver, problem, deltaT);
         double angle = omega * 60 * deltaT;
         return Math.max(Math.abs(problem.getState()[0] - StrictMath.cos(angle)),
@@ -232,14 +242,14 @@ public abstract class AdaptiveContract extends DESolverContract {
         Oscillator problem = new Oscillator(1e5, 1, 0);
         problem.incTime(1e12);
         Steps.assertFails(DESolverException.class, "the resolution of the clock is 4.8828125E-4 s",
-                () -> createSolver(1e-6, 1e-9).stepState(problem, 0.01));
+                () -> maker.create(1e-6, 1e-9).stepState(problem, 0.01));
     }
 
     @Tag("slow")
     @Test
     void atLeast300000SubStepsAreAllowedAndNoEndIsAnException() {
         Oscillator problem = new Oscillator();
-        DESolver solver = createSolver(1e-6, 1e-6);
+        DESolver solver = maker.create(1e-6, 1e-6);
         DESolverException e = assertThrows(DESolverException.class, () -> solver.stepState(problem, 1e9));
         assertEquals(0, problem.error());
         assertEquals(0, problem.getTime());
@@ -254,7 +264,7 @@ public abstract class AdaptiveContract extends DESolverContract {
     void hugeAndTinyValuesAreSteppedLikeOthers() {
         for (double size : new double[] {1e150, 1, 1e-150, 1e-300}) {
             Oscillator problem = new Oscillator(1, size, 0);
-            createSolver(1e-6, 1e-6 * size).stepState(problem, 10);
+            maker.create(1e-6, 1e-6 * size).stepState(problem, 10);
             // Measured 3.0e-5 (step-doubling) and less, the same for every size.
             assertTrue(problem.error() < 1e-4 * size, size + ": relative error " + problem.error() / size);
         }
@@ -264,7 +274,7 @@ public abstract class AdaptiveContract extends DESolverContract {
     private double fastAmplitude(double tolerance) {
         double omega = 300;
         ReferenceProblem problem = new SlowAndFastSpring(omega, 0);
-        DESolver solver = createSolver(tolerance, 1e-3 * tolerance);
+        DESolver solver = maker.create(tolerance, 1e-3 * tolerance);
         Steps.make(600, solver, problem, 1.0 / 60);
         return Math.hypot(problem.getState()[2], problem.getState()[3] / omega) / 0.5;
     }
@@ -292,7 +302,7 @@ public abstract class AdaptiveContract extends DESolverContract {
     @Test
     void aStiffPairTakesManySubStepsButDoesNotBlowUp() {
         ReferenceProblem problem = new StiffPair();
-        createSolver(1e-6, 1e-9).stepState(problem, 2);
+        maker.create(1e-6, 1e-9).stepState(problem, 2);
         // Measured 4.0e-7 (bulirsch-stoer) and less, with 4370 (dormand-prince) to 13051 (bulirsch-stoer) evaluations.
         assertTrue(problem.error() < 1e-6, "error " + problem.error());
         // An explicit method needs about 1000 h / 3 of sub-steps, however smooth the solution is.

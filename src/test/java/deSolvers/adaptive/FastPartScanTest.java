@@ -3,6 +3,7 @@ package deSolvers.adaptive;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
+import deSolvers.adaptive.AdaptiveContract.Maker;
 import deSolvers.extrapolation.BulirschStoerSolver;
 import deSolvers.problems.Decay;
 import deSolvers.problems.ReferenceProblem;
@@ -22,11 +23,6 @@ import org.junit.jupiter.params.provider.MethodSource;
  */
 class FastPartScanTest {
     private static final double[][] TOLERANCES = {{1e-6, 1e-9}, {1e-3, 1e-6}};
-
-    /** Makes a solver for two tolerances. */
-    private interface Maker {
-        DESolver create(double relative, double absolute);
-    }
 
     private static Arguments solver(String name, double decay, double spring, double pair, Maker maker) {
         return Arguments.of(name, decay, spring, pair, maker);

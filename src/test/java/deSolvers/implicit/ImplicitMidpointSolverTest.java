@@ -1,6 +1,5 @@
 package deSolvers.implicit;
 
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
@@ -15,19 +14,9 @@ import deSolvers.symplectic.EnergyKeeping;
 import org.junit.jupiter.api.Test;
 
 class ImplicitMidpointSolverTest extends FixedStepContract {
-    @Override
-    protected DESolver createSolver() {
-        return new ImplicitMidpointSolver();
-    }
-
-    @Override
-    protected int order() {
-        return 2;
-    }
-
-    @Override
-    protected double[] oscillatorStep(double h) {
-        return StepMatrixFormula.rational(h, new double[] {1, 0.5}, new double[] {1, -0.5});
+    ImplicitMidpointSolverTest() {
+        super(ImplicitMidpointSolver::new, 2,
+                h -> StepMatrixFormula.rational(h, new double[] {1, 0.5}, new double[] {1, -0.5}));
     }
 
     /**
@@ -36,7 +25,6 @@ class ImplicitMidpointSolverTest extends FixedStepContract {
     @Test
     void theEnergyOfALinearSpringIsKeptFor100000Periods() {
         EnergyKeeping.check(createSolver(), 2, 0);
-        assertThrows(AssertionError.class, () -> EnergyKeeping.check(new BackwardEulerSolver(), 2, 0.5));
     }
 
     @Test

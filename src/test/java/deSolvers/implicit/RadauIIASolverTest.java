@@ -12,20 +12,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class RadauIIASolverTest extends AdaptiveContract {
-    @Override
-    protected DESolver createSolver() {
-        return new RadauIIASolver();
-    }
-
-    @Override
-    protected DESolver createSolver(double relativeTolerance, double absoluteTolerance) {
-        return new RadauIIASolver(relativeTolerance, absoluteTolerance);
-    }
-
     /** The estimate of order 3 makes h fall with tolerance^(1/4), the error of order 5 with h^5. */
-    @Override
-    protected double toleranceExponent() {
-        return 1.25;
+    RadauIIASolverTest() {
+        super(RadauIIASolver::new, RadauIIASolver::new, 1.25);
     }
 
     @Override
@@ -60,7 +49,7 @@ class RadauIIASolverTest extends AdaptiveContract {
                 dSdt[1] = 1 - s[0];
             }
         };
-        DESolver solver = createSolver(relative, absolute);
+        DESolver solver = new RadauIIASolver(relative, absolute);
         Steps.make(4, solver, pulled, 0.5);
         // Both columns as measured. When sizes were those of the beginning alone, the first failed and the second took
         // 6980.

@@ -19,15 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class SmallUnknownsTest {
     /** m = s + g f(m) for a falling f, by bisection. */
     private static double root(double s, double g, DoubleUnaryOperator f, double low, double high) {
-        for (int i = 0; i < 200; i++) {
-            double middle = (low + high) / 2;
-            if (s + g * f.applyAsDouble(middle) > middle) {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        return (low + high) / 2;
+        return Steps.bisect(low, high, middle -> s + g * f.applyAsDouble(middle) > middle);
     }
 
     /** y' = -1e6 y^3/y0^2 beside a constant: judged by a part of the constant, 80 % off at 1e8, and unmoved at 1e12. */

@@ -18,26 +18,16 @@ import org.junit.jupiter.api.Test;
 class AdamsBashforthMoultonSolverTest extends FixedStepContract {
     private static final double H = 0.0625;
 
-    @Override
-    protected DESolver createSolver() {
-        return new AdamsBashforthMoultonSolver();
-    }
-
-    @Override
-    protected int order() {
-        return 4;
+    /** The first step after a restart is RK4. */
+    AdamsBashforthMoultonSolverTest() {
+        super(AdamsBashforthMoultonSolver::new, 4,
+                h -> StepMatrixFormula.polynomial(h, 1, 1, 1.0 / 2, 1.0 / 6, 1.0 / 24));
     }
 
     /** Its higher error terms are larger than those of a one-step method: 4.065 between 100 and 200 steps. */
     @Override
     protected int[] orderSteps() {
         return new int[] {300, 600};
-    }
-
-    /** The first step after a restart is RK4. */
-    @Override
-    protected double[] oscillatorStep(double h) {
-        return StepMatrixFormula.polynomial(h, 1, 1, 1.0 / 2, 1.0 / 6, 1.0 / 24);
     }
 
     private static long evaluationsOf(DESolver solver, ReferenceProblem problem, int steps) {
@@ -184,17 +174,10 @@ class AdamsBashforthMoultonSolverTest extends FixedStepContract {
     @Test
     void theLimitOnTheRealAxisMatchesTheory() {
         ReferenceProblem decay = new Decay(1);
-        double low = 1;
-        double high = 2;
-        while (high - low > 1e-4) {
-            double mid = (low + high) / 2;
+        double limit = Steps.bisect(1, 2, h -> {
             decay.startAt(0);
-            if (growth(decay, mid, 200, 1200) < 1) {
-                low = mid;
-            } else {
-                high = mid;
-            }
-        }
-        assertEquals(1.28, low, 0.01);
+            return growth(decay, h, 200, 1200) < 1;
+        });
+        assertEquals(1.28, limit, 0.01);
     }
 }

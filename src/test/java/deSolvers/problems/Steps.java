@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;
+import java.util.function.DoublePredicate;
 import org.junit.jupiter.api.function.Executable;
 
 /** Steps that tests make, and those that have to fail. */
@@ -17,6 +18,21 @@ public final class Steps {
         for (int k = 0; k < count; k++) {
             solver.stepState(source, deltaT);
         }
+    }
+
+    /** Returns, by bisection, the largest number between two at which something holds that holds at all below it. */
+    public static double bisect(double least, double most, DoublePredicate holds) {
+        double low = least;
+        double high = most;
+        for (int k = 0; k < 60; k++) {
+            double middle = (low + high) / 2;
+            if (holds.test(middle)) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        return low;
     }
 
     /** Requires an exception whose message has a part, and returns it. */

@@ -5,14 +5,31 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import deSolvers.DESolver;
 import deSolvers.DESolverException;
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.problems.ForcedOscillator;
 import deSolvers.problems.SecondOrderProblem;
 import deSolvers.problems.SpySource;
 import deSolvers.problems.Steps;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** What steps of leapfrogs remember, and where they look for what is not finite. */
 class LeapfrogTest {
     private static final double H = 0.5;
+
+    /** One of the ten steps' first accelerations is new, and after a reset one more. */
+    @ParameterizedTest
+    @CsvSource({"verlet, 11, 13", "yoshida4, 31, 35"})
+    void theLastAccelerationIsTheNextStepsFirst(String name, int afterTen, int afterReset) {
+        ForcedOscillator problem = new ForcedOscillator();
+        DESolver solver = SolverCatalog.create(name);
+        Steps.make(10, solver, problem, 0.125);
+        assertEquals(afterTen, problem.getEvaluations());
+        solver.reset();
+        solver.stepState(problem, 0.125);
+        assertEquals(afterReset, problem.getEvaluations());
+    }
 
     /** Any number of particles on a line, all with the acceleration -1. */
     private static final class Falling extends SecondOrderProblem {
