@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.Oscillator;
-import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -19,10 +18,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 @Tag("hard")
 class ExtremeNumbersTest {
     private static final double H = 1.0 / 16;
-
-    static List<String> solvers() {
-        return SolverCatalog.names();
-    }
 
     private static double[] end(String solver, double scale) {
         Oscillator problem = new Oscillator(1, scale, 0);
@@ -44,7 +39,7 @@ class ExtremeNumbersTest {
      * less; measured 1.3e-7.
      */
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void theMotionIsTheSameInAnyUnits(String solver) {
         boolean adaptive = SolverCatalog.info(solver).adaptive();
         for (double scale : new double[] {1e-300, 1e150, 1e300}) {
@@ -55,7 +50,7 @@ class ExtremeNumbersTest {
 
     /** A state of 0 stays 0. */
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void aStateOfZeroStaysZero(String solver) {
         double[] end = end(solver, 0);
         assertEquals(0, end[0]);
@@ -64,7 +59,7 @@ class ExtremeNumbersTest {
 
     /** A step of 1e-300 s moves the clock from 0 and, with a speed of 1e300, the particle. */
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void aTinyStepWithAHugeSpeedMovesTheParticle(String solver) {
         Oscillator problem = new Oscillator(1, 0, 1e300);
         DESolver made = SolverCatalog.create(solver);
@@ -76,7 +71,7 @@ class ExtremeNumbersTest {
 
     /** Overflow within a step is a clear failure, not a state of infinities. */
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void overflowIsReported(String solver) {
         Oscillator problem = new Oscillator(1e10, 1e300, 0);
         HardRun run = HardRun.of(solver, problem, H, 1);

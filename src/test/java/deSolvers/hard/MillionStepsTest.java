@@ -6,7 +6,6 @@ import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.Oscillator;
 import deSolvers.problems.Steps;
-import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -19,10 +18,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 class MillionStepsTest {
     private static final int STEPS = 1_000_000;
 
-    static List<String> solvers() {
-        return SolverCatalog.names();
-    }
-
     private static double timeAfter(DESolver solver, double deltaT) {
         Oscillator still = new Oscillator(1, 0, 0);
         Steps.make(STEPS, solver, still, deltaT);
@@ -32,7 +27,7 @@ class MillionStepsTest {
 
     /** A dyadic deltaT is exact for ever. */
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void theClockIsExactForADyadicStep(String solver) {
         assertEquals(15625.0, timeAfter(SolverCatalog.create(solver), 1.0 / 64));
     }
@@ -41,7 +36,7 @@ class MillionStepsTest {
      * 0.1 is not dyadic: the clock is bit for bit the floating-point sum of a million 0.1, which is 1.3e-6 too large.
      */
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void theClockIsTheRoundedSumForAnyOtherStep(String solver) {
         double sum = 0;
         for (int i = 0; i < STEPS; i++) {

@@ -78,10 +78,6 @@ class EverySolverOnEverySceneTest {
         }
     }
 
-    private static List<String> solvers() {
-        return SolverCatalog.names();
-    }
-
     private static Map<String, SceneDescription> scenes() {
         Map<String, SceneDescription> scenes = new TreeMap<>();
         for (Path file : SceneFiles.list(Path.of("scenes"))) {
@@ -101,7 +97,7 @@ class EverySolverOnEverySceneTest {
     }
 
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void eachRunWorksOrSaysWhatDoes(String solver) {
         List<String> stopped = new ArrayList<>();
         List<String> wrong = new ArrayList<>();

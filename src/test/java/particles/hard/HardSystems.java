@@ -1,7 +1,9 @@
 package particles.hard;
 
-import deSolvers.DESolverException;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
 import deSolvers.catalog.SolverCatalog;
+import deSolvers.problems.Steps;
 import particles.EnergyLimit;
 import particles.ParticleSystem;
 import particles.Simulation;
@@ -18,18 +20,6 @@ final class HardSystems {
     private HardSystems() {
     }
 
-    /**
-     * The end of a run.
-     *
-     * @param ended   the time until which it ran (s)
-     * @param message why it stopped before its end; empty if it did not
-     */
-    record End(double ended, String message) {
-        boolean failed() {
-            return !message.isEmpty();
-        }
-    }
-
     /** @return a particle at a place, at rest */
     static int add(ParticleSystem system, String id, double mass, double x, double y, boolean fixed) {
         return system.addParticle(id, mass, new Vector3(x, y, 0), Vector3.ZERO, fixed);
@@ -42,20 +32,18 @@ final class HardSystems {
         return springs;
     }
 
-    /** Runs with a solver of the catalogue until its end or until the kinetic energy passes the limit. */
-    static End run(ParticleSystem system, String solver, double deltaT, double duration, double energyLimit) {
+    /** @return a run that fails if the kinetic energy passes the limit */
+    static Simulation simulation(ParticleSystem system, String solver, double deltaT, double duration,
+            double energyLimit) {
         Simulation simulation = new Simulation(system, () -> SolverCatalog.create(solver), deltaT, duration);
         simulation.addRule(new EnergyLimit(energyLimit));
-        return run(simulation);
+        return simulation;
     }
 
-    static End run(Simulation simulation) {
-        try {
-            simulation.run();
-            return new End(simulation.getSystem().getTime(), "");
-        } catch (SimulationException | DESolverException e) {
-            return new End(simulation.getSystem().getTime(), e.getMessage());
-        }
+    /** Requires that a run fails before a time (s), with a message that has a part. */
+    static void assertFailsBefore(double time, String part, Simulation run) {
+        SimulationException e = Steps.assertFails(SimulationException.class, part, run::run);
+        assertTrue(e.getTime() < time, e.getMessage() + " at " + e.getTime() + " s");
     }
 
     /** @return a scene from its text, with another solver, step and duration */

@@ -1,13 +1,11 @@
 package particles.hard;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static particles.hard.HardSystems.add;
-import static particles.hard.HardSystems.run;
+import static particles.hard.HardSystems.simulation;
 import static particles.hard.HardSystems.springs;
 
 import deSolvers.catalog.SolverCatalog;
-import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -24,10 +22,6 @@ import particles.law.Vector3;
 class InvertedPendulumTest {
     private static final double G = 8;
 
-    static List<String> solvers() {
-        return SolverCatalog.names();
-    }
-
     private static ParticleSystem standing(double aside) {
         ParticleSystem system = new ParticleSystem();
         add(system, "pivot", 1, 0, 0, true);
@@ -39,10 +33,10 @@ class InvertedPendulumTest {
 
     /** A minute is 170 e-folds: without any round-off the balance is kept bit for bit. */
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void theExactBalanceIsKeptForEver(String solver) {
         ParticleSystem system = standing(0);
-        assertFalse(run(system, solver, 1.0 / 128, 60, 1e9).failed());
+        simulation(system, solver, 1.0 / 128, 60, 1e9).run();
         double[] s = system.getOwnState();
         for (int k = 6; k < 12; k++) {
             assertEquals(k == 7 ? 1.0 : 0.0, s[k], "entry " + k);
@@ -57,7 +51,7 @@ class InvertedPendulumTest {
         "euler, 0.2", "backward-euler, 0.25"})
     void aSmallDisplacementGrowsExponentially(String solver, double relative) {
         ParticleSystem system = standing(0x1p-30);
-        assertFalse(run(system, solver, 1.0 / 128, 6, 1e9).failed());
+        simulation(system, solver, 1.0 / 128, 6, 1e9).run();
         double grown = 0x1p-30 * StrictMath.cosh(6 * Math.sqrt(G));
         assertEquals(grown, system.getOwnState()[6], relative * grown);
     }

@@ -1,13 +1,11 @@
 package particles.hard;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static particles.hard.HardSystems.run;
+import static particles.hard.HardSystems.simulation;
 import static particles.hard.HardSystems.springs;
 
 import deSolvers.catalog.SolverCatalog;
-import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -22,10 +20,6 @@ import particles.law.Vector3;
  */
 @Tag("hard")
 class ZeroLengthTest {
-
-    static List<String> solvers() {
-        return SolverCatalog.names();
-    }
 
     private static ParticleSystem pair(double x, double speed) {
         ParticleSystem system = new ParticleSystem();
@@ -43,7 +37,7 @@ class ZeroLengthTest {
     void particlesPassThroughZeroLength(String solver, double energy) {
         ParticleSystem system = pair(0.5, 4);
         double start = system.getEnergy(system.getOwnState(), 0);
-        assertFalse(run(system, solver, 1.0 / 128, 10, 1e3 * start).failed());
+        simulation(system, solver, 1.0 / 128, 10, 1e3 * start).run();
         double[] s = system.getOwnState();
         assertEquals(energy, system.getEnergy(s, 10) / start, 2e-3);
         assertEquals(0, s[1]);
@@ -53,19 +47,19 @@ class ZeroLengthTest {
 
     /** With 4 J against 5 J of compression they cannot pass; the particles turn back at length 0.106. */
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void particlesTurnBackBeforeZeroLength(String solver) {
         ParticleSystem system = pair(0.5, 2);
-        assertFalse(run(system, solver, 1.0 / 512, 1, 1e3).failed());
+        simulation(system, solver, 1.0 / 512, 1, 1e3).run();
         assertTrue(system.getOwnState()[6] > 0, "never through: x = " + system.getOwnState()[6]);
     }
 
     /** At length 0 the spring has no direction: the unstable equilibrium is kept exactly, without a division by 0. */
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void atRestAtZeroLengthNothingMoves(String solver) {
         ParticleSystem system = pair(0, 0);
-        assertFalse(run(system, solver, 1.0 / 64, 5, 1e3).failed());
+        simulation(system, solver, 1.0 / 64, 5, 1e3).run();
         for (int k = 0; k < system.getStateSize(); k++) {
             assertEquals(0, Math.abs(system.getOwnState()[k]));
         }
