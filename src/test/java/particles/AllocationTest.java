@@ -19,7 +19,6 @@ import particles.effects.Penalty;
 import particles.effects.PointAttraction;
 import particles.effects.QuadraticDrag;
 import particles.effects.Wind;
-import particles.effects.springs.SpringForce;
 import particles.law.Particles;
 import particles.law.Plane;
 import particles.law.Sphere;
@@ -72,15 +71,6 @@ class AllocationTest {
     @ParameterizedTest
     @MethodSource("fixedStepSolvers")
     void aStepOfAChainAllocatesNothing(String solver) {
-        ParticleSystem chain = new ParticleSystem();
-        SpringForce springs = new SpringForce(chain.getParticles());
-        for (int i = 0; i < 20; i++) {
-            chain.addParticle("p" + i, 1, new Vector3(i, 0, 0), Vector3.ZERO, i == 0);
-        }
-        for (int i = 0; i < 19; i++) {
-            springs.addSpring(i, i + 1, 100, 1, 0);
-        }
-        chain.addEffect(springs);
-        assertNothing(allocatedIn(SolverCatalog.create(solver), chain, 1.0 / 256));
+        assertNothing(allocatedIn(SolverCatalog.create(solver), Cloth.chain(20, 1, 1, 100, 0), 1.0 / 256));
     }
 }

@@ -4,7 +4,7 @@ import particles.effects.Gravity;
 import particles.effects.springs.SpringForce;
 import particles.law.Vector3;
 
-/** Square cloths of 10 g particles for tests. */
+/** Square cloths and chains for tests. */
 public final class Cloth {
     /**
      * Offsets of each particle's springs: to its neighbours, across the squares, and to the next but one against
@@ -58,6 +58,21 @@ public final class Cloth {
                     new Vector3(1 + 0.05 * (i % 5), 2, 0.05 * (i % 3)), false);
         }
         addSprings(system, n, 0.05, stiffness, 0.01);
+        return system;
+    }
+
+    /** A chain along the x axis that begins to fall from its first particle, on springs of the given spacing. */
+    static ParticleSystem chain(int n, double mass, double spacing, double stiffness, double damping) {
+        ParticleSystem system = new ParticleSystem();
+        SpringForce springs = new SpringForce(system.getParticles());
+        for (int i = 0; i < n; i++) {
+            system.addParticle("link" + i, mass, new Vector3(spacing * i, 0, 0), Vector3.ZERO, i == 0);
+            if (i > 0) {
+                springs.addSpring(i - 1, i, stiffness, spacing, damping);
+            }
+        }
+        system.addEffect(new Gravity(system.getParticles(), Systems.GRAVITY));
+        system.addEffect(springs);
         return system;
     }
 

@@ -3,10 +3,7 @@ package particles;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static particles.Systems.GRAVITY;
 
-import deSolvers.DESolver;
-import deSolvers.EulerSolver;
 import deSolvers.RK4Solver;
 import deSolvers.catalog.SolverCatalog;
 import java.nio.file.Path;
@@ -16,7 +13,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.effects.Gravity;
 import particles.energy.EnergyRecorder;
 import particles.law.Plane;
 import particles.law.Reaction;
@@ -36,25 +32,22 @@ import particles.scene.ShortRun;
 class ConstraintViolationTest {
 
     /** A pendulum of 1 m from 90 degrees, without feedback. */
-    private static Simulation pendulum(DESolver solver, double deltaT) {
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("nail", 1, Vector3.ZERO, Vector3.ZERO, true);
-        system.addParticle("bob", 1, new Vector3(1, 0, 0), Vector3.ZERO, false);
-        system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-        RigidConstraints rods = new RigidConstraints(system, 0);
-        rods.addRod(0, 1, 1);
-        system.addReaction(rods);
-        return new Simulation(system, () -> solver, deltaT, 2);
+    private static Simulation pendulum(String solver, double deltaT) {
+        return new ShortRun(solver + " clamp " + deltaT + " 2", """
+                particles: [{id: nail, position: [0, 0, 0], fixed: true}, {id: bob, position: [1, 0, 0]}]
+                rods: [{from: nail, to: bob}]
+                constraints: {feedback: 0}
+                """).getScene().simulation();
     }
 
     /** Euler's step along the tangent lengthens the rod by a fifth within 2 s; rk4's by 3e-10 of it. */
     @Test
     void aRodThatIsATenthTooLongEndsTheRun() {
         String message = assertThrows(SimulationException.class,
-                () -> pendulum(new EulerSolver(), 0.02).run()).getMessage();
+                () -> pendulum("euler", 0.02).run()).getMessage();
         assertTrue(message.matches("the rod from 'nail' to 'bob' is 0[.]1[0-9]* m too long at t = [01][.][0-9]+ s: the"
                 + " motion is wrong"), message);
-        Simulation good = pendulum(new RK4Solver(), 0.002);
+        Simulation good = pendulum("rk4", 0.002);
         good.run();
         assertEquals(0, good.getViolation().part(), 1e-8);
     }

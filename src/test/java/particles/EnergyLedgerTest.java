@@ -25,14 +25,6 @@ import particles.scene.ShortRun;
 /** Tests the ledger's work against closed forms, and its numerical error against the orders of the solvers. */
 class EnergyLedgerTest {
 
-    private static EnergyLedger run(ParticleSystem system, DESolver solver, double deltaT, double duration) {
-        EnergyLedger ledger = new EnergyLedger();
-        Simulation simulation = new Simulation(system, () -> solver, deltaT, duration);
-        simulation.addObserver(ledger);
-        simulation.run();
-        return ledger;
-    }
-
     /** x'' = -x in three dimensions: a spring of rest length 0. */
     private static final String OSCILLATOR = """
             particles: [{id: block, position: [1, 0, 0]}, {id: wall, position: [0, 0, 0], fixed: true}]
@@ -70,7 +62,7 @@ class EnergyLedgerTest {
             system.addParticle("nail", 1, new Vector3(0, 1, 0), Vector3.ZERO, true);
             system.moveAnchor(1, (time, values) -> values[3] = 1);
             system.addEffect(undeclared(system, stores));
-            EnergyLedger ledger = run(system, solver, 0.125, 2);
+            EnergyLedger ledger = Systems.ledger(system, solver, 0.125, 2);
             boolean exact = solver instanceof RK4Solver;
             // Euler's path is shorter by g h t/2
             assertEquals(stores ? 0 : exact ? 10 : 10 - 5 * 0.125 * 2 / 2, ledger.getWork().get("push"), 1e-12);
@@ -230,7 +222,7 @@ class EnergyLedgerTest {
         ParticleSystem system = Systems.oneParticle(Vector3.ZERO, new Vector3(1, 0, 0));
         double m = system.getParticles().mass(0);
         system.addEffect(new LinearDrag(system.getParticles(), m, Wind.STILL));
-        EnergyLedger ledger = run(system, new DESolver() {
+        EnergyLedger ledger = Systems.ledger(system, new DESolver() {
             @Override
             public void stepState(DEStateSource source, double deltaT) {        // in one step, and exactly
                 double[] decayed = new double[6];

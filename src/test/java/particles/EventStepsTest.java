@@ -8,6 +8,7 @@ import deSolvers.DESolver;
 import deSolvers.DEStateSource;
 import deSolvers.EulerSolver;
 import java.util.List;
+import java.util.function.IntToDoubleFunction;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import particles.law.Vector3;
@@ -15,12 +16,15 @@ import particles.law.Vector3;
 /** Steps with very many events: those that end are made, and those that would not are given up early. */
 class EventStepsTest {
     /** Events at times that a sequence gives. */
-    private abstract static class Sequence implements EventRule {
+    private static class Sequence implements EventRule {
+        private final IntToDoubleFunction gap;
         private double next;
         private int events;
 
-        /** The time from event number n to the next (s); infinite after the last. */
-        abstract double gap(int n);
+        /** @param gap the time from event number n to the next (s); infinite after the last */
+        Sequence(IntToDoubleFunction gap) {
+            this.gap = gap;
+        }
 
         @Override
         public String getName() {
@@ -29,7 +33,7 @@ class EventStepsTest {
 
         @Override
         public void start(ParticleSystem system) {
-            next = gap(0);
+            next = gap.applyAsDouble(0);
         }
 
         @Override
@@ -56,7 +60,7 @@ class EventStepsTest {
                 @Override
                 public void act(ParticleSystem system) {
                     events++;
-                    next += gap(events);
+                    next += gap.applyAsDouble(events);
                 }
             });
         }
@@ -67,8 +71,7 @@ class EventStepsTest {
     }
 
     private static ParticleSystem run(Sequence sequence, Supplier<DESolver> solver) {
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("a", 1, Vector3.ZERO, new Vector3(1, 0, 0), false);
+        ParticleSystem system = Systems.oneParticle(Vector3.ZERO, new Vector3(1, 0, 0));
         Simulation simulation = new Simulation(system, solver, 0.1, 0.2);
         simulation.addRule(sequence);
         simulation.run();
@@ -78,12 +81,7 @@ class EventStepsTest {
     /** Twice 105 events for one particle, where 100,000 are allowed. */
     @Test
     void eventsThatGoOnAsTheyDidAreGivenUpSoon() {
-        Sequence sequence = new Sequence() {
-            @Override
-            double gap(int n) {
-                return 1e-8;
-            }
-        };
+        Sequence sequence = new Sequence(n -> 1e-8);
         SimulationException e = assertThrows(SimulationException.class, () -> run(sequence));
         assertEquals(210, sequence.events);
         assertEquals(210e-8, e.getTime(), 1e-12);
@@ -94,12 +92,7 @@ class EventStepsTest {
     /** The bounces of a ball with restitution 0.998 take 0.05 s; the last ones are 1e-11 s apart. */
     @Test
     void everSmallerBouncesAreAllMade() {
-        Sequence sequence = new Sequence() {
-            @Override
-            double gap(int n) {
-                return n < 8_000 ? 1e-4 * StrictMath.pow(0.998, n) : Double.POSITIVE_INFINITY;
-            }
-        };
+        Sequence sequence = new Sequence(n -> n < 8_000 ? 1e-4 * StrictMath.pow(0.998, n) : Double.POSITIVE_INFINITY);
         assertEquals(0.2, run(sequence).getOwnState()[0], 1e-12);
         assertEquals(8_000, sequence.events);
     }
@@ -107,12 +100,7 @@ class EventStepsTest {
     /** At regular times, one step of 0.1 s may have 50 times 105 events; here it has 4,545. */
     @Test
     void regularEventsThatTheStepHoldsAreMade() {
-        Sequence sequence = new Sequence() {
-            @Override
-            double gap(int n) {
-                return 2.2e-5;
-            }
-        };
+        Sequence sequence = new Sequence(n -> 2.2e-5);
         assertEquals(0.2, run(sequence).getTime(), 1e-15);
         assertTrue(sequence.events == 9_090, sequence.events + " events");
     }
@@ -135,12 +123,8 @@ class EventStepsTest {
         private final boolean near;
 
         Turns(boolean near) {
+            super(n -> 0.01);
             this.near = near;
-        }
-
-        @Override
-        double gap(int n) {
-            return 0.01;
         }
 
         @Override

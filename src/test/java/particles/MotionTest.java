@@ -8,7 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import particles.law.Vector3;
 import particles.scene.ShortRun;
 
 /** A motion and its pieces, the sub-steps of adaptive solvers. */
@@ -74,10 +73,7 @@ class MotionTest {
     /** 600,000 numbers a state: two fit. Of a thousand, the one at 512 is left. */
     @Test
     void ofVeryManySubStepsSomeAreKept() {
-        ParticleSystem system = new ParticleSystem();
-        for (int i = 0; i < 100_000; i++) {
-            system.addParticle("p", 1, Vector3.ZERO, Vector3.ZERO, false);
-        }
+        ParticleSystem system = Systems.row(100_000);
         Motion motion = new Motion();
         motion.begin(system);
         double[] state = new double[system.getStateSize()];

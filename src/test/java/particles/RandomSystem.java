@@ -109,6 +109,6 @@ record RandomSystem(List<Ball> balls, List<Spring> springs) {
     /** The state after some steps. */
     static double[] run(ParticleSystem system, DESolver solver, double deltaT, int steps) {
         Steps.make(steps, solver, system, deltaT);
-        return system.getOwnState().clone();
+        return system.getStateArray().clone();
     }
 }

@@ -2,6 +2,8 @@ package particles;
 
 import deSolvers.DESolver;
 import deSolvers.RK4Solver;
+import java.util.List;
+import particles.energy.EnergyLedger;
 import particles.law.Vector3;
 
 /** Small systems and runs shared by several tests. */
@@ -17,6 +19,26 @@ public final class Systems {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("p", 1, position, velocity, false);
         return system;
+    }
+
+    /** @return free particles of 1 kg at rest, 1 m apart on the x axis */
+    public static ParticleSystem row(int count) {
+        ParticleSystem system = new ParticleSystem();
+        for (int i = 0; i < count; i++) {
+            system.addParticle("p" + i, 1, new Vector3(i, 0, 0), Vector3.ZERO, false);
+        }
+        return system;
+    }
+
+    /** Runs to the end without an energy limit; returns the energies booked. */
+    public static EnergyLedger ledger(ParticleSystem system, DESolver solver, double deltaT, double duration,
+            Rule... rules) {
+        EnergyLedger ledger = new EnergyLedger();
+        Simulation simulation = new Simulation(system, () -> solver, deltaT, duration);
+        List.of(rules).forEach(simulation::addRule);
+        simulation.addObserver(ledger);
+        simulation.run();
+        return ledger;
     }
 
     /** @return a run by rk4 without an energy limit */

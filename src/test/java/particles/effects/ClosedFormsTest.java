@@ -62,15 +62,6 @@ class ClosedFormsTest {
         assertEquals(-terminal, run.at(4), 1e-12, "terminal speed");
     }
 
-    /** Free fall is a parabola, which midpoint and any other method of order 2 reproduce up to rounding. */
-    @Test
-    void freeFallIsAParabola() {
-        ShortRun run = run("verlet clamp 0.01 1", "0, 10, 0", "3, 4, 0", "gravity");
-        assertEquals(3, run.at(0), 1e-13);
-        assertEquals(10 + 4 - G / 2, run.at(1), 1e-12);
-        assertEquals(4 - G, run.at(4), 1e-12);
-    }
-
     /**
      * v' = -c (v - a sin(w t)) from rest has v = c a / (c&sup2; + w&sup2;) (c sin w t - w cos w t + w e^-ct): rk4 is
      * this close only if the wind is evaluated at each stage's time. Measured: 7e-12.

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.function.DoubleFunction;
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
+import particles.Systems;
 import particles.effects.springs.SpringForce;
 import particles.law.DifferentiableEffect;
 import particles.law.Effect;
@@ -60,10 +61,7 @@ class EffectFactsTest {
 
     /** Two springs, only the second damped: one is enough to depend on velocity. */
     private static SpringForce twoSprings(double damping) {
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("a", 1, Vector3.ZERO, Vector3.ZERO, false);
-        system.addParticle("b", 1, Vector3.ZERO, Vector3.ZERO, false);
-        SpringForce springs = new SpringForce(system.getParticles());
+        SpringForce springs = new SpringForce(Systems.row(2).getParticles());
         springs.addSpring(0, 1, 1, 1, damping);
         springs.addSpring(1, 0, 1, 1, 0);
         return springs;

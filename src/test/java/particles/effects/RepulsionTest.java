@@ -7,18 +7,17 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Systems.GRAVITY;
 import static particles.Systems.entry;
 
-import deSolvers.DESolver;
 import deSolvers.RK4Solver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import deSolvers.problems.Steps;
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.ParticleSystem;
+import particles.Systems;
 import particles.law.Plane;
 import particles.law.SeededRandom;
 import particles.law.Vector3;
@@ -41,10 +40,6 @@ class RepulsionTest {
         return system;
     }
 
-    private static void run(ParticleSystem system, DESolver solver, double deltaT, int steps) {
-        Steps.make(steps, solver, system, deltaT);
-    }
-
     private static double overlap(ParticleSystem system) {
         return 1 - new Vector3(entry(system, 6) - entry(system, 0), entry(system, 7) - entry(system, 1), 0).length();
     }
@@ -54,11 +49,11 @@ class RepulsionTest {
     void aLinearImpactTakesHalfAPeriod() {
         ParticleSystem system = impact(false, 0, 1e-12, new Vector3(SPEED, 0, 0));
         double time = Math.PI * Math.sqrt(REDUCED / K);
-        run(system, new RK4Solver(), time / 2000, 1000);
+        Steps.make(1000, new RK4Solver(), system, time / 2000);
         assertEquals(SPEED * Math.sqrt(REDUCED / K), overlap(system), 4e-14, "at half time");
-        run(system, new RK4Solver(), time / 2000, 999);
+        Steps.make(999, new RK4Solver(), system, time / 2000);
         assertTrue(overlap(system) > 0 && overlap(system) < 0.002 * time * SPEED, "about to end: " + overlap(system));
-        run(system, new RK4Solver(), time / 2000, 2);
+        Steps.make(2, new RK4Solver(), system, time / 2000);
         assertTrue(overlap(system) < 0, "over");
         assertEquals(SPEED * (LIGHT - HEAVY) / (LIGHT + HEAVY), entry(system, 3), 4e-13);
         assertEquals(2 * SPEED * LIGHT / (LIGHT + HEAVY), entry(system, 9), 4e-13);
@@ -75,7 +70,7 @@ class RepulsionTest {
         double omega = Math.sqrt(K / REDUCED - beta * beta);
         double time = (Math.PI - Math.atan2(2 * beta * omega, omega * omega - beta * beta)) / omega;
         ParticleSystem system = impact(false, damping, 1e-12, new Vector3(SPEED, 0, 0));
-        run(system, new RK4Solver(), time / 4000, 6000);
+        Steps.make(6000, new RK4Solver(), system, time / 4000);
         assertEquals(Math.exp(-beta * time), (entry(system, 9) - entry(system, 3)) / SPEED, 5e-11);
     }
 
@@ -87,11 +82,11 @@ class RepulsionTest {
         double deepest = StrictMath.pow(1.25 * REDUCED * speed * speed / K, 0.4);
         double time = 3.2180 * StrictMath.pow(REDUCED * REDUCED / (K * K * speed), 0.2);
         assertEquals(2.9432 * deepest / speed, time, 5e-5 * time);
-        run(system, new RK4Solver(), time / 2000, 1000);
+        Steps.make(1000, new RK4Solver(), system, time / 2000);
         assertEquals(deepest, overlap(system), 5e-9 * deepest);
-        run(system, new RK4Solver(), time / 2000, 999);
+        Steps.make(999, new RK4Solver(), system, time / 2000);
         assertTrue(overlap(system) > 0, "about to end: " + overlap(system));
-        run(system, new RK4Solver(), time / 2000, 2);
+        Steps.make(2, new RK4Solver(), system, time / 2000);
         assertTrue(overlap(system) < 0, "over: " + overlap(system));
     }
 
@@ -102,7 +97,7 @@ class RepulsionTest {
         ParticleSystem system = impact(hertz, damping, 1e-9, new Vector3(SPEED, 1, 0));
         double spin = spin(system);
         double energy = system.getEnergy(system.getOwnState(), 0);
-        run(system, new RK4Solver(), 2e-4, 2000);
+        Steps.make(2000, new RK4Solver(), system, 2e-4);
         assertTrue(overlap(system) < 0 && Math.abs(entry(system, 10)) > 1e-3, "a glancing blow");
         assertEquals(LIGHT * SPEED, LIGHT * entry(system, 3) + HEAVY * entry(system, 9), 2e-14);
         assertEquals(LIGHT, LIGHT * entry(system, 4) + HEAVY * entry(system, 10), 2e-14);
@@ -130,15 +125,11 @@ class RepulsionTest {
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         system.addEffect(new Penalty(system.getParticles(), Plane.ground(0.1), 4000, 0));
         system.addEffect(new Repulsion(system.getParticles(), 0.1, false, 4000, 150));
-        run(system, new RK4Solver(), 0.002, 10_000);
+        Steps.make(10_000, new RK4Solver(), system, 0.002);
         assertEquals(5 * 2 * 9.81 / 4000, 0.1 - entry(system, 1), 1e-14);
         for (int i = 1; i < 5; i++) {
             assertEquals((5 - i) * 2 * 9.81 / 4000, 0.2 - entry(system, 6 * i + 1) + entry(system, 6 * i - 5), 1e-14);
         }
-    }
-
-    static List<SolverInfo> solvers() {
-        return SolverCatalog.all();
     }
 
     /**
@@ -146,7 +137,7 @@ class RepulsionTest {
      * 0.025 off.
      */
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#all")
     void everySolverConvergesInAnImpact(SolverInfo solver) {
         double coarse = errorInImpact(solver, 64);
         double fine = errorInImpact(solver, 128);
@@ -165,7 +156,7 @@ class RepulsionTest {
         double first = 0.01;
         double time = 1 / omega;
         ParticleSystem system = impact(false, damping, first, new Vector3(SPEED, 0, 0));
-        run(system, SolverCatalog.create(solver.name()), time / steps, steps);
+        Steps.make(steps, SolverCatalog.create(solver.name()), system, time / steps);
         double a = Math.exp(-beta * time) * (first * Math.cos(1) + (SPEED + beta * first) / omega * Math.sin(1));
         double b = Math.exp(-beta * time) * ((SPEED + beta * first) * Math.cos(1) - omega * first * Math.sin(1))
                 - beta * a;
@@ -238,7 +229,7 @@ class RepulsionTest {
         for (int k = 0; k < 2; k++) {
             ParticleSystem system = cloud(700);
             ParallelForces.use(system, k == 0 ? 1 : threads, 1);
-            run(system, new RK4Solver(), 0.01, 30);
+            Steps.make(30, new RK4Solver(), system, 0.01);
             ParallelForces.use(system, 1);
             ends[k] = system.getStateArray().clone();
         }
@@ -249,11 +240,8 @@ class RepulsionTest {
     /** A ball keeps its own radius when others die, and a new one has that of all others. */
     @Test
     void radiiFollowTheirBalls() {
-        ParticleSystem system = new ParticleSystem();
+        ParticleSystem system = Systems.row(3);
         Repulsion repulsion = new Repulsion(system.getParticles(), 0.1, false, 10, 0);
-        for (int i = 0; i < 3; i++) {
-            system.addParticle("p" + i, 1, new Vector3(i, 0, 0), Vector3.ZERO, false);
-        }
         system.addEffect(repulsion);
         repulsion.setRadius(2, 1.5);
         assertEquals(10 * 0.6 * 0.6 / 2, repulsion.getPotentialEnergy(system.getStateArray(), 0), 1e-14);

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.catalog.SolverCatalog;
 import java.util.Arrays;
-import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.scene.Scene;
@@ -22,10 +21,6 @@ class EnergyScaleTest {
             """;
     private final EnergyHistory energy = new EnergyHistory();
     private final EnergyLedgerRecorder ledger = new EnergyLedgerRecorder(1);
-
-    private static List<String> solvers() {
-        return SolverCatalog.names();
-    }
 
     private Scene run(String solver, double deltaT, double duration, String parts) {
         Scene scene = TestScenes.build("""
@@ -47,7 +42,7 @@ class EnergyScaleTest {
      * moves is 1e-4 J, a hundredth of the bond's. Euler makes it 1.44 times as large, implicit Euler methods 0.73.
      */
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void aBoundPairsScaleIsItsKineticEnergy(String solver) {
         run(solver, 0.005, 10, PAIR.formatted("0.01", "0", "0.6"));
         boolean firstOrder = solver.endsWith("euler") && !solver.equals("symplectic-euler");
@@ -56,7 +51,7 @@ class EnergyScaleTest {
 
     /** At the distance of balance nothing moves: the scale is the energy that holds the two together. */
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void aPairAtRestIsMeasuredByItsBond(String solver) {
         run(solver, 0.01, 1, PAIR.formatted("0", "0", "0.6"));
         assertEquals(0.01, energy.getScale(), 1e-12);
@@ -65,7 +60,7 @@ class EnergyScaleTest {
 
     /** Two particles circle each other at a distance at which they attract: the kinetic energy is all that moves. */
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void anOrbitsScaleIsItsKineticEnergy(String solver) {
         run(solver, 0.002, 2, PAIR.formatted("0", "0.08", "0.7"));
         double most = 0;
@@ -80,7 +75,7 @@ class EnergyScaleTest {
 
     /** A drop of 27 particles that swings, and the same as a compressed gas that flies apart: no run fails. */
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void aDropAndAGasRunToTheirEnd(String solver) {
         for (double size : new double[] {1.3, 0.5}) {
             EnergyScaleTest one = new EnergyScaleTest();

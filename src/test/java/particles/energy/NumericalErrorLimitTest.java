@@ -15,6 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.SimulationException;
+import particles.Systems;
 import particles.effects.springs.SpringForce;
 import particles.law.ParticleForce;
 import particles.law.Vector3;
@@ -89,8 +90,7 @@ class NumericalErrorLimitTest {
     @ParameterizedTest
     @CsvSource({"1, 1.25", "100, 2"})
     void anEnergyThatIsNotANumberFailsTheRun(long stride, double end) {
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("a", 1, Vector3.ZERO, new Vector3(1, 0, 0), false);
+        ParticleSystem system = Systems.oneParticle(Vector3.ZERO, new Vector3(1, 0, 0));
         system.addEffect(new ParticleForce(system.getParticles()) {
             @Override
             public String getName() {

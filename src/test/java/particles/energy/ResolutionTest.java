@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.ParticleSystem;
 import particles.Simulation;
+import particles.Systems;
 import particles.effects.Gravity;
 import particles.effects.springs.SpringForce;
 import particles.law.Vector3;
@@ -92,9 +93,8 @@ class ResolutionTest {
     @Test
     void aFallIsResolved() {
         for (int steps : List.of(1, 2, 50)) {
-            ParticleSystem system = new ParticleSystem();
-            system.addParticle("a", 1, Vector3.ZERO, Vector3.ZERO, false);
-            system.addEffect(new Gravity(system.getParticles(), new Vector3(0, -9.81, 0)));
+            ParticleSystem system = Systems.row(1);
+            system.addEffect(new Gravity(system.getParticles(), Systems.GRAVITY));
             assertFalse(run(system, "rk4", 0.5, steps).isTooCoarse(SCALE), steps + " steps");
         }
     }

@@ -4,9 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import deSolvers.DESolver;
-import deSolvers.DEStateSource;
 import deSolvers.catalog.SolverCatalog;
-import deSolvers.problems.PlainSource;
 import deSolvers.problems.Steps;
 import java.util.Arrays;
 import java.util.List;
@@ -14,7 +12,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.junit.jupiter.params.provider.ValueSource;
 import particles.ParticleSystem;
 import particles.law.AnchorMotion;
 import particles.law.Vector3;
@@ -27,10 +24,6 @@ class AnchorsTest {
     private static final AnchorMotion GLIDE = new GlideMotion(Vector3.ZERO, new Vector3(2, 0, 0), 1.02);
     private static final AnchorMotion CRANK = new CircleMotion(new Vector3(0.3, 0, 0), Vector3.ZERO,
             new Vector3(0, 0, 1), 1.5);
-
-    static List<String> solvers() {
-        return SolverCatalog.names();
-    }
 
     private static ParticleSystem pulled(AnchorMotion motion, double damping) {
         ParticleSystem system = new ShortRun("rk4 clamp 1 1", """
@@ -52,7 +45,7 @@ class AnchorsTest {
      * m with verlet and euler and at 2.45 m with midpoint instead of 2 m.
      */
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void anchorsFollowTheirMotionsExactly(String solver) {
         for (AnchorMotion motion : List.of(GLIDE, CRANK)) {
             for (double h : new double[] {0.05, -0.05}) {
@@ -71,23 +64,6 @@ class AnchorsTest {
         double[] values = new double[9];
         motion.at(time, values);
         return values;
-    }
-
-    /** The same bits through the course's interface alone, with the state and clock set at each stage. */
-    @ParameterizedTest
-    @ValueSource(strings = {"euler", "midpoint", "rk4", "adams", "step-doubling", "dormand-prince", "bulirsch-stoer"})
-    void aPlainSourceHasTheSameBits(String solver) {
-        ParticleSystem direct = pulled(CRANK, 0.5);
-        ParticleSystem plain = pulled(CRANK, 0.5);
-        DESolver one = SolverCatalog.create(solver);
-        DESolver other = SolverCatalog.create(solver);
-        DEStateSource source = new PlainSource(plain);
-        for (int k = 0; k < 40; k++) {
-            one.stepState(direct, 0.01);
-            other.stepState(source, 0.01);
-        }
-        assertArrayEquals(direct.getStateArray(), plain.getStateArray());
-        assertEquals(direct.getEvaluations(), plain.getEvaluations());
     }
 
     /**

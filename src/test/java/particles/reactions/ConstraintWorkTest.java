@@ -11,7 +11,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.ParticleSystem;
-import particles.Simulation;
+import particles.Rule;
+import particles.Systems;
 import particles.energy.EnergyLedger;
 import particles.law.AnchorMotion;
 import particles.law.Vector3;
@@ -25,21 +26,14 @@ import particles.scene.ShortRun;
 class ConstraintWorkTest {
 
     private static EnergyLedger run(ParticleSystem system, String solver, double deltaT, double duration,
-            boolean projected) {
-        EnergyLedger ledger = new EnergyLedger();
-        Simulation simulation = new Simulation(system, () -> SolverCatalog.create(solver), deltaT, duration);
-        if (projected) {
-            simulation.addRule(new ConstraintProjection(constraints(system)));
-        }
-        simulation.addObserver(ledger);
-        simulation.run();
-        return ledger;
+            Rule... rules) {
+        return Systems.ledger(system, SolverCatalog.create(solver), deltaT, duration, rules);
     }
 
     /** Ten seconds of a double pendulum. Measured: 3.0e-7 J. */
     @Test
     void rodsDoNoWork() {
-        EnergyLedger ledger = run(chain(2, 60, 5), "rk4", 0.005, 10, false);
+        EnergyLedger ledger = run(chain(2, 60, 5), "rk4", 0.005, 10);
         assertEquals(0, ledger.getWork().get("rods"), "exactly");
         assertEquals(0, ledger.getNumericalError(), 3e-6);
     }
@@ -52,7 +46,9 @@ class ConstraintWorkTest {
     @CsvSource({"verlet, false, -0.011", "verlet, true, -0.0031", "midpoint, false, 0.0446", "midpoint, true, 0.0080",
         "rk4, false, -1.5e-6", "rk4, true, -4.2e-5"})
     void energyGainedAtAFixedPivotIsNumericalError(String solver, boolean projected, double measured) {
-        EnergyLedger ledger = run(chain(1, 90, 5), solver, 0.02, 8, projected);
+        ParticleSystem system = chain(1, 90, 5);
+        EnergyLedger ledger = run(system, solver, 0.02, 8,
+                projected ? new Rule[] {new ConstraintProjection(constraints(system))} : new Rule[0]);
         double change = ledger.getEnergy() - ledger.getStartEnergy();
         assertEquals(measured, change / 9.81, 0.05 * Math.abs(measured));
         assertEquals(change, ledger.getNumericalError(), "and no work: " + ledger.getWork());
@@ -70,7 +66,7 @@ class ConstraintWorkTest {
                 """.formatted(Math.sqrt(4.5 * 9.81)));
         ball.contacts().getModes().set(0, 0, ContactModes.Mode.SLIDING);
         ParticleSystem system = ball.getScene().system();
-        EnergyLedger ledger = run(system, "verlet", 0.01, 0.3, false);
+        EnergyLedger ledger = run(system, "verlet", 0.01, 0.3);
         double change = ledger.getEnergy() - ledger.getStartEnergy();
         assertEquals(0.402, change, 0.01);
         assertEquals(0, ledger.getWork().get("contact"), "exactly");
@@ -101,7 +97,7 @@ class ConstraintWorkTest {
         for (int rods = 1; rods <= 2; rods++) {
             double[] errors = new double[2];
             for (int k = 0; k < 2; k++) {
-                EnergyLedger ledger = run(moved(rods, rods == 1 ? SHAKE : CRANK), solver, h / (1 + k), 2, false);
+                EnergyLedger ledger = run(moved(rods, rods == 1 ? SHAKE : CRANK), solver, h / (1 + k), 2);
                 assertTrue(ledger.getWork().get("rods") > 1.9, ledger.getWork().toString());
                 errors[k] = ledger.getNumericalError();
             }
@@ -117,7 +113,7 @@ class ConstraintWorkTest {
             values[3] = 0.6 * StrictMath.sin(3 * time);
             values[6] = 1.8 * StrictMath.cos(3 * time);
         });
-        EnergyLedger ledger = run(system, "rk4", 0.005, 5, false);
+        EnergyLedger ledger = run(system, "rk4", 0.005, 5);
         assertTrue(Math.abs(ledger.getWork().get("rods")) > 0.5, ledger.getWork().toString());
         assertEquals(0, ledger.getNumericalError(), 1e-7, "measured: 7.7e-9");
         assertEquals(1, distance(system, 0, 1), 7e-9, "measured: 7e-10");

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.catalog.SolverCatalog;
-import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Tag;
@@ -36,10 +35,6 @@ class LongChainsTest {
               - glide: {particle: p0, to: [0.5, 1, 0.5], duration: 0.3}
             """;
 
-    private static List<String> solvers() {
-        return SolverCatalog.names();
-    }
-
     private static long evaluations(String solver, String scene) {
         return ShortRun.of(solver + " clamp 0.002 0.8", scene).getScene().system().getEvaluations();
     }
@@ -64,7 +59,7 @@ class LongChainsTest {
      * for a fixed step, and each such run ends with the reason. The solvers that choose their own sub-steps follow it.
      */
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void aRopeTooFastForItsStepEndsWithTheReason(String solver) {
         ShortRun rope = new ShortRun(solver + " clamp 0.005 5", chain(20, 0, 0, true));
         if (SolverCatalog.find(solver).orElseThrow().adaptive()) {

@@ -228,10 +228,7 @@ class BirthAndDeathTest {
     /** Springs keep their particles when particles with smaller indices die. */
     @Test
     void springsKeepTheirParticlesWhenOthersDie() {
-        ParticleSystem system = new ParticleSystem();
-        for (int i = 0; i < 6; i++) {
-            system.addParticle("p" + i, 1, new Vector3(i, 0, 0), Vector3.ZERO, false);
-        }
+        ParticleSystem system = Systems.row(6);
         SpringForce springs = new SpringForce(system.getParticles());
         springs.addSpring(0, 1, 10, 1, 0);
         springs.addSpring(4, 5, 20, 0.5, 0);

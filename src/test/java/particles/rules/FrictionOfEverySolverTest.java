@@ -20,10 +20,6 @@ class FrictionOfEverySolverTest {
               - plane: {normal: %s, restitution: 0, friction: {law: coulomb, coefficient: %3$s, static: %3$s}}
             """;
 
-    private static List<String> solvers() {
-        return SolverCatalog.names();
-    }
-
     /** The block on a slope of 0.75, so that sin a = 0.6; its coordinates are x' downhill and z sideways. */
     private static double[] slide(String steps, double mu, String velocity) {
         ShortRun run = ShortRun.of(steps, BLOCK.formatted(velocity, "[0.6, 0.8, 0]", mu));
@@ -33,7 +29,7 @@ class FrictionOfEverySolverTest {
     }
 
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void aBlockSlidesOnlyIfTheSlopeIsSteeperThanMu(String solver) {
         double[] held = slide(solver + " clamp 0.01 1", 0.76, "[0, 0, 0]");
         assertEquals(0, held[0], 0, "0.75 is less than mu");
@@ -45,7 +41,7 @@ class FrictionOfEverySolverTest {
 
     /** Thrown uphill and sideways with 2 m/s on a plane with mu = 1, where it stops; the path is curved. */
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void aCurvedSlideEndsWhereTheExactOneDoes(String solver) {
         double[] exact = slide("rk4 exact 0.001 1.5", 1, "[-0.8, 0.6, 2]");
         assertEquals(0, Math.hypot(exact[2], exact[3]), 0, "it has stopped");
@@ -68,7 +64,7 @@ class FrictionOfEverySolverTest {
 
     /** On level ground the distance is v^2/(2 mu g) = 0.408 m for 2 m/s and mu = 0.5, and friction takes all of 4 J. */
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void theStoppingDistanceIsThatOfTheFormula(String solver) {
         ShortRun run = ShortRun.of(solver + " clamp 0.01 1",
                 BLOCK.formatted("[1.2, 0, 1.6]", "[0, 1, 0]", 0.5));
@@ -92,7 +88,7 @@ class FrictionOfEverySolverTest {
      * 0.0025 J, and symplectic Euler too.
      */
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void frictionOnARopeStopsNoSolver(String solver) {
         if (solver.equals("euler")) {
             return;
@@ -114,7 +110,7 @@ class FrictionOfEverySolverTest {
      * c u(t) = mu m g where sin(pi t/2) = 0.4905, at t = 0.3264 s. No velocity of more than round-off shows which way.
      */
     @ParameterizedTest
-    @MethodSource("solvers")
+    @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void aSlideBeginsWhereTheForceOutgrowsFriction(String solver) {
         for (String impact : List.of("clamp", "exact")) {
             double held = ShortRun.of(solver + " " + impact + " 0.01 0.32", GUST).at(3);

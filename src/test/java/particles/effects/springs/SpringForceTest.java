@@ -3,28 +3,16 @@ package particles.effects.springs;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.problems.Steps;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.ParticleSystem;
-import particles.law.Vector3;
+import particles.Systems;
 
 /** A spring's force at lengths where squares overflow, underflow or vanish, and refused parameters. */
 class SpringForceTest {
-    private ParticleSystem system;
-    private SpringForce springs;
-
-    @BeforeEach
-    void twoParticles() {
-        system = new ParticleSystem();
-        system.addParticle("a", 1, Vector3.ZERO, Vector3.ZERO, false);
-        system.addParticle("b", 1, Vector3.ZERO, Vector3.ZERO, false);
-        springs = new SpringForce(system.getParticles());
-    }
+    private final SpringForce springs = new SpringForce(Systems.row(2).getParticles());
 
     private double[] force(double... state) {
         double[] force = new double[12];
@@ -65,8 +53,7 @@ class SpringForceTest {
 
     @Test
     void impossibleSpringsAreRefused() {
-        assertTrue(assertThrows(IllegalArgumentException.class, () -> springs.addSpring(1, 1, 1, 1, 0)).getMessage()
-                .contains("'b' to itself"));
+        Steps.assertFails(IllegalArgumentException.class, "'p1' to itself", () -> springs.addSpring(1, 1, 1, 1, 0));
         for (int[] ends : new int[][] {{0, 2}, {2, 0}, {-1, 0}, {0, -1}}) {
             Steps.assertFails(IllegalArgumentException.class, "there are 2",
                     () -> springs.addSpring(ends[0], ends[1], 1, 1, 0));
