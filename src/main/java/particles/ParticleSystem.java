@@ -140,9 +140,9 @@ public final class ParticleSystem implements JacobianStateSource, ArrayStateSour
     /**
      * Adds a reaction: constraint or contact forces.
      *
-     * @param reaction the reaction, evaluated after all effects and earlier reactions; if a particle on a rod or wire
-     *                 also touches a surface, the rods solve for both forces together, instead of
-     *                 {@code RestingContacts}
+     * @param reaction the reaction, evaluated after all effects and earlier reactions; if a particle on a rod or wire,
+     *                 or in contact with a ball, also touches a surface, {@code RigidConstraints} solves for all these
+     *                 forces together, instead of {@code RestingContacts}
      */
     public void addReaction(Reaction reaction) {
         reactions.add(reaction);

@@ -9,7 +9,7 @@ public class SimulationException extends RuntimeException {
 
     /** What ends a run. */
     public enum End {
-        /** A step failed, or rods and wires contradict each other. */
+        /** A step failed, or rods, wires and contacts contradict each other. */
         FAILURE,
         /** The kinetic energy exceeded the scene's limit, almost always because deltaT is too long for the solver. */
         ENERGY_LIMIT,

@@ -18,7 +18,8 @@ import deSolvers.linear.SolverWork;
  *
  * <p><b>Order</b> 1.<br>
  * <b>Evaluations</b> a few a step for Newton's method. More, if the source does not know its own Jacobian ({@link
- * deSolvers.JacobianStateSource}): n for each Jacobian, and for particles on rods about 30 a step.<br>
+ * deSolvers.JacobianStateSource}): n for each Jacobian, and for particles on rods or wires, or balls in
+ * contact, about 30 a step.<br>
  * <b>Stability</b> R(z) = 1/(1 - z): L-stable, no limit on the step for anything that decays or oscillates. Stable does
  * not mean accurate: the amplitude of an undamped spring shrinks by the factor (1 + (h
  * omega)<sup>2</sup>)<sup>-1/2</sup> a step.<br>

@@ -11,7 +11,8 @@ import deSolvers.linear.SolverWork;
 final class JacobianChoice {
     /**
      * Up to this size a full matrix, which costs about as many evaluations, serves where blocks are only a
-     * preconditioner: its entries tell the round-off of rods between masses of very different sizes.
+     * preconditioner, as with rods, wires and balls in contact: its entries tell the round-off of rods between masses
+     * of very different sizes.
      */
     private static final int SMALL = 100;
     /** J, the matrix and its factors then take 600 MB; radau's complex matrix and factors another 800 MB. */

@@ -17,7 +17,8 @@ import deSolvers.linear.SolverWork;
  *
  * <p><b>Order</b> 1.<br>
  * <b>Evaluations</b> 1, and n more for the Jacobian where the source does not know its own
- * ({@link deSolvers.JacobianStateSource}); about 4 more for particles on rods.<br>
+ * ({@link deSolvers.JacobianStateSource}); about 4 more for particles on rods or wires
+ * or balls in contact.<br>
  * <b>Stability</b> R(z) = 1/(1 - z), as backward Euler: no limit on the step for linear systems. Nothing guarantees
  * that the nonlinear equation is solved well.<br>
  * <b>When to use</b> cloth and soft bodies in real time, at one step a frame: the method of most cloth simulators. Its

@@ -179,7 +179,10 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         jacobian.multiply(partPositions, force);
     }
 
-    /** The particles where they are, with velocities of 0; with rods as they are, for these bend by v&sup2;. */
+    /**
+     * The particles where they are, with velocities of 0. With rods, wires or balls in contact they keep their
+     * velocities, as the forces that turn them grow with v&sup2;.
+     */
     @Override
     public void guess(DEStateSource client, double[] m) {
         for (int i = 0; i < this.m && ((JacobianStateSource) client).hasExactJacobian(); i++) {
@@ -196,8 +199,9 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
     }
 
     /**
-     * The power of the forces that are left: the slope of an energy, since positions stay x + g v. The forces of rods
-     * and friction have no energy; for them it is the natural test, whether the next correction still points ahead.
+     * The power of the forces that are left: the slope of an energy, since positions stay x + g v. The forces of rods,
+     * wires, contacts and friction have no energy; for them it is the natural test, whether the next correction still
+     * points ahead.
      */
     @Override
     public double slope(double[] residual, double[] solution, double[] direction) {

@@ -36,8 +36,11 @@ public interface Obstacle {
     int separation(double[] points, double[] coefficients);
 
     /**
-     * @param height the radius of a ball that touches the surface (m)
-     * @return what to add to the coefficients of {@link #separation}, so that they bound the ball's distance
+     * Moves the surface outwards: the distance of a ball's surface from this one is that of its centre from the surface
+     * that is raised by the ball's radius.
+     *
+     * @param height by how much the surface is raised (m), along its normals
+     * @return what to add to each coefficient of {@link #separation}
      */
     default double raise(double height) {
         return -height;

@@ -46,7 +46,7 @@ public record Sphere(Vector3 centre, double radius, boolean hollow) implements O
         return false;
     }
 
-    /** {@inheritDoc} It turns R&sup2; into (R + height)&sup2;, for a hollow into (R - height)&sup2;. */
+    /** {@inheritDoc} R&sup2; becomes (R + height)&sup2;, for a hollow (R - height)&sup2;. */
     @Override
     public double raise(double height) {
         return -height * (hollow ? 2 * radius - height : 2 * radius + height);

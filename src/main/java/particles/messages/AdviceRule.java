@@ -22,6 +22,7 @@ import particles.spec.NumberType;
  *     per step, which cannot fail to converge, and damps.</li>
  * <li>Other forces, rods and wires: a solver that chooses its own sub-steps.</li>
  * <li>Friction that turns within a step: a solver that steps across the turn.</li>
+ * <li>Contacts that open and close without end: impacts at the ends of steps, or soft balls in place of hard ones.</li>
  * </ol>
  * No solver is advised that has just failed, except with a shorter step.
  */
@@ -127,7 +128,10 @@ final class AdviceRule {
                 "which steps across the change");
     }
 
-    /** For contacts that open and close without end. Between exact impacts, pieces of steps were short enough. */
+    /**
+     * For contacts that open and close without end. Hard balls only have exact impacts, so soft ones take their place.
+     * Between exact impacts, pieces of steps were short enough for any solver; whole steps have to be stable.
+     */
     String forContacts() {
         if (hardBalls) {
             return byHand("the effect 'repulsion', with soft balls, in place of 'collisions'");

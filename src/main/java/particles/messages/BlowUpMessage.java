@@ -15,6 +15,7 @@ import particles.SimulationException;
 import particles.SimulationException.End;
 import particles.law.DifferentiableEffect;
 import particles.law.Effect;
+import particles.law.Reaction;
 import particles.reactions.RestingContacts;
 import particles.reactions.RigidConstraints;
 import particles.scene.Scene;
@@ -122,7 +123,9 @@ public final class BlowUpMessage {
             found("with restSpeed 0, bounces become ever smaller and never end",
                     AdviceRule.byHand("restSpeed: 0.01 in the scene's rule"));
         } else {
-            found("springs or friction open and close a contact faster than the motion goes on", rule.forContacts());
+            found((scene.description().hasHardBalls() ? "hard balls meet and part"
+                    : "springs or friction open and close a contact") + " faster than the motion goes on",
+                    rule.forContacts());
         }
     }
 
@@ -155,8 +158,11 @@ public final class BlowUpMessage {
     }
 
     private String notSprings() {
-        if (scene.system().getReactions().stream().anyMatch(RigidConstraints.class::isInstance)) {
-            return "no spring is too stiff for this deltaT, but what turns fast on rods or wires needs shorter steps";
+        Optional<String> rods = scene.system().getReactions().stream().filter(RigidConstraints.class::isInstance)
+                .map(Reaction::getName).filter(name -> !name.equals("collisions")).findFirst();
+        if (rods.isPresent()) {
+            return "no spring is too stiff for this deltaT, but what turns fast on " + rods.get()
+                    + " needs shorter steps";
         }
         Optional<String> own = scene.system().getEffects().stream()
                 .filter(effect -> !(effect instanceof DifferentiableEffect)).map(Effect::getName).findFirst();

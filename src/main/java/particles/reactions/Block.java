@@ -24,7 +24,7 @@ final class Block {
     /** For {@link #solve} and {@link #take}: all rows. */
     static final int ALL = -2;
 
-    final int[] members;                                // the rows of its rods and wires, neighbours near each other
+    final int[] members;                                // rows of rods, wires and balls, neighbours near each other
     final int[] particles;                              // that can move
     private final ConstraintRows rows;
     private final Particles all;
@@ -36,7 +36,7 @@ final class Block {
     double[] right = {};
     private double[] solution = {};
     private double[] separation = {};
-    private int[] row = {};                             // a rod's or wire's, or -1 - k for contact k
+    private int[] row = {};                             // a member, or -1 - k for contact k with a surface
     private int[] who = {};                             // two movable particles a row, -1 for none
     private double[] gradient = {};                     // 6 doubles a row
     private double[] pull = {};                         // the force on both particles per 1 N of a row
@@ -161,7 +161,7 @@ final class Block {
         }
     }
 
-    /** Evaluates the rows; those of rods and wires have been evaluated already. */
+    /** Evaluates the rows; those of rods, wires and balls have been evaluated already. */
     private void update(double[] state) {
         assembled &= size == 1 && !isJoined();          // then the matrix is 1
         for (int r = 0; r < size; r++) {
@@ -178,7 +178,7 @@ final class Block {
         return size;
     }
 
-    /** Whether a row is that of a rod or wire. */
+    /** Whether a row is that of a rod, a wire or two balls, and not of a surface. */
     boolean isMember(int r) {
         return row[r] >= 0;
     }
@@ -198,7 +198,7 @@ final class Block {
         return pairs;
     }
 
-    /** The row of a rod or wire among all. */
+    /** The row of a rod, a wire or two balls among all. */
     int member(int r) {
         return row[r];
     }

@@ -62,7 +62,7 @@ final class BlockForces {
                 activeSet);
     }
 
-    /** The block of a particle without rods, wires and contacts of balls. */
+    /** The block of a particle that is not coupled. */
     Block single(int particle) {
         while (singles.size() <= particle) {
             singles.add(new Block(new int[0], new int[] {singles.size()}, rows, particles, contacts, activeSet));
@@ -158,7 +158,7 @@ final class BlockForces {
     SimulationException failure(Block block, double time, String reason) {
         int particle = block.particles[0];
         List<String> what = new ArrayList<>();
-        if (block.isJoined() && rows.getRods() + rows.getBeads() > 0) {
+        if (Arrays.stream(block.members).anyMatch(row -> !rows.isContact(row))) {
             what.add("rods and wires");
         }
         if (block.hasPairs() || block.touching.count > 0) {

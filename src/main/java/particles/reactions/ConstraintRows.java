@@ -6,8 +6,9 @@ import particles.law.Vector3;
 import particles.reactions.wires.Curve;
 
 /**
- * The rows C_r(x) = 0 of rods and wires at one state, in flat arrays: values C, rates C' = J v, bends J' v (the second
- * derivative of C along the velocity), and the gradients that make up J. A row involves one particle or two.
+ * The rows C_r(x) = 0 of rods, wires and balls in contact at one state, in flat arrays: values C, rates C' = J v, bends
+ * J' v (the second derivative of C along the velocity), and the gradients that make up J. A row involves one particle
+ * or two.
  *
  * <p>For a rod C = (|d|&sup2; - l&sup2;) / (2 l) with d = x_to - x_from: like |d| - l to first order, and smooth at d =
  * 0. Two balls that touch have the row of a rod between their centres, but it may only push.

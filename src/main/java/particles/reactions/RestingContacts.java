@@ -19,8 +19,9 @@ import particles.reactions.contact.SlidingDirection;
 /**
  * The contact force on particles that rest on surfaces, the slides' "Particle/Plane Contact": for N . F &ge; 0 it is 0;
  * otherwise the normal force is lambda = -(N . F), and friction is lambda times the friction law. Several surfaces on
- * one particle share the load. On a sphere the normal force differs by the centripetal term m v_t&sup2;/R: less on a
- * ball, more in a hollow.
+ * one particle share the load. A particle on a rod or wire, or in contact with a ball, is <i>coupled</i>: it and all
+ * that it is connected to, its linkage, are solved together by {@link RigidConstraints}. On a sphere the normal force
+ * differs by the centripetal term m v_t&sup2;/R: less on a ball, more in a hollow.
  *
  * <p>Whether a particle touches a surface, and whether it slides or sticks there, does not change within a step: {@code
  * particles.rules.ClampedImpacts} decides it between steps, {@code ExactImpacts} at events that end one piece of
@@ -114,7 +115,7 @@ public final class RestingContacts implements Reaction {
 
     /**
      * @param particle its index
-     * @return whether it is on a rod or wire, so that an impulse on it is transmitted to others
+     * @return whether it is coupled to others, which then feel an impulse on it
      */
     public boolean isCoupled(int particle) {
         return joints.isPresent() && joints.get().block(particle).isPresent();
@@ -124,7 +125,7 @@ public final class RestingContacts implements Reaction {
         return isCoupled(particle) ? joints.get().block(particle).get() : blocks.single(particle);
     }
 
-    /** The blocks of the particles that touch a surface and are not on a rod or wire. */
+    /** The blocks of the particles that touch a surface and are not coupled. */
     private List<Block> touching() {
         if (touchingAt != modes.getChanges()) {
             touchingAt = modes.getChanges();
@@ -139,8 +140,9 @@ public final class RestingContacts implements Reaction {
     }
 
     /**
-     * Applies an impact to a particle on rods or wires: its whole linkage changes velocity by the impulses of rods and
-     * other touched surfaces, without friction. Sticking particles slide from now on, and lifted ones lose contact.
+     * Applies an impact to a coupled particle: its whole linkage changes velocity by the impulses of rods, wires and
+     * other touched surfaces, without friction, but not by those of balls in contact. Sticking particles slide from now
+     * on, and lifted ones lose contact.
      *
      * @param surface  the surface's index
      * @param particle the particle's index
@@ -159,7 +161,7 @@ public final class RestingContacts implements Reaction {
      * @param surface  the surface's index
      * @param particle the particle's index
      * @param state    the state, with the particle on the surface
-     * @return true for every particle without rods and wires
+     * @return true for every particle that is not coupled
      */
     public boolean canPush(int surface, int particle, double[] state) {
         return !isCoupled(particle) || blocks.impacts().canPush(block(particle), surface, particle, state);
@@ -167,7 +169,7 @@ public final class RestingContacts implements Reaction {
 
     /**
      * Corrects the velocities of a linkage after one of them was changed: no rod is stretched, no touched surface
-     * entered, and sticking particles stay. Does nothing for a particle without rods and wires.
+     * entered, and sticking particles stay. Does nothing for a particle that is not coupled.
      *
      * @param particle a particle of the linkage
      * @param balls    whether balls in contact may not separate either

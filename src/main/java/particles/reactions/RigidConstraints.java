@@ -16,14 +16,15 @@ import particles.reactions.wires.Curve;
 import particles.view.SpringView;
 
 /**
- * Constraint forces of rods, which keep distances, and wires, which keep beads on curves. With the constraints C(x) =
- * 0, J their derivative and W the inverse masses, the forces J<sup>T</sup> lambda satisfy
+ * Constraint forces of rods, which keep distances, of wires, which keep beads on curves, and of {@link BallContacts},
+ * which keep balls apart. With the constraints C(x) = 0, J their derivative and W the inverse masses, the forces
+ * J<sup>T</sup> lambda satisfy
  * <pre>
  *   J W J^T lambda = -(J W F + J' v) - k_s C - k_d C',     k_s = alpha&sup2;, k_d = 2 alpha,
  * </pre>
  * so that C'' = -2 alpha C' - alpha&sup2; C: small errors of a solver's steps do not accumulate but decay, critically
- * damped, at the feedback rate alpha. (A. Witkin, "Constrained Dynamics", SIGGRAPH course notes 1997; J. Baumgarte
- * 1972.)
+ * damped, at the feedback rate alpha; where balls touch, after each step. (A. Witkin, "Constrained Dynamics", SIGGRAPH
+ * course notes 1997; J. Baumgarte 1972.)
  *
  * <p>The choice of alpha: the solver has to be stable for the decay, alpha deltaT &lt; 2 for euler and midpoint, 2.78
  * for rk4. There is a stricter limit: at the stages inside a step C is off by O(deltaT&sup2;), because a straight line
@@ -41,8 +42,6 @@ import particles.view.SpringView;
  * <p>Only moving anchors do work through these forces. Any other change of energy is numerical error; it is of the
  * order of C and C'. The derivatives of the forces are not known: implicit solvers multiply with them by
  * differences, one evaluation each, and need some 30 in a step of a long chain.
- *
- * <p>{@link BallContacts} are rows of the same system.
  */
 public final class RigidConstraints implements Reaction, SpringView {
     /** The default feedback rate alpha (1/s). */
@@ -159,7 +158,7 @@ public final class RigidConstraints implements Reaction, SpringView {
         return sum(state, time, force, blocks::anchorPower);
     }
 
-    /** The power of the contact forces on particles that are on rods or wires (W). */
+    /** The power of the contact forces of surfaces on connected particles (W). */
     double contactPower(double[] state, double time, double[] force) {
         return sum(state, time, force, blocks::frictionPower);
     }
@@ -176,7 +175,8 @@ public final class RigidConstraints implements Reaction, SpringView {
     }
 
     /**
-     * Solves these constraints and contacts together where a particle has both. Each reports its own power.
+     * Solves these constraints and contacts with surfaces together where a particle has both. Each reports its own
+     * power.
      *
      * @param contacts a reaction of the same system
      */
@@ -211,14 +211,14 @@ public final class RigidConstraints implements Reaction, SpringView {
         return joined;
     }
 
-    /** The block of a particle on a rod or wire; none for others. */
+    /** The block of a particle on a rod or wire, or in contact with a ball; none for others. */
     Optional<Block> block(int particle) {
         arrange();
         return particle < blockOf.length ? Optional.ofNullable(blockOf[particle]) : Optional.empty();
     }
 
     /**
-     * Projects positions and velocities onto the constraints, up to round-off.
+     * Projects positions and velocities onto rods and wires, up to round-off.
      *
      * @param state the particles' state, which is changed
      * @param time  t (s), for messages

@@ -97,7 +97,7 @@ abstract class Impacts implements Rule {
     }
 
     /**
-     * Lets a particle leave a surface or rest on it. If it is on rods or wires, these transmit the impulse, which may
+     * Lets a particle leave a surface or rest on it. If it is coupled, rods and wires transmit the impulse, which may
      * lift others off.
      *
      * @param leaving the normal speed with which it leaves (m/s)

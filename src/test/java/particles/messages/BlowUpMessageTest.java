@@ -217,7 +217,7 @@ class BlowUpMessageTest {
     @ValueSource(strings = {"verlet", "rk4", "midpoint", "euler", "symplectic-euler", "yoshida4", "adams"})
     void whatTurnsFastOnRodsWantsAnAdaptiveSolver(String solver) {
         String line = blowUp(whip(solver));
-        assertTrue(line.endsWith("\nno spring is too stiff for this deltaT, but what turns fast on rods or wires needs"
+        assertTrue(line.endsWith("\nno spring is too stiff for this deltaT, but what turns fast on rods needs"
                 + " shorter steps\ntry --solver=dormand-prince, which chooses its own sub-steps"), line);
         assertFalse(line.contains("damping") || line.contains("NaN"), line);
         Scene advised = SceneBuilder.build(whip("dormand-prince"));

@@ -460,6 +460,23 @@ class CollisionsTest {
         assertEquals(0, run.at(0));
     }
 
+    /** Static friction holds two balls on a slope; a light ball pushes one onto the other, and it is held again. */
+    @Test
+    void slowBallsStickAgainAfterAnImpact() {
+        ShortRun run = ShortRun.of("rk4 exact 0.005 0.15", """
+                particles:
+                  - {id: a, position: [0.2, 0.1, 0]}
+                  - {id: b, position: [0, 0.1, 0]}
+                  - {id: c, position: [-0.6, 0.1, 0], velocity: [4, 0.3, 0], mass: 0.001}
+                rules:
+                  - ground: {friction: {law: coulomb, coefficient: 0.3, static: 0.6}}
+                  - collisions: {radius: 0.1, restitution: 1}
+                effects: [gravity: {acceleration: [4, -9.81, 0]}]
+                """);
+        assertTrue(run.at(15) < 0, "the light ball has bounced back");
+        assertTrue(run.isHeld(0) && run.isHeld(1), "both are held");
+    }
+
     /** What cannot be is refused in one line. */
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
@@ -467,7 +484,8 @@ class CollisionsTest {
         "effects: [repulsion: {radius: 1, stiffness: 1}]; rules: [collisions: {radius: 0.1}] | cannot be combined",
         "effects: []; rules: [collisions: {radius: 0.1}, kill: {point: [0, -9, 0]}] | neither born nor removed",
         "effects: []; rules: [collisions: {radius: 0.1}, collisions: {radius: 0.1}] | is already named",
-        "effects: []; rules: [collisions: {radius: 0.5}, ground: {height: -0.25}] | begins 0.25 m inside the 'ground'"})
+        "effects: []; rules: [collisions: {radius: 0.5}, ground: {height: -0.25}] | 'a', a ball of radius 0.5 m,"
+                + " begins 0.25 m inside the 'ground'"})
     void mistakesAreNamed(String more, String message) {
         SceneException e = assertThrows(SceneException.class, () -> new ShortRun("rk4 exact 0.01 1", """
                 particles:
