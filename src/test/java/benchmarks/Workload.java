@@ -3,7 +3,6 @@ package benchmarks;
 import deSolvers.ArrayStateSource;
 import deSolvers.DEStateSource;
 import deSolvers.problems.Oscillator;
-import java.util.List;
 import java.util.function.LongSupplier;
 import org.hipparchus.ode.ODEState;
 import org.hipparchus.ode.OrdinaryDifferentialEquation;
@@ -29,7 +28,6 @@ import particles.law.Vector3;
  */
 record Workload(String name, DEStateSource source, LongSupplier counter, double duration, double deltaT,
         double[] initial) implements OrdinaryDifferentialEquation {
-    static final List<String> NAMES = List.of("oscillator", "chain", "cloth");
     /** A step at which every solver stays stable on chains and cloths (s). */
     static final double DELTA_T = 1.0 / 4096;
     private static final double STRICT = 1e-13;

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
+import static particles.Texts.assertHas;
+import static particles.Texts.assertStarts;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -92,8 +94,8 @@ class BadInputTest {
         assertFalse(Files.exists(out), "nothing is written");
         List<String> lines = end.lines().lines().toList();
         assertTrue(lines.size() <= 51, "at most 50 problems and how many more: " + lines.size());
-        assertTrue(lines.get(0).startsWith(file.toString()), lines.get(0));
-        assertTrue(end.lines().contains(message), end.lines());
+        assertStarts(lines.get(0), file.toString());
+        assertHas(end.lines(), message);
         assertTrue(lines.stream().allMatch(line -> line.length() < 1200), "lines that can be read");
         assertFalse(end.lines().contains("Exception") || end.lines().contains("\tat "), end.lines());
     }

@@ -1,7 +1,8 @@
 package particles.app;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
+import static particles.Texts.assertStarts;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -29,14 +30,14 @@ public final class CheckProcess {
         String screen = end.lines();
         assertEquals(ExitCode.BAD_INPUT.code(), end.code(), screen);
         String report = Files.readString(folder.resolve(command + ".md"));
-        assertTrue(report.startsWith("# " + planted.getName() + ": The check did not finish."), report);
+        assertStarts(report, "# " + planted.getName() + ": The check did not finish.");
         assertEquals(planted.getSimpleName(), screen.lines().findFirst().orElseThrow()
                 .replaceFirst("(.*[.$])?(\\w+): wrong.*",
                 "$2"), "the verdict comes first: " + screen);
         String first = screen.lines().filter(line -> line.startsWith("WRONG, failure: ")).findFirst().orElseThrow()
                 .replaceFirst("WRONG, ", "");
-        assertTrue(report.contains("- **failure**: " + first.replaceFirst("failure: ", "")), report);
-        assertTrue(screen.contains("report: " + folder.resolve(command + ".md")), screen);
+        assertHas(report, "- **failure**: " + first.replaceFirst("failure: ", ""));
+        assertHas(screen, "report: " + folder.resolve(command + ".md"));
         return first;
     }
 }

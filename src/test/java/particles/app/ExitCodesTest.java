@@ -15,8 +15,12 @@ class ExitCodesTest {
     Path top;
 
     @ParameterizedTest
-    @CsvSource({"0, out, --duration=0.1", "1, file, --duration=0.1", "2, out, --deltaT=-1",
-        "3, out, --deltaT=10 --duration=1000"})
+    @CsvSource(textBlock = """
+            0, out, --duration=0.1
+            1, file, --duration=0.1
+            2, out, --deltaT=-1
+            3, out, --deltaT=10 --duration=1000
+            """)
     void exitCodesReachTheSystem(int code, String out, String options) throws IOException, InterruptedException {
         Files.writeString(top.resolve("file"), "mine");
         String typed = "run --scene=2 --frames=false --out=" + top.resolve(out) + " " + options;

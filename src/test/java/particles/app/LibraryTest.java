@@ -17,19 +17,11 @@ import particles.app.cli.Version;
 /** README's programs compile and run with the project's jar, as in somebody else's project. */
 class LibraryTest {
     private static final String JAR = "build/libs/desolver-" + Version.CURRENT + ".jar";
-    private static final List<String> EXAMPLES = Pattern.compile("(?s)```java\n(.*?)```").matcher(read())
+    private static final List<String> EXAMPLES = Pattern.compile("(?s)```java\n(.*?)```").matcher(ReadmeTest.README)
             .results().map(block -> block.group(1)).toList();
 
     @TempDir
     Path folder;
-
-    private static String read() {
-        try {
-            return Files.readString(Path.of("README.md"));
-        } catch (IOException e) {
-            throw new AssertionError(e);
-        }
-    }
 
     private List<String> run(String path, String name, String program) throws IOException, InterruptedException {
         Path file = Files.writeString(folder.resolve(name), program);

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertStarts;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -143,8 +144,7 @@ class OwnEffectTest {
                 LAW.replace("this.w = w;", "this.w = w;\n        int[] none = {};\n        none[w.hashCode() & 1]++;"));
         SceneException e = assertThrows(SceneException.class, () -> scene(SCENE));
         assertEquals(1, e.getLines().size());
-        assertTrue(e.getMessage().startsWith("x.yaml:9:5: exercises.Coriolis cannot be built: java.lang.ArrayIndex"),
-                e.getMessage());
+        assertStarts(e.getMessage(), "x.yaml:9:5: exercises.Coriolis cannot be built: java.lang.ArrayIndex");
     }
 
     @Test

@@ -31,7 +31,7 @@ class ReadmeTest {
     private static final Pattern GRADLE = Pattern.compile("\\bgradle ([a-z]\\w*)");
     private static final Pattern TASK = Pattern.compile("(?m)^(?:program '|hunt '|task |junit5\\()(\\w+)");
 
-    private static final String README = read("README.md");
+    static final String README = read("README.md");
     private static final String BUILD = read("build.gradle");
 
     private static String read(String file) {

@@ -3,6 +3,7 @@ package particles.lab;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -33,11 +34,10 @@ class SessionTest {
     @Test
     void aSceneIsOpenedWithItsFacts() {
         String facts = session.open("x.yaml", SCENE, "", "", 0);
-        assertTrue(facts.contains("\"title\":\"A \\\"spring\\\"\""), facts);
+        assertHas(facts, "\"title\":\"A \\\"spring\\\"\"");
         // omega = 10 rad/s and RK4's limit on the imaginary axis is 2.8284
-        assertTrue(facts.contains("\"rk4\":0.2828"), facts);
-        assertTrue(facts.contains("\"euler\":0.0"), facts);
-        assertTrue(session.structure().contains("\"ids\":[\"wall\",\"bob\"],\"fixed\":[1,0]"), session.structure());
+        assertHas(facts, "\"rk4\":0.2828", "\"euler\":0.0");
+        assertHas(session.structure(), "\"ids\":[\"wall\",\"bob\"],\"fixed\":[1,0]");
         assertTrue(session.structure().endsWith("\"springs\":[0,1],\"restLengths\":[1.0],\"rigid\":[0]}"),
                 session.structure());
     }
@@ -52,15 +52,15 @@ class SessionTest {
     void anotherSolverAndStepTakeTheSceneSPlace() {
         session.open("x.yaml", SCENE, "euler", "0.5", 0);
         session.advance(10, 1e4);
-        assertTrue(session.status().contains("\"steps\":2,\"evaluations\":2,"), session.status());
-        assertTrue(session.status().contains("\"over\":true"), session.status());
+        assertHas(session.status(), "\"steps\":2,\"evaluations\":2,");
+        assertHas(session.status(), "\"over\":true");
     }
 
     @Test
     void aBlowUpIsTold() {
         session.open("x.yaml", SCENE.replace("duration: 1", "duration: 100"), "euler", "0.5", 0);
         session.advance(100, 1e4);
-        assertTrue(session.status().contains("\"failure\":\"euler stopped at t = "), session.status());
+        assertHas(session.status(), "\"failure\":\"euler stopped at t = ");
     }
 
     @Test
@@ -69,7 +69,7 @@ class SessionTest {
         float[] start = session.state();
         session.advance(1, 1e4);
         session.look(0.501);
-        assertTrue(session.status().contains("\"steps\":50,\"evaluations\":200,"), session.status());
+        assertHas(session.status(), "\"steps\":50,\"evaluations\":200,");
         session.look(0);
         assertArrayEqualsExactly(start, session.state());
         float[] points = session.phase("bob", 0, -1);

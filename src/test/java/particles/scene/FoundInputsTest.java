@@ -2,7 +2,7 @@ package particles.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
-import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -44,7 +44,7 @@ class FoundInputsTest {
                 + " a, position: [0, 0, 0]}\n"
                 + "rules:\n  - emitter: {id: spark, position: [0, 0, 0], speed: 1, rate: 1e6, lifetime: 2}\n";
         String line = assertThrows(SceneException.class, () -> TestScenes.build(scene)).getLines().get(0);
-        assertTrue(line.contains("MiB of memory for 10002000001 particles"), line);
+        assertHas(line, "MiB of memory for 10002000001 particles");
     }
 
     /** A text that ends within an escape, and one with too large a number: both ended in a NumberFormatException. */

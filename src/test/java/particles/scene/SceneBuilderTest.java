@@ -3,6 +3,7 @@ package particles.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
 
 import java.util.List;
 import java.util.Optional;
@@ -108,7 +109,7 @@ class SceneBuilderTest {
         assertEquals(List.of(new ParticleMark("bob", OptionalInt.of(0xff0000), 0, "here")), style.marks());
         String problem = assertThrows(SceneException.class, () -> build(BOB + "look: {marks: [{particle: bib}]}\n"))
                 .getMessage();
-        assertTrue(problem.contains("unknown particle 'bib'; did you mean 'bob'?"), problem);
+        assertHas(problem, "unknown particle 'bib'; did you mean 'bob'?");
     }
 
     /** Solids and wires of rules, effects and constraints are drawn. */

@@ -2,8 +2,8 @@ package particles.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
+import static particles.Texts.assertStarts;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -65,8 +65,8 @@ class SceneFilesTest {
     @Test
     void aMissingFolderIsOneLine() {
         Path missing = folder.resolve("none");
-        assertTrue(assertThrows(SceneException.class, () -> SceneFiles.list(missing)).getLines().get(0)
-                .startsWith("the folder of scenes, " + missing + ", cannot be read"));
+        assertStarts(assertThrows(SceneException.class, () -> SceneFiles.list(missing)).getLines().get(0),
+                "the folder of scenes, " + missing + ", cannot be read");
     }
 
     @Test

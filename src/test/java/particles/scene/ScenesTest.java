@@ -6,11 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.Simulation;
@@ -21,16 +18,8 @@ import particles.scene.format.SceneDescription;
 class ScenesTest {
     private static final int STEPS = 200;
 
-    static List<Path> scenes() {
-        try (Stream<Path> files = Files.list(Path.of("scenes"))) {
-            return files.filter(file -> file.toString().endsWith(".yaml")).sorted().toList();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
     @ParameterizedTest
-    @MethodSource("scenes")
+    @MethodSource("particles.scene.TestScenes#files")
     void everySceneRuns(Path file) {
         SceneDescription description = SceneReader.read(file);
         double duration = Math.min(description.duration(), STEPS * description.deltaT());
@@ -42,7 +31,7 @@ class ScenesTest {
     }
 
     @ParameterizedTest
-    @MethodSource("scenes")
+    @MethodSource("particles.scene.TestScenes#files")
     void everySceneIsNumberedAndNamesItsSchema(Path file) throws IOException {
         assertTrue(file.getFileName().toString().matches("\\d\\d-[a-z0-9-]+\\.yaml"), file.toString());
         assertEquals("# yaml-language-server: $schema=scene.schema.json", Files.readAllLines(file).get(0));
@@ -50,7 +39,7 @@ class ScenesTest {
 
     /** Bounds for any motion: at most 0.69 of the imaginary limit, the flag's, and 0.993 of the real one, jelly's. */
     @ParameterizedTest
-    @MethodSource("scenes")
+    @MethodSource("particles.scene.TestScenes#files")
     void stepsAreShortEnoughForTheScenesSprings(Path file) {
         Scene scene = SceneBuilder.build(SceneReader.read(file));
         SolverInfo solver = SolverCatalog.info(scene.description().solver());

@@ -41,8 +41,14 @@ class ShapesTest {
      * middle.
      */
     @ParameterizedTest
-    @CsvSource({"2, 2, 0, 4, 2, 0", "5, 3, 0, 22, 16, 14", "2, 7, 0, 19, 12, 10", "2, 2, 2, 12, 16, 0",
-        "4, 3, 2, 46, 82, 20", "3, 5, 4, 133, 292, 86"})
+    @CsvSource(textBlock = """
+            2, 2, 0, 4, 2, 0
+            5, 3, 0, 22, 16, 14
+            2, 7, 0, 19, 12, 10
+            2, 2, 2, 12, 16, 0
+            4, 3, 2, 46, 82, 20
+            3, 5, 4, 133, 292, 86
+            """)
     void aShapeHasTheRightNumberOfSprings(int n, int m, int layers, int structural, int shear, int bend) {
         Map.of("structural", structural, "shear", shear, "bend", bend).forEach((sort, count) -> {
             String springs = ", " + sort + ": {stiffness: 1}";

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertStarts;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -90,7 +91,7 @@ class SturdyReaderTest {
         for (String number : List.of("1e31", "-1e999", ".inf", "-.inf", "9".repeat(400), "0x" + "f".repeat(40))) {
             List<String> lines = linesFor(GOOD.replace("[0, 1, 0]", "[0, " + number + ", 0]"));
             assertEquals(1, lines.size());
-            assertTrue(lines.get(0).startsWith("x.yaml:7:29: y of 'position' is "), lines.get(0));
+            assertStarts(lines.get(0), "x.yaml:7:29: y of 'position' is ");
             assertTrue(lines.get(0).endsWith("; numbers in a scene are at most 1e30"), lines.get(0));
         }
         assertEquals(List.of("x.yaml:7:29: y of 'position' is .nan; it has to be a number (m)"),

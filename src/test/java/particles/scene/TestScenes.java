@@ -2,6 +2,7 @@ package particles.scene;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import particles.scene.format.SceneDescription;
 
 /** Scenes for tests. */
@@ -10,6 +11,11 @@ public final class TestScenes {
     public static final Path FOLDER = Path.of("scenes");
 
     private TestScenes() {
+    }
+
+    /** @return the files of the project's scenes */
+    public static List<Path> files() {
+        return SceneFiles.list(FOLDER);
     }
 
     /** @return a scene of the project, by its name or number */

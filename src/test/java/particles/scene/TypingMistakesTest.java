@@ -3,6 +3,8 @@ package particles.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
+import static particles.Texts.assertStarts;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -35,32 +37,32 @@ class TypingMistakesTest {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
-        "0,01|a number has a decimal point, not a comma; write 0.01",
-        "10 ms|write the number without its unit: 0.01",
-        "0.01 s|write the number without its unit: 0.01",
-        "0.01s|write the number without its unit: 0.01",
-        "1 fortnight|write the number without a unit; here it is in s",
-        "1/50|expressions are not calculated; write 0.02",
-        "10^-2|expressions are not calculated; write 0.01",
-        "2*10**-3|expressions are not calculated; write 0.002",
-        "\"0.01\"|a number has no quotes; write 0.01",
-        "'0.01'|a number has no quotes; write 0.01",
-        "\u22120.01|a character of it only looks like an ordinary digit, sign or space; write -0.01",
-        "\u20130.01|a character of it only looks like an ordinary digit, sign or space; write -0.01",
-        "\u00a00.01|a character of it only looks like an ordinary digit, sign or space; write 0.01",
-        "\uff10\uff0e0\uff11|a character of it only looks like an ordinary digit, sign or space; write 0.01",
-        "\u0661e-2|a character of it only looks like an ordinary digit, sign or space; write 1e-2",
-        "\uff10\uff0c01|a number has a decimal point, not a comma; write 0.01",
-        "0x1p-3|a hexadecimal number has no sign, point or exponent; write it in decimal digits",
-        "-0x1F|a hexadecimal number has no sign, point or exponent; write it in decimal digits",
-        "1e-400|positive numbers in a scene are at least 1e-40",
-        "\u201c0.01\u201d|curly quotes are part of the text: type ordinary ones, or none"
-    })
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+            0,01                | a number has a decimal point, not a comma; write 0.01
+            10 ms               | write the number without its unit: 0.01
+            0.01 s              | write the number without its unit: 0.01
+            0.01s               | write the number without its unit: 0.01
+            1 fortnight         | write the number without a unit; here it is in s
+            1/50                | expressions are not calculated; write 0.02
+            10^-2               | expressions are not calculated; write 0.01
+            2*10**-3            | expressions are not calculated; write 0.002
+            "0.01"              | a number has no quotes; write 0.01
+            '0.01'              | a number has no quotes; write 0.01
+            \u22120.01          | a character of it only looks like an ordinary digit, sign or space; write -0.01
+            \u20130.01          | a character of it only looks like an ordinary digit, sign or space; write -0.01
+            \u00a00.01          | a character of it only looks like an ordinary digit, sign or space; write 0.01
+            \uff10\uff0e0\uff11 | a character of it only looks like an ordinary digit, sign or space; write 0.01
+            \u0661e-2           | a character of it only looks like an ordinary digit, sign or space; write 1e-2
+            \uff10\uff0c01      | a number has a decimal point, not a comma; write 0.01
+            0x1p-3              | a hexadecimal number has no sign, point or exponent; write it in decimal digits
+            -0x1F               | a hexadecimal number has no sign, point or exponent; write it in decimal digits
+            1e-400              | positive numbers in a scene are at least 1e-40
+            \u201c0.01\u201d    | curly quotes are part of the text: type ordinary ones, or none
+            """)
     void theErrorForAMistypedNumberSaysWhatToWrite(String typed, String advice) {
         List<String> lines = problems(SCENE.replace("deltaT: 0.01", "deltaT: " + typed));
         assertEquals(1, lines.size(), lines::toString);
-        assertTrue(lines.get(0).startsWith("x.yaml:4:9: 'deltaT' is "), lines.get(0));
+        assertStarts(lines.get(0), "x.yaml:4:9: 'deltaT' is ");
         assertTrue(lines.get(0).endsWith("; " + advice), lines.get(0));
     }
 
@@ -100,7 +102,7 @@ class TypingMistakesTest {
     void theCommonNameOfAKeyIsUnderstood(String typed, String key) {
         List<String> lines = problems(SCENE.replace(key + ":", typed + ":"));
         assertEquals(1, lines.size(), lines::toString);
-        assertTrue(lines.get(0).contains(": unknown key '" + typed + "'; did you mean '" + key + "'?"), lines.get(0));
+        assertHas(lines.get(0), ": unknown key '" + typed + "'; did you mean '" + key + "'?");
     }
 
     /** The texts of 20,000 mistakes took five seconds. */

@@ -2,6 +2,8 @@ package particles.teaching;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
+import static particles.Texts.assertStarts;
 
 import deSolvers.DESolver;
 import java.nio.file.Files;
@@ -39,9 +41,9 @@ class GuardedRunTest {
         return outcome.failure().orElseThrow().toString();
     }
 
-    private static void assertStarts(String expected, String found) {
-        assertTrue(found.startsWith(expected), found);
-        assertTrue(found.contains("GuardedRunTest.java"), found);
+    private static void assertTold(String expected, String found) {
+        assertStarts(found, expected);
+        assertHas(found, "GuardedRunTest.java");
     }
 
     @Test
@@ -52,7 +54,7 @@ class GuardedRunTest {
     @Test
     void anEndlessLoopIsStopped() {
         AtomicLong steps = new AtomicLong();
-        assertStarts("failure: it did not come back within 3/10 s of CPU time: an endless loop, in "
+        assertTold("failure: it did not come back within 3/10 s of CPU time: an endless loop, in "
                 + "PlantedClasses.endlessLoop, line ",
                 failure(() -> PlantedClasses.endlessLoop(steps)));
         assertTrue(steps.get() > 0);
@@ -117,13 +119,13 @@ class GuardedRunTest {
             never.await();
             return 1;
         });
-        assertTrue(found.startsWith("failure: it did not come back within 3/10 s of CPU time: it waits for something "
-                + "that never comes"), found);
+        assertStarts(found, "failure: it did not come back within 3/10 s of CPU time: it waits for something "
+                + "that never comes");
     }
 
     @Test
     void anExceptionIsNamedWithItsPlace() {
-        assertStarts("failure: it ends in an exception: java.lang.ArithmeticException: / by zero, in "
+        assertTold("failure: it ends in an exception: java.lang.ArithmeticException: / by zero, in "
                 + "PlantedClasses.dividesByZero, line ",
                 failure(PlantedClasses::dividesByZero));
     }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystem;
@@ -118,10 +119,9 @@ class GradeClassCommandTest {
         points(1, "eve");
         points(0, "loop");
         points(0, "nobody");
-        assertTrue(screen.contains("broken.zip cannot be read") && screen.contains("nothing was handed in by nobody"),
-                screen);
+        assertHas(screen, "broken.zip cannot be read", "nothing was handed in by nobody");
         String html = Files.readString(folder.resolve("out/class.html"));
-        assertTrue(html.contains("carl (MySolver), s1 (MySolver)"), html);
+        assertHas(html, "carl (MySolver), s1 (MySolver)");
         assertEquals(1, html.split("MySolver uses a solver of the project").length - 1, html);
         String own = Files.readString(folder.resolve("out/s2/grade.md"));
         assertTrue(own.contains("\nanswers.yaml:2:")
@@ -157,7 +157,7 @@ class GradeClassCommandTest {
         dated("Ann_7_assignsubmission_file_c", "2026-03-14T13:30:00Z", "2: 1\n");
         grade(ExitCode.DONE, options("--folder=" + folder.resolve("in")));
         assertTrue(rows("7").get(0).matches("7,2[.].*,0,2,.*_c,2026-03-14T13:30:00Z,1[.]5,.*"), rows("7").toString());
-        assertTrue(Files.readString(folder.resolve("out/talk.csv")).contains("7,late by 1.5 h"));
+        assertHas(Files.readString(folder.resolve("out/talk.csv")), "7,late by 1.5 h");
         grade(ExitCode.DONE, options("--folder=" + folder.resolve("in"), "--attempt=best"));
         assertTrue(rows("7").get(0).matches("7,2[.].*,2,2,,.*_b,2026-03-14T11:59:59Z,,.*"), rows("7").toString());
     }
@@ -178,13 +178,13 @@ class GradeClassCommandTest {
         }
         grade(ExitCode.DONE, options("--collect=" + folder.resolve("one")));
         assertEquals(whole, tables());
-        assertTrue(whole.get("class.csv").contains("\n'=1+1,"), whole.get("class.csv"));
+        assertHas(whole.get("class.csv"), "\n'=1+1,");
         assertTrue(whole.get("talk.csv").contains("hw1-ann (MySolver), hw1-bob (YourSolver)\","), whole.toString());
         Path damaged = folder.resolve("one/x/grade.json");
         Files.createDirectories(damaged.getParent());
         Files.writeString(damaged, "{\"version\": 1}");
-        assertTrue(grade(ExitCode.BAD_INPUT, options("--collect=" + folder.resolve("one")))
-                .contains("grade.json: this is not a result of grade, or it is damaged"));
+        assertHas(grade(ExitCode.BAD_INPUT, options("--collect=" + folder.resolve("one"))),
+                "grade.json: this is not a result of grade, or it is damaged");
     }
 
     private Map<String, String> tables() throws Exception {
@@ -236,7 +236,7 @@ class GradeClassCommandTest {
         grade(ExitCode.DONE, options("--folder=" + folder.resolve("in")));
         points(1, "zoe");
         points(1, "ann");
-        assertTrue(Files.readString(folder.resolve("out/zoe/grade.md")).contains("1 of 13 points for zoe"));
+        assertHas(Files.readString(folder.resolve("out/zoe/grade.md")), "1 of 13 points for zoe");
     }
 
     @Test
@@ -258,7 +258,7 @@ class GradeClassCommandTest {
         try {
             Submission.read(zip).copyAnswers(Files.createDirectories(folder.resolve("copy")));
         } catch (java.io.IOException refused) {
-            assertTrue(refused.getMessage().contains(".."), refused.getMessage());
+            assertHas(refused.getMessage(), "..");
         }
         assertFalse(Files.exists(folder.resolve("evil.yaml")), "a zip writes only below its copy");
     }
@@ -276,6 +276,6 @@ class GradeClassCommandTest {
     @Test
     void aFolderThatIsNotThereIsToldAsSuch() throws Exception {
         Path list = Files.writeString(folder.resolve("list.csv"), "id\n");
-        assertTrue(mark(ExitCode.BAD_INPUT, list).contains("option -Pfolder: "));
+        assertHas(mark(ExitCode.BAD_INPUT, list), "option -Pfolder: ");
     }
 }

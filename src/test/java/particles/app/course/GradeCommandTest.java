@@ -3,6 +3,7 @@ package particles.app.course;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -16,6 +17,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
 import particles.app.cli.ExitCode;
@@ -58,6 +61,10 @@ class GradeCommandTest {
         classes = Files.createDirectories(folder.resolve("exercises"));
     }
 
+    private void euler(String name, String increment) throws Exception {
+        Files.writeString(classes.resolve(name + ".java"), EULER.formatted(name, increment));
+    }
+
     private String run(ExitCode expected, String... args) {
         return Screen.of(expected, List.of(new ExercisesCommand(), new ExerciseCommand(), new GradeCommand(classes)),
                 OptionStyle.GRADLE, args);
@@ -81,7 +88,7 @@ class GradeCommandTest {
     @Test
     void theListHasTwelve() {
         assertEquals(13, run(ExitCode.DONE, "exercises").lines().count());
-        assertTrue(run(ExitCode.DONE, "exercises").contains(" 5  What midpoint costs against RK4"));
+        assertHas(run(ExitCode.DONE, "exercises"), " 5  What midpoint costs against RK4");
     }
 
     @Test
@@ -124,27 +131,22 @@ class GradeCommandTest {
         String text = run(ExitCode.DONE, "exercise", "--number=2", "--student=" + STUDENT);
         Files.writeString(folder.resolve("answers.yaml"), "# mine\n1: NaN\n2: " + spiral(text, 1)
                 + "\n3: 0,5 kg\n12: no <such> & scene.yaml\n");
-        Files.writeString(classes.resolve("GoodSolver.java"), EULER.formatted("GoodSolver", "deltaT * dSdt[i]"));
-        Files.writeString(classes.resolve("WrongSolver.java"),
-                EULER.formatted("WrongSolver", "0.5 * deltaT * dSdt[i]"));
-        Files.writeString(classes.resolve("BrokenSolver.java"), EULER.formatted("BrokenSolver", "deltaT * dSdx[i]"));
+        euler("GoodSolver", "deltaT * dSdt[i]");
+        euler("WrongSolver", "0.5 * deltaT * dSdt[i]");
+        euler("BrokenSolver", "deltaT * dSdx[i]");
         String screen = grade(ExitCode.BAD_INPUT);
-        assertTrue(screen.contains("2 of 15 points for " + STUDENT), screen);
+        assertHas(screen, "2 of 15 points for " + STUDENT);
         assertEquals(8, screen.lines().filter(line -> line.startsWith("missing   ")).count(), screen);
         assertTrue(screen.strip().endsWith("13 marks are missing"), screen);
 
         String report = Files.readString(folder.resolve("report/grade.md"));
-        assertTrue(report.contains("| s-123 | 2. Why Euler spirals: the energy that steps add | 1 | 1 | This is right"),
-                report);
-        assertTrue(report.contains("| 1. Three steps of the Euler method | 0 | 1 | 'NaN' is no finite number"), report);
-        assertTrue(report.contains("'kg' after the number is not understood: the answer is wanted in m/s"), report);
-        assertTrue(report.contains("| solver GoodSolver | 1 | 1 | GoodSolver: right. This is the Euler m"), report);
-        assertTrue(report.contains(
-                "| solver BrokenSolver | 0 | 1 | exercises.BrokenSolver: it cannot be checked. WRONG, f"), report);
-        assertTrue(report.contains(
-                "WRONG, failure: it does not compile: BrokenSolver.java:11: cannot find symbol: variable dSdx"),
-                report);
-        assertTrue(report.contains("| solver WrongSolver | 0 | 1 | WrongSolver: "), report);
+        assertHas(report, "| s-123 | 2. Why Euler spirals: the energy that steps add | 1 | 1 | This is right",
+                "| 1. Three steps of the Euler method | 0 | 1 | 'NaN' is no finite number",
+                "'kg' after the number is not understood: the answer is wanted in m/s",
+                "| solver GoodSolver | 1 | 1 | GoodSolver: right. This is the Euler m",
+                "| solver BrokenSolver | 0 | 1 | exercises.BrokenSolver: it cannot be checked. WRONG, f",
+                "WRONG, failure: it does not compile: BrokenSolver.java:11: cannot find symbol: variable dSdx",
+                "| solver WrongSolver | 0 | 1 | WrongSolver: ");
         assertEquals(Exercises.all().size() + 3,
                 report.lines().filter(line -> line.matches("\\| .* \\| [01] \\| .*")).count());
 
@@ -158,8 +160,8 @@ class GradeCommandTest {
         assertEquals(13, suite.getElementsByTagName("failure").getLength());
         Element last = (Element) cases.item(11);
         assertEquals("12. Design a scene", last.getAttribute("name"));
-        assertTrue(((Element) last.getElementsByTagName("failure").item(0)).getAttribute("message")
-                .contains("no <such> & scene.yaml"));
+        assertHas(((Element) last.getElementsByTagName("failure").item(0)).getAttribute("message"),
+                "no <such> & scene.yaml");
     }
 
     private static final String PRANK = """
@@ -183,9 +185,8 @@ class GradeCommandTest {
     void whoEndsTheProcessGetsNoMark() throws Exception {
         Files.writeString(classes.resolve("HaltSolver.java"), PRANK.formatted("HaltSolver", "HaltSolver"));
         String screen = grade(ExitCode.BAD_INPUT);
-        assertTrue(screen.contains("no mark   solver HaltSolver" + System.lineSeparator()
-                + "            wrong: the check did not finish; the class ended the program"), screen);
-        assertTrue(screen.contains("0 of 13 points"), screen);
+        assertHas(screen, "no mark   solver HaltSolver" + System.lineSeparator()
+                + "            wrong: the check did not finish; the class ended the program", "0 of 13 points");
     }
 
     /** Each wrong solver does something hostile first; their names come before that of the right one. */
@@ -214,13 +215,12 @@ class GradeCommandTest {
         hostile("SaysSolver", "if (true) throw new java.io.IOException(\"red \\u001b[31m\\r\\u202e\");");
         Files.writeString(classes.resolve("CheckerSolver.java"), EULER.formatted("CheckerSolver", "deltaT * dSdt[i]")
                 .replace("package exercises", "package particles.teaching.solvers"));
-        Files.writeString(classes.resolve("VictimSolver.java"), EULER.formatted("VictimSolver", "deltaT * dSdt[i]"));
+        euler("VictimSolver", "deltaT * dSdt[i]");
         String screen = grade(ExitCode.BAD_INPUT);
         assertEquals(List.of("mark      solver VictimSolver"), screen.lines().filter(line ->
                 line.startsWith("mark ")).toList(), screen);
         assertEquals("broken", Files.readString(classes.resolve("VictimSolver.java")), "the attack did take place");
-        assertTrue(screen.contains("PrintSolver: wrong. ") && screen.contains("'package exercises;'"), screen);
-        assertTrue(screen.contains("red \ufffd[31m"), screen);
+        assertHas(screen, "PrintSolver: wrong. ", "'package exercises;'", "red \ufffd[31m");
         assertFalse(screen.matches("(?s).*[\\p{Cc}\\p{Cf}&&[^\r\n]].*"), screen);
     }
 
@@ -239,7 +239,7 @@ class GradeCommandTest {
                                 .anyMatch(frame -> frame.getClassName().startsWith("particles.teaching."));
                     """).replace("double[] state =", "calls = checked ? 0 : calls + 1;\ndouble[] state ="));
         }
-        Files.writeString(classes.resolve("TrueSolver.java"), EULER.formatted("TrueSolver", "deltaT * dSdt[i]"));
+        euler("TrueSolver", "deltaT * dSdt[i]");
         String screen = grade(ExitCode.BAD_INPUT);
         assertEquals(1, screen.lines().filter(line -> line.startsWith("mark ")).count(), screen);
         assertEquals(2, screen.split("it makes other steps than in this check").length - 1, screen);
@@ -266,10 +266,8 @@ class GradeCommandTest {
                         frame.getClassName().startsWith("particles.teaching.")) ? -mass : 0"""));
         String screen = grade(ExitCode.BAD_INPUT, assignment(
                 "effects: {RightForce: 1, WrongForce: 1, HereForce: 1, NoForce: 1}"));
-        assertTrue(screen.contains("in a scene, or after many calls, its forces are others than in this"), screen);
-        assertTrue(screen.contains("mark      effect RightForce"), screen);
-        assertTrue(screen.contains("no mark   effect WrongForce"), screen);
-        assertTrue(screen.contains("there is no file NoForce.java"), screen);
+        assertHas(screen, "in a scene, or after many calls, its forces are others than in this",
+                "mark      effect RightForce", "no mark   effect WrongForce", "there is no file NoForce.java");
     }
 
     @Test
@@ -280,7 +278,7 @@ class GradeCommandTest {
                 "a/../linked.yaml")) {
             Files.writeString(folder.resolve("answers.yaml"), "12: " + path + "\n");
             String screen = grade(ExitCode.BAD_INPUT);
-            assertTrue(screen.contains("'" + path + "' is outside of the folder of answers.yaml, or a link"), screen);
+            assertHas(screen, "'" + path + "' is outside of the folder of answers.yaml, or a link");
             assertFalse(screen.contains("root"), screen);
         }
         Files.delete(folder.resolve("answers.yaml"));
@@ -310,8 +308,8 @@ class GradeCommandTest {
     @Test
     void solversThatAreAskedForHaveToBeThere() {
         String screen = grade(ExitCode.BAD_INPUT, assignment("solvers: {HeunSolver: any}"));
-        assertTrue(screen.contains("missing   solver HeunSolver" + System.lineSeparator()
-                + "            there is no file HeunSolver.java"), screen);
+        assertHas(screen, "missing   solver HeunSolver" + System.lineSeparator()
+                + "            there is no file HeunSolver.java");
         List<String> lines = screen.lines().toList();
         assertTrue(lines.get(0).endsWith("answers.yaml: there is no such file"), screen);
         assertEquals(1, lines.stream().filter(line -> line.contains("answers.yaml")).count(),
@@ -326,7 +324,7 @@ class GradeCommandTest {
     @Test
     void aSolverHasToBeTheMethodThatIsAskedFor() throws Exception {
         for (String name : List.of("ASolver", "BSolver", "CSolver")) {
-            Files.writeString(classes.resolve(name + ".java"), EULER.formatted(name, "deltaT * dSdt[i]"));
+            euler(name, "deltaT * dSdt[i]");
         }
         String screen = grade(ExitCode.BAD_INPUT, assignment("""
                 exercises: {2: 3}
@@ -335,46 +333,54 @@ class GradeCommandTest {
                   BSolver: {method: heun, weight: 4}
                   CSolver: {weight: 0.5}
                 """));
-        assertTrue(screen.contains("mark      solver ASolver") && screen.contains("no mark   solver BSolver")
-                && screen.contains("PROMISE, name: ") && screen.contains("mark      solver CSolver"), screen);
+        assertHas(screen, "mark      solver ASolver", "no mark   solver BSolver", "PROMISE, name: ",
+                "mark      solver CSolver");
         assertTrue(screen.contains("points: 1.5 of 8.5") && !screen.contains("12. Design"), screen);
     }
 
-    @Test
-    void theAssignmentSaysHowMuchIsShown() throws Exception {
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            comments  | BAD_INPUT | no mark   1. Three | This is not right yet
+            marks     | BAD_INPUT | no mark   1. Three | points: 0 of 2
+            handed-in | DONE      | handed in 1. Three | 2 of 2 handed in, and no points yet for s-123; report:
+            """)
+    void theAssignmentSaysHowMuchIsShown(String shows, ExitCode code, String line, String points) throws Exception {
         Files.writeString(folder.resolve("answers.yaml"), "1: 7\n2: 8\n");
-        for (String[] row : new String[][] {{"comments", "no mark   1. Three", "This is not right yet"},
-            {"marks", "no mark   1. Three", "points: 0 of 2"}, {"handed-in", "handed in 1. Three",
-                "2 of 2 handed in, and no points yet for s-123; report: "}}) {
-            String screen = grade(row[0].equals("handed-in") ? ExitCode.DONE : ExitCode.BAD_INPUT,
-                    assignment("exercises: {1: 1, 2: 1}\nshows: " + row[0]));
-            assertTrue(screen.contains(row[1]) && screen.contains(row[2]), screen);
-            assertEquals(row[0].equals("comments"), screen.contains("This is not right yet"), screen);
-            assertEquals(row[0].equals("comments"), Files.readString(folder.resolve("report/grade.md"))
-                    .contains("This is not right yet"), row[0]);
+        String screen = grade(code, assignment("exercises: {1: 1, 2: 1}\nshows: " + shows));
+        assertHas(screen, line, points);
+        for (String text : List.of(screen, Files.readString(folder.resolve("report/grade.md")))) {
+            assertEquals(shows.equals("comments"), text.contains("This is not right yet"), text);
         }
+    }
+
+    @Test
+    void whatIsStillToHandInIsSaid() throws Exception {
+        Files.writeString(folder.resolve("answers.yaml"), "1: 7\n");
         String more = grade(ExitCode.BAD_INPUT, assignment("exercises: {1: 1, 3: 1}\nshows: handed-in"));
         assertTrue(more.contains("1 of 2 handed in, and no points yet") && more.contains("1 still to hand in")
                 && !more.contains("points: "), more);
     }
 
-    @Test
-    void aMistakeInTheAssignmentIsOneLineWithItsPlace() throws Exception {
-        for (String[] row : new String[][] {
-            {"solver: {A: heun}", ":1:1: unknown key 'solver'; did you mean 'solvers'?"},
-            {"solvers: {A: huen}", ":1:14: unknown method 'huen'; did you mean 'heun'?"},
-            {"solvers: {A: dormand-prince}", ":1:14: 'dormand-prince' cannot be asked for: the check sees whether such"
-                    + " a method is right, but cannot tell it from others of its kind; write any"},
-            {"solvers: {A: {method: adams}}", ":1:23: 'adams' cannot be asked for: "},
-            {"exercises: {13: 1}", ":1:13: unknown key '13'"}, {"exercises: {1: -2}", ":1:16: '1' is -2; it has to be"},
-            {"effects: {my force: 1}", ":1:11: a key of 'effects' is the text 'my force'; it has"},
-            {"effects: {A: 1, A: 2}", ":1:17: 'A' appears twice in 'effects'"}, {"shows: all", ":1:8: unknown choice"},
-            {"deadline: 2026-03-14", ":1:11: 'deadline' is '2026-03-14'; it has to be a date, a time"},
-            {"x", ":1:1: the assignment is the text 'x'; it has to be"}, {"numbers: [", ":1:"}}) {
-            String screen = grade(ExitCode.BAD_INPUT, assignment(row[0]));
-            assertTrue(screen.contains("assignment.yaml" + row[1]), row[0] + ": " + screen);
-            assertEquals(1, screen.strip().lines().count(), screen);
-        }
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+            solver: {A: heun}              | :1:1: unknown key 'solver'; did you mean 'solvers'?
+            solvers: {A: huen}             | :1:14: unknown method 'huen'; did you mean 'heun'?
+            solvers: {A: dormand-prince}   | :1:14: 'dormand-prince' cannot be asked for: the check sees whether such \
+            a method is right, but cannot tell it from others of its kind; write any
+            solvers: {A: {method: adams}}  | :1:23: 'adams' cannot be asked for:
+            exercises: {13: 1}             | :1:13: unknown key '13'
+            exercises: {1: -2}             | :1:16: '1' is -2; it has to be
+            effects: {my force: 1}         | :1:11: a key of 'effects' is the text 'my force'; it has
+            effects: {A: 1, A: 2}          | :1:17: 'A' appears twice in 'effects'
+            shows: all                     | :1:8: unknown choice
+            deadline: 2026-03-14           | :1:11: 'deadline' is '2026-03-14'; it has to be a date, a time
+            x                              | :1:1: the assignment is the text 'x'; it has to be
+            numbers: [                     | :1:
+            """)
+    void aMistakeInTheAssignmentIsOneLineWithItsPlace(String text, String problem) {
+        String screen = grade(ExitCode.BAD_INPUT, assignment(text));
+        assertHas(screen, "assignment.yaml" + problem);
+        assertEquals(1, screen.strip().lines().count(), screen);
     }
 
     @Test
@@ -383,7 +389,7 @@ class GradeCommandTest {
         String screen = grade(ExitCode.BAD_INPUT);
         for (String place : List.of(":1:4: '1' is [1, 2]; it has to be the answer", ":2:1: '2' has no value",
                 ":3:1: unknown key '13'", ":4:1: unknown key 'x'")) {
-            assertTrue(screen.contains("answers.yaml" + place), screen);
+            assertHas(screen, "answers.yaml" + place);
         }
     }
 }

@@ -2,6 +2,7 @@ package particles.app.course;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -62,7 +63,7 @@ class SheetsCommandTest {
         assertEquals(mine, sheets(3).get("s1"), "who has a sheet keeps its numbers");
         String sheet = Files.readString(folder.resolve("out/sheet-2-s1.html"));
         String text = Exercises.all().get(1).text(new Draw(mine.get(2), 2));
-        assertTrue(sheet.contains("<h1>Exercises for s1</h1>") && sheet.contains(text), sheet);
+        assertHas(sheet, "<h1>Exercises for s1</h1>", text);
         assertTrue(mine.stream().skip(1).noneMatch(sheet::contains), "no secret is on the sheet");
         Files.writeString(folder.resolve("answers.yaml"), "2: " + question(mine, 2).answer());
         Files.writeString(folder.resolve("assignment.yaml"), "numbers: sheet\nexercises: {2: 1}\n");
@@ -73,10 +74,10 @@ class SheetsCommandTest {
                     + row[0], "--answers=" + folder.resolve("answers.yaml"), "--assignment="
                     + folder.resolve("assignment.yaml"), row[1].isEmpty() ? "--out=" + folder.resolve("grade")
                     : "--key=" + folder.resolve(row[1]));
-            assertTrue(screen.contains(row[2]), screen);
+            assertHas(screen, row[2]);
         }
         Files.writeString(folder.resolve("key.csv"), "student\ns1,12\n");
-        assertTrue(run(ExitCode.BAD_INPUT, "sheets", "--students=" + folder.resolve("list.csv"), "--key="
-                + folder.resolve("key.csv")).contains("key.csv: the line of s1 has 2 cells; a key file has 13"));
+        assertHas(run(ExitCode.BAD_INPUT, "sheets", "--students=" + folder.resolve("list.csv"), "--key="
+                + folder.resolve("key.csv")), "key.csv: the line of s1 has 2 cells; a key file has 13");
     }
 }

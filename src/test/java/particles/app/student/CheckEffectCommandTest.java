@@ -1,6 +1,8 @@
 package particles.app.student;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
+import static particles.Texts.assertStarts;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -105,20 +107,20 @@ class CheckEffectCommandTest {
     @Test
     void aRightLawHasNothingWrong(@TempDir Path folder) throws IOException {
         String screen = here(ExitCode.DONE, "damped-springs", folder);
-        assertTrue(screen.startsWith("SpringForce: right. The effect 'springs' claims INTERNAL, "), screen);
+        assertStarts(screen, "SpringForce: right. The effect 'springs' claims INTERNAL, ");
         assertTrue(screen.lines().count() <= 12, screen);
-        assertTrue(Files.readString(folder.resolve("report/checkEffect.md")).contains("Nothing is wrong."));
+        assertHas(Files.readString(folder.resolve("report/checkEffect.md")), "Nothing is wrong.");
     }
 
     @Test
     void anUnknownNameSaysWhatIsKnown(@TempDir Path folder) {
-        assertTrue(here(ExitCode.BAD_INPUT, "gravty", folder).contains("""
+        assertHas(here(ExitCode.BAD_INPUT, "gravty", folder), """
                 no effect is called 'gravty'; did you mean 'gravity'? known effects: attraction, cohesion, \
                 damped-springs, drag, gravity, penaltyPlane, penaltySphere, quadraticDrag, repulsion, \
-                springs, turbulence, wind"""));
-        assertTrue(here(ExitCode.BAD_INPUT, "MyGravity", folder).contains("""
+                springs, turbulence, wind""");
+        assertHas(here(ExitCode.BAD_INPUT, "MyGravity", folder), """
                 there is no class exercises.MyGravity; put your own class into src/main/java/exercises (gradle \
-                newEffect writes one to start from)"""));
+                newEffect writes one to start from)""");
     }
 
     @ParameterizedTest

@@ -1,6 +1,8 @@
 package particles.app.student;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
+import static particles.Texts.assertStarts;
 
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;
@@ -105,7 +107,7 @@ class CheckSolverCommandTest {
     @Test
     void aRightSolverGetsItsNameNumbersAndPictures(@TempDir Path folder) throws IOException {
         String screen = here(ExitCode.DONE, "midpoint", folder);
-        assertTrue(screen.startsWith("MidpointSolver: right. This is the midpoint method."), screen);
+        assertStarts(screen, "MidpointSolver: right. This is the midpoint method.");
         assertTrue(screen.lines().count() <= 12, screen);
         String report = Files.readString(folder.resolve("report/checkSolver.md"));
         for (String picture : List.of("order.png", "region.png", "energy.png", "work-precision.png")) {
@@ -119,32 +121,32 @@ class CheckSolverCommandTest {
         String screen = here(ExitCode.BAD_INPUT, NoClock.class.getName(), folder);
         String mistake = "the clock never moves: incTime(deltaT) is missing";
         assertTrue(screen.lines().anyMatch(("WRONG, time: " + mistake)::equals), screen);
-        assertTrue(screen.startsWith("NoClock: wrong. "), screen);
-        assertTrue(Files.readString(folder.resolve("report/checkSolver.md")).contains("- **time**: " + mistake));
+        assertStarts(screen, "NoClock: wrong. ");
+        assertHas(Files.readString(folder.resolve("report/checkSolver.md")), "- **time**: " + mistake);
     }
 
     @Test
     void anExceptionWhileItIsMeasuredLosesNothingThatWasFoundOut(@TempDir Path folder) throws IOException {
         String screen = here(ExitCode.BAD_INPUT, Crashes.class.getName(), folder);
-        assertTrue(screen.startsWith("Crashes: wrong. This is the Euler method."), screen);
+        assertStarts(screen, "Crashes: wrong. This is the Euler method.");
         String mistake = "while it was measured on springs: java.lang.IndexOutOfBoundsException: at 1, in Crashes.";
-        assertTrue(screen.contains("failure: " + mistake), screen);
-        assertTrue(Files.readString(folder.resolve("report/checkSolver.md")).contains("- **failure**: " + mistake));
+        assertHas(screen, "failure: " + mistake);
+        assertHas(Files.readString(folder.resolve("report/checkSolver.md")), "- **failure**: " + mistake);
     }
 
     @Test
     void aSolverThatRefusesSomeStepsIsRight(@TempDir Path folder) throws IOException {
         String screen = here(ExitCode.DONE, Refuses.class.getName(), folder);
-        assertTrue(screen.startsWith("Refuses: right. This is the Euler method."), screen);
-        assertTrue(screen.contains("style: it refuses a negative deltaT (deltaT has to be above 0"), screen);
+        assertStarts(screen, "Refuses: right. This is the Euler method.");
+        assertHas(screen, "style: it refuses a negative deltaT (deltaT has to be above 0");
         String report = Files.readString(folder.resolve("report/checkSolver.md"));
-        assertTrue(report.contains("it refuses deltaT = 0") && report.contains("a step of 1 s is refused"), report);
+        assertHas(report, "it refuses deltaT = 0", "a step of 1 s is refused");
     }
 
     @Test
     void anUnknownNameSaysWhatIsKnown(@TempDir Path folder) {
-        assertTrue(here(ExitCode.BAD_INPUT, "HeunSolver",
-                folder).contains("no class or solver is called 'exercises.HeunSolver'; known"));
+        assertHas(here(ExitCode.BAD_INPUT, "HeunSolver", folder),
+                "no class or solver is called 'exercises.HeunSolver'; known");
     }
 
     /** Java counts 247 MB of 256 MB as usable with its serial collector. */
@@ -157,7 +159,7 @@ class CheckSolverCommandTest {
     void aClassThatDoesNotComeBackIsFoundOut(String planted, String failure, @TempDir Path folder) throws Exception {
         String found = CheckProcess.failureOf("checkSolver", "--solver=",
                 Class.forName(CheckSolverCommandTest.class.getName() + "$" + planted), folder);
-        assertTrue(found.startsWith("failure: " + failure), found);
+        assertStarts(found, "failure: " + failure);
     }
 
     @Tag("slow")

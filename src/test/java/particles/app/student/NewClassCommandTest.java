@@ -3,6 +3,7 @@ package particles.app.student;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
 
 import deSolvers.DESolver;
 import java.io.IOException;
@@ -60,8 +61,8 @@ class NewClassCommandTest {
     @ParameterizedTest
     @CsvSource({"MyRK4Solver, DESolver", "HeunSolver, FixedStepSolver"})
     void aSolverCompilesAndIsToldWhatIsMissing(String name, String base) throws Exception {
-        assertTrue(run(ExitCode.DONE, "newSolver", name, "--from=" + base).contains(
-                "gradle checkSolver -Psolver=exercises." + name));
+        assertHas(run(ExitCode.DONE, "newSolver", name, "--from=" + base),
+                "gradle checkSolver -Psolver=exercises." + name);
         Class<?> solver = compiled(name);
         assertEquals(List.of("not yet: the step does nothing yet: write it, then check again"), SolverCheck.check(() ->
                 make(solver), name).wrong().stream().map(Finding::toString).toList());
@@ -99,7 +100,7 @@ class NewClassCommandTest {
 
     @Test
     void anEffectCompilesAndIsToldThatItAddsNoForce() throws ReflectiveOperationException, IOException {
-        assertTrue(run(ExitCode.DONE, "newEffect", "MyGravity").contains("- exercises.MyGravity: {strength: 2}"));
+        assertHas(run(ExitCode.DONE, "newEffect", "MyGravity"), "- exercises.MyGravity: {strength: 2}");
         Constructor<? extends Effect> maker = compiled("MyGravity").asSubclass(Effect.class)
                 .getConstructor(Particles.class, double.class);
         List<Finding> wrong = EffectCheck.check(particles -> made(maker, particles, 2.0));
@@ -145,9 +146,8 @@ class NewClassCommandTest {
         run(ExitCode.DONE, "newSolver", "HeunSolver");
         Path file = folder.resolve("exercises/HeunSolver.java");
         Files.writeString(file, "my work");
-        assertTrue(run(ExitCode.BAD_INPUT, "newSolver",
-                "HeunSolver").contains("exists already and was not changed"));
-        assertTrue(run(ExitCode.BAD_INPUT, "newEffect", "HeunSolver").contains("exists already"));
+        assertHas(run(ExitCode.BAD_INPUT, "newSolver", "HeunSolver"), "exists already and was not changed");
+        assertHas(run(ExitCode.BAD_INPUT, "newEffect", "HeunSolver"), "exists already");
         assertEquals("my work", Files.readString(file));
     }
 

@@ -7,6 +7,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** A class that does not compile breaks what uses it, with the compiler's messages, and nothing else. */
 class StudentLoaderTest {
@@ -23,6 +25,11 @@ class StudentLoaderTest {
         return new StudentLoader(classes, getClass().getClassLoader());
     }
 
+    private static void assertFails(String message, StudentLoader loader, String name) {
+        assertEquals(message, assertThrows(IllegalArgumentException.class,
+                () -> loader.loadClass("exercises." + name)).getMessage());
+    }
+
     @Test
     void oneThatDoesNotCompileBreaksWhatUsesItOnly() throws Exception {
         StudentLoader loader = loader("Good",
@@ -32,10 +39,8 @@ class StudentLoaderTest {
         assertEquals(3, loader.loadClass("exercises.Good").getMethod("of").invoke(null));
         String message = "it does not compile: Broken.java:3: cannot find symbol: variable y\n"
                 + "  Broken.java:4: cannot find symbol: variable w";
-        assertEquals(message, assertThrows(IllegalArgumentException.class,
-                () -> loader.loadClass("exercises.Broken")).getMessage());
-        assertEquals(message, assertThrows(IllegalArgumentException.class,
-                () -> loader.loadClass("exercises.User")).getMessage());
+        assertFails(message, loader, "Broken");
+        assertFails(message, loader, "User");
     }
 
     @Test
@@ -44,21 +49,19 @@ class StudentLoaderTest {
         assertEquals(deSolvers.EulerSolver.class, loader.loadClass("exercises.Mine").getMethod("base").invoke(null));
     }
 
-    @Test
-    void aWrongPackageAndAWrongNameAreToldAsSuch() throws Exception {
-        StudentLoader loader = loader("Mine", "");
-        Path classes = folder.resolve("exercises");
-        Files.writeString(classes.resolve("Homeless.java"), "public class Homeless { }");
-        Files.writeString(classes.resolve("Renamed.java"), "package exercises; class Other { }");
-        Files.writeString(classes.resolve("Public.java"), "package exercises; public class Other { }");
-        for (String[] pair : new String[][] {
-            {"Homeless", "Homeless.java: the first line has to be 'package exercises;'"},
-            {"Renamed", "Renamed.java: the class in it has to be called Renamed, as the file is"},
-            {"Public", "it does not compile: Public.java:1: class Other is public, should be declared in a file named"
-                    + " Other.java"}}) {
-            assertEquals(pair[1], assertThrows(IllegalArgumentException.class,
-                    () -> loader.loadClass("exercises." + pair[0])).getMessage());
-        }
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+            public class Homeless { }                    | Homeless | Homeless.java: the first line has to be \
+            'package exercises;'
+            package exercises; class Other { }           | Renamed  | Renamed.java: the class in it has to be called \
+            Renamed, as the file is
+            package exercises; public class Other { }    | Public   | it does not compile: Public.java:1: class Other \
+            is public, should be declared in a file named Other.java
+            """)
+    void aWrongPackageAndAWrongNameAreToldAsSuch(String text, String name, String message) throws Exception {
+        StudentLoader loader = loader();
+        Files.writeString(folder.resolve("exercises").resolve(name + ".java"), text);
+        assertFails(message, loader, name);
     }
 
     @Test

@@ -3,6 +3,7 @@ package particles.experiments.energy;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
 
 import java.util.List;
 import java.util.NoSuchElementException;
@@ -129,7 +130,7 @@ class EnergyDriftTest {
                 SolverChoice.list(" rk4, euler,rk4").stream().map(SolverChoice::label).toList());
         assertEquals(14, SolverChoice.list("all").size());
         String message = assertThrows(NoSuchElementException.class, () -> SolverChoice.list("rk4,eular")).getMessage();
-        assertTrue(message.contains("did you mean 'euler'"), message);
+        assertHas(message, "did you mean 'euler'");
         assertThrows(IllegalArgumentException.class, () -> SolverChoice.list(" ,"));
     }
 }

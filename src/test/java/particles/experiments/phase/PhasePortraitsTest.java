@@ -3,6 +3,7 @@ package particles.experiments.phase;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertStarts;
 
 import java.util.Arrays;
 import java.util.List;
@@ -88,9 +89,7 @@ class PhasePortraitsTest {
         assertEquals(List.of(Axis.Z, Axis.Z, Axis.Y, Axis.Y), axes(both));
         assertTrue(Double.isNaN(both.portraits().get(0).off()), "nothing moves along z, and there is no curve");
         assertEquals("'ball', rk4: at rest along z", both.portraits().get(0).chart().title());
-        assertTrue(PhasePortraits.finding("Ball",
-                both.portraits()).startsWith("Ball: rk4 and verlet stay on the curve to "),
-                PhasePortraits.finding("Ball", both.portraits()));
+        assertStarts(PhasePortraits.finding("Ball", both.portraits()), "Ball: rk4 and verlet stay on the curve to ");
     }
 
     /** A square of side 2, and points in it, on it and off it, half its width being 1. */

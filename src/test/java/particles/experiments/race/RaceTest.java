@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
+import static particles.Texts.assertStarts;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -49,7 +51,7 @@ class RaceTest {
         assertFalse(race.equalTime());
         assertEquals(300, race.shares().work());                             // 75 steps of rk4
         assertEqualWork(race);
-        assertSays("equal work, 300 evaluations each", RaceCharts.title(race));
+        assertHas(RaceCharts.title(race), "equal work, 300 evaluations each");
     }
 
     /** x = cos t, v = -sin t. */
@@ -92,10 +94,6 @@ class RaceTest {
         }
     }
 
-    private static void assertSays(String part, String text) {
-        assertTrue(text.contains(part), text);
-    }
-
     private static Object cell(DataTable table, int row, String column) {
         List<String> names = table.columns().stream().map(DataTable.Column::name).toList();
         return table.rows().get(row).get(names.indexOf(column));
@@ -121,7 +119,7 @@ class RaceTest {
         double step = euler.match().setting().deltaT();
         assertEquals(left / step, (Long) cell(table, 0, "evaluations"), 1,
                 "evaluations until then, and not those of its share: " + euler.match().evaluations());
-        assertTrue(cell(table, 0, "why").toString().contains("went where the reference never comes near"));
+        assertHas(cell(table, 0, "why").toString(), "went where the reference never comes near");
     }
 
     /** On the parabola of a stone three solvers are off by some 1e-14 m of 4 m, which says nothing about them. */
@@ -137,7 +135,7 @@ class RaceTest {
     void whoIsAsNearIsNamedToo() {
         Result race = run(CHAIN, "euler, midpoint, rk4, symplectic-euler, verlet", 240, NOBODY);
         String finding = RaceCharts.finding(race);
-        assertTrue(finding.startsWith("symplectic-euler and verlet stay nearest to the reference; "), finding);
+        assertStarts(finding, "symplectic-euler and verlet stay nearest to the reference; ");
         DataTable table = RaceCharts.table(race);
         double ratio = (Double) cell(table, 4, "distance, rms (m)") / (Double) cell(table, 3, "distance, rms (m)");
         assertEquals(1.051, ratio, 0.005);                      // measured 1.0511
@@ -156,7 +154,7 @@ class RaceTest {
         }
         assertEquals(150, Math.round(3 / result.lanes().get(2).match().setting().deltaT()), 1.5,
                 "verlet: steps of 1 + 2");
-        assertSays("equal time, 0.450 ms each", RaceCharts.title(result));
+        assertHas(RaceCharts.title(result), "equal time, 0.450 ms each");
     }
 
     /** Radau's loosest tolerance needs more than rk4 at the scene's step: now all take as long as that. */
@@ -216,8 +214,8 @@ class RaceTest {
     void whatCannotBeEqualIsSaid() {
         Result result = timed(lasting(CHAIN, 3), "rk4, radau", 30, outcome ->
                 outcome.steps() == 30 || outcome.steps() == 15 ? 1 : 1e-6 * outcome.evaluations());
-        assertSays("no equal time, up to", RaceCharts.title(result));
-        assertSays("radau cannot do with less than", RaceCharts.finding(result));
+        assertHas(RaceCharts.title(result), "no equal time, up to");
+        assertHas(RaceCharts.finding(result), "radau cannot do with less than");
     }
 
     /** By evaluations too: bulirsch-stoer needs more than the 800 of rk4 with a step of 0.06 s. */

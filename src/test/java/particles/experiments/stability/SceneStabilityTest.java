@@ -2,6 +2,7 @@ package particles.experiments.stability;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertStarts;
 
 import java.util.List;
 import java.util.function.IntFunction;
@@ -65,8 +66,7 @@ class SceneStabilityTest {
         assertEquals(1, limit.predictedGrowth() / growth, 1e-5, limit.toString());
         assertEquals(1, limit.measuredGrowth() / growth, 2e-3, limit.toString());
         assertTrue(limit.note().endsWith(" grows most") && limit.note().startsWith("the mode of"), limit.toString());
-        assertTrue(SceneStability.table(List.of(limit), 0.1).rows().get(0).get(1).toString()
-                .startsWith("always grows: 1.9"));
+        assertStarts(SceneStability.table(List.of(limit), 0.1).rows().get(0).get(1).toString(), "always grows: 1.9");
     }
 
     /**

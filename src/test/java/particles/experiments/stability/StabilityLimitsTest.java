@@ -2,6 +2,7 @@ package particles.experiments.stability;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertStarts;
 
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
@@ -72,7 +73,7 @@ class StabilityLimitsTest {
     void whatAlwaysGrowsSaysByHowMuch(String solver, double growth, double digits) {
         StabilityLimit limit = StabilityLimits.imaginary(SolverCatalog.info(solver));
         assertEquals(growth, limit.growth(), digits);
-        assertTrue(limit.text().startsWith("always grows: "), limit.text());
+        assertStarts(limit.text(), "always grows: ");
     }
 
     /**

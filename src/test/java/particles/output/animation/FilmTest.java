@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
 
 import java.io.IOException;
 import java.io.OutputStream;
@@ -177,7 +178,7 @@ class FilmTest {
                 film.prepare(0, frame(W, H, 0)).run();
             }
         });
-        assertTrue(e.getMessage().contains("film.mp4") && e.getMessage().contains("the disk is full"), e.getMessage());
+        assertHas(e.getMessage(), "film.mp4", "the disk is full");
         assertFalse(e.getMessage().contains("\n"));
         try (var files = Files.list(top)) {
             assertTrue(files.noneMatch(file -> file.getFileName().toString().contains("film")));

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
 
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
@@ -165,7 +166,7 @@ class FittedChartTest {
         assertEquals("svg", svg.getDocumentElement().getTagName());
         String text = IntStream.range(0, svg.getElementsByTagName("text").getLength())
                 .mapToObj(k -> svg.getElementsByTagName("text").item(k).getTextContent()).toList().toString();
-        assertTrue(text.contains("position x (m)") && text.contains("rk4"), text);
+        assertHas(text, "position x (m)", "rk4");
         assertTrue(svg.getElementsByTagName("path").getLength() > 0, "and its lines");
     }
 

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
+import static particles.Texts.assertStarts;
 
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
@@ -124,14 +126,14 @@ class ReportWriterTest {
         List<Element> images = all("img");
         assertEquals(4, images.size());
         for (Element image : images) {
-            assertTrue(image.getAttribute("src").startsWith("data:image/"), image.getAttribute("src"));
+            assertStarts(image.getAttribute("src"), "data:image/");
             assertFalse(image.getAttribute("alt").isBlank());
         }
         String png = images.get(0).getAttribute("src");
-        assertTrue(png.startsWith("data:image/png;base64,"));
+        assertStarts(png, "data:image/png;base64,");
         assertSamePicture(Files.readAllBytes(top.resolve("fall/height.png")),
                 Base64.getDecoder().decode(png.substring(png.indexOf(',') + 1)));
-        assertTrue(images.get(1).getAttribute("src").startsWith("data:image/gif;base64,R0lG"));
+        assertStarts(images.get(1).getAttribute("src"), "data:image/gif;base64,R0lG");
         String text = html.replaceAll("base64,[^\"]*", "");
         assertFalse(text.contains("http:") || text.contains("https:") || text.contains("//") || text.contains("@import")
                 || text.contains("url("), "no link leads out");
@@ -202,7 +204,7 @@ class ReportWriterTest {
         assertEquals("All 200 rows", all(details, "summary").get(0).getTextContent());
         assertEquals(201, all(details, "tr").size());
         String script = all("script").get(0).getTextContent();
-        assertTrue(script.contains("th button") && script.contains("data-value") && script.contains("aria-sort"));
+        assertHas(script, "th button", "data-value", "aria-sort");
     }
 
     /**
@@ -220,7 +222,7 @@ class ReportWriterTest {
                 .orElseThrow();
         assertEquals("Not printed: All; 200 rows, in cost.csv.", note.getTextContent());
         String print = ReportStyle.CSS.substring(ReportStyle.CSS.indexOf("@media print"));
-        assertTrue(print.contains(".folded { display: none; }") && print.contains(".printed { display: block; }"));
+        assertHas(print, ".folded { display: none; }", ".printed { display: block; }");
     }
 
     /** A chart is as wide as charts are; of a film there is nothing to print. */
@@ -238,7 +240,7 @@ class ReportWriterTest {
                     new Report("Wide", List.of(), List.of(new Section("wide", "Is wide.",
                     top.resolve("wide"), 1, Optional.of(panels), Optional.empty())), "The end."));
         }
-        assertTrue(Files.readString(top.resolve("wide/report.html")).contains("class=\"whole\""));
+        assertHas(Files.readString(top.resolve("wide/report.html")), "class=\"whole\"");
     }
 
     @Test
@@ -246,7 +248,7 @@ class ReportWriterTest {
         Element jump = all("section").get(2);
         assertEquals("could not be made", all(jump, "h2").get(0).getTextContent());
         assertEquals("a < b\nand so on", all(jump, "p").get(1).getTextContent());
-        assertTrue(all("li").get(2).getTextContent().contains("could not be made"));
+        assertHas(all("li").get(2).getTextContent(), "could not be made");
         assertTrue(all(all("section").get(1), "figure").size() == 2, "the others stand");
     }
 }

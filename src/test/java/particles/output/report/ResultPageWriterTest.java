@@ -3,6 +3,8 @@ package particles.output.report;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
+import static particles.Texts.assertStarts;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -82,8 +84,8 @@ class ResultPageWriterTest {
                 "falls,ball,time (s),0.5,height (m),-0.25"), Files.readAllLines(made.resolve("height.csv")));
         assertEquals(TableText.csv(TABLE), Files.readAllLines(made.resolve("cost.csv")));
         String text = Files.readString(made.resolve("fall.md"));
-        assertTrue(text.startsWith("# It falls\n\nAs all does.\n\n![Height over time.](height.png)\n"), text);
-        assertTrue(text.contains("| rk4, \"old\" | 1.235e-7 | 400 |"), text);
+        assertStarts(text, "# It falls\n\nAs all does.\n\n![Height over time.](height.png)\n");
+        assertHas(text, "| rk4, \"old\" | 1.235e-7 | 400 |");
         assertTrue(Files.size(made.resolve("height.png")) > 1000 && Files.size(made.resolve("both.png")) > 1000);
     }
 

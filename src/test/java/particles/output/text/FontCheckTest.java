@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import static particles.Systems.rk4;
+import static particles.Texts.assertStarts;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -80,7 +81,7 @@ class FontCheckTest {
         assertEquals(2, lines.size(), end.lines());
         String chart = top.resolve("out").resolve("chart.png").toString();
         for (String line : lines) {
-            assertTrue(line.startsWith("cannot draw " + chart + ": Java finds no font on this machine"), line);
+            assertStarts(line, "cannot draw " + chart + ": Java finds no font on this machine");
         }
         assertTrue(Files.size(top.resolve("out/frames/frame-00000.png")) > 0);
     }

@@ -3,6 +3,7 @@ package particles.teaching.exercises;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -10,6 +11,8 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import particles.teaching.marking.Draw;
 import particles.teaching.marking.Mark;
 
@@ -48,30 +51,30 @@ class SceneDesignTest {
         }
     }
 
-    private void assertFails(String line, String scene) throws IOException {
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            solver: rk4 => solver: euler | does not hold: solver: one of the catalogue, and not euler (here: euler)
+            solver: rk4 => solver: exercises.Mine | does not hold: solver: one of the catalogue, and not euler (here: \
+            exercises.Mine)
+            columns: 4, rows: 3 => columns: 2, rows: 2 | does not hold: at least
+            duration: 6 => duration: 0.5 | does not hold: duration: at least
+            deltaT: 0.002 => deltaT: 0.00002 | does not hold: it runs to its end
+            deltaT: 0.002 => deltaT: 0.00002 | not looked at: the numerical error
+            rules: [ground: {restitution: 0.6}] => | does not hold: at least
+            restitution: 0.6 => restitution: 1; , drag: {coefficient: 0.02} =>; , damping: 0.1 => \
+            | does not hold: damping, drag and bounces take
+            solver: rk4 => solver: backward-euler; deltaT: 0.002 => deltaT: 0.1; impact: exact => impact: clamp \
+            | does not hold: the numerical error
+            """)
+    void whatIsMissingIsSaid(String changes, String line) throws IOException {
+        String scene = GOOD;
+        for (String change : changes.split("; ")) {
+            String[] words = change.split(" => ?", 2);
+            scene = scene.replace(words[0], words[1]);
+        }
         Mark mark = mark("ann", scene);
         assertFalse(mark.right());
         assertTrue(mark.lines().stream().anyMatch(l -> l.startsWith(line)), line + " among " + mark.lines());
-    }
-
-    @Test
-    void whatIsMissingIsSaid() throws IOException {
-        assertFails("does not hold: solver: one of the catalogue, and not euler (here: euler)",
-                GOOD.replace("solver: rk4",
-                "solver: euler"));
-        assertFails("does not hold: solver: one of the catalogue, and not euler (here: exercises.Mine)",
-                GOOD.replace("solver: rk4", "solver: exercises.Mine"));
-        assertFails("does not hold: at least", GOOD.replace("columns: 4, rows: 3", "columns: 2, rows: 2"));
-        assertFails("does not hold: duration: at least", GOOD.replace("duration: 6", "duration: 0.5"));
-        assertFails("does not hold: it runs to its end", GOOD.replace("deltaT: 0.002", "deltaT: 0.00002"));
-        assertFails("not looked at: the numerical error", GOOD.replace("deltaT: 0.002", "deltaT: 0.00002"));
-        assertFails("does not hold: at least", GOOD.replace("rules: [ground: {restitution: 0.6}]", ""));
-        assertFails("does not hold: damping, drag and bounces take", GOOD.replace("restitution: 0.6",
-                "restitution: 1").replace(", drag: {coefficient: 0.02}", "")
-                .replace(", damping: 0.1", ""));
-        assertFails("does not hold: the numerical error", GOOD.replace("solver: rk4",
-                "solver: backward-euler").replace("deltaT: 0.002", "deltaT: 0.1")
-                .replace("impact: exact", "impact: clamp"));
     }
 
     @Test
@@ -81,7 +84,7 @@ class SceneDesignTest {
                 new SceneDesign().mark(draw, " ").lines());
         assertEquals(List.of(folder + "/none.yaml: there is no such file"), new SceneDesign().mark(draw,
                 folder.resolve("none.yaml").toString()).lines());
-        assertTrue(new SceneDesign().mark(draw, "a\0b").lines().get(0).contains("is no path of a file"));
-        assertTrue(mark("ann", GOOD.replace("gravity", "gravty")).lines().get(0).contains("did you mean 'gravity'?"));
+        assertHas(new SceneDesign().mark(draw, "a\0b").lines().get(0), "is no path of a file");
+        assertHas(mark("ann", GOOD.replace("gravity", "gravty")).lines().get(0), "did you mean 'gravity'?");
     }
 }

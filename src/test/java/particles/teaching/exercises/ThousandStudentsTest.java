@@ -3,6 +3,7 @@ package particles.teaching.exercises;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertStarts;
 
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -102,7 +103,7 @@ class ThousandStudentsTest {
         for (int n : new int[] {6, 7, 8}) {
             NumericExercise exercise = (NumericExercise) Exercises.all().get(n - 1);
             String hint = String.join(" ", exercise.mark(new Draw("a", n), "123456").lines());
-            assertTrue(hint.startsWith("This is not right yet. "), hint);
+            assertStarts(hint, "This is not right yet. ");
             assertFalse(hint.matches(".*[=^/*].*|.*(sqrt|omega).*"), hint);
         }
     }

@@ -2,6 +2,7 @@ package particles.teaching.figures;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
 
 import deSolvers.catalog.SolverCatalog;
 import java.util.List;
@@ -36,17 +37,17 @@ class SolverFiguresTest {
         // |R(i)|^2 = (1 - 1/2 + 1/24)^2 + (1 - 1/6)^2 = 569/576
         assertEquals(Math.sqrt(569.0 / 576), number(rk4, "a spring's amplitude"), 5e-9);
         assertEquals(4, number(rk4, "order"), 0.05);                                                // measured 4.013
-        assertTrue(value(rk4, "areas in state space").contains("not symplectic: areas shrink"));
+        assertHas(value(rk4, "areas in state space"), "not symplectic: areas shrink");
         assertTrue(value(rk4, "distance from the start").endsWith("not reversible"));
-        assertTrue(value(rk4, "a spring's amplitude").contains("shrinks by 0.61 %"));
+        assertHas(value(rk4, "a spring's amplitude"), "shrinks by 0.61 %");
         assertTrue(rk4.region().isPresent());
     }
 
     @Test
     void verletKeepsAreaAndGoesBack() {
         SolverFigures verlet = figures("verlet");
-        assertTrue(value(verlet, "areas in state space").contains("symplectic on the spring"));
-        assertTrue(value(verlet, "distance from the start").contains("reversible: it ends where it began"));
+        assertHas(value(verlet, "areas in state space"), "symplectic on the spring");
+        assertHas(value(verlet, "distance from the start"), "reversible: it ends where it began");
         // the invariant x^2 (1 - h^2/4) + v^2 keeps the energy within h^2/4 = 0.0025
         assertEquals(0.0025, number(verlet, "largest energy error"), 5e-7);      // measured 5.7e-8
         assertEquals(2, number(verlet, "imaginary limit"), 5e-8);
@@ -61,7 +62,7 @@ class SolverFiguresTest {
         SolverFigures euler = figures("euler");
         assertEquals(2, number(euler, "areas in state space"), 5e-8);           // 1 + h^2
         assertEquals(Math.sqrt(2), number(euler, "a spring's amplitude"), 5e-8);
-        assertTrue(value(euler, "a spring's amplitude").contains("grows by 41 %"));
+        assertHas(value(euler, "a spring's amplitude"), "grows by 41 %");
         assertEquals(0, number(euler, "imaginary limit"));
         assertEquals(2, number(euler, "real limit"), 5e-8);
         assertEquals(1, number(euler, "evaluations"));

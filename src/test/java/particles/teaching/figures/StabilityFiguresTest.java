@@ -111,7 +111,12 @@ class StabilityFiguresTest {
      * stable inside for theta below 1/2.
      */
     @ParameterizedTest
-    @CsvSource({"0.4, -5, true", "0.25, -2, true", "0.75, 2, false", "1, 1, false"})
+    @CsvSource(textBlock = """
+            0.4, -5, true
+            0.25, -2, true
+            0.75, 2, false
+            1, 1, false
+            """)
     void aStudentsThetaMethodHasItsCircle(double theta, double centre, boolean inside) {
         StabilityFigures figures = figures(() -> theta(theta));
         assertCircle(figures, centre, Math.abs(centre), inside);

@@ -1,7 +1,7 @@
 package particles.teaching.marking;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
 
 import java.util.List;
 import java.util.Optional;
@@ -13,29 +13,57 @@ import org.junit.jupiter.params.provider.CsvSource;
 class AnswerTextTest {
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', value = {"0.125|0.125", "0,125|0.125", " -1.5 |-1.5", "\u22121.5|-1.5", "+2|2",
-            ".5|0.5",
-            "3.|3", "1/8|0.125", "1 / 8|0.125",
-        "1,5/3|0.5", "1.25e-1|0.125", "1.25E-1|0.125", "1.25 x 10^-1|0.125", "1,25*10^-1|0.125", "0.125 m/s|0.125",
-                "0.125m / s|0.125", "-1/8 m/s|-0.125", "1.25 e-1|0.125", "v = 0.125|0.125", "= 0,125 m/s|0.125",
-                "\u22480.125|0.125", "0.125 ms^-1|0.125", "0.125 m\u00b7s^-1|0.125"})
+    @CsvSource(delimiter = '|', textBlock = """
+            0.125             | 0.125
+            0,125             | 0.125
+            -1.5              | -1.5
+            \u22121.5         | -1.5
+            +2                | 2
+            .5                | 0.5
+            3.                | 3
+            1/8               | 0.125
+            1 / 8             | 0.125
+            1,5/3             | 0.5
+            1.25e-1           | 0.125
+            1.25E-1           | 0.125
+            1.25 x 10^-1      | 0.125
+            1,25*10^-1        | 0.125
+            0.125 m/s         | 0.125
+            0.125m / s        | 0.125
+            -1/8 m/s          | -0.125
+            1.25 e-1          | 0.125
+            v = 0.125         | 0.125
+            = 0,125 m/s       | 0.125
+            \u22480.125       | 0.125
+            0.125 ms^-1       | 0.125
+            0.125 m\u00b7s^-1 | 0.125
+            """)
     void numbersAreRead(String typed, double value) {
         assertEquals(Optional.of(value), AnswerText.read(typed, "m/s").value(), AnswerText.read(typed, "m/s")
                 .problem());
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', value = {"''|The answer is empty", "'  '|The answer is empty",
-            "NaN|'NaN' is no finite number", "-Infinity|'-Infinity' is no finite number",
-        "1e999|is no finite number", "1/0|is no finite number", "0/0|is no finite number",
-                "1,234.5|has two points or commas", "1.234,5|has two points or commas",
-        "one|'one' is not a number", "--1|is not a number",
-                "0.125 cm/s|'cm/s' after the number is not understood: the answer is wanted in m/s",
-                        "0.1 0.2|not understood", "12 %|not understood"})
+    @CsvSource(delimiter = '|', textBlock = """
+            ''         | The answer is empty
+            '  '       | The answer is empty
+            NaN        | 'NaN' is no finite number
+            -Infinity  | '-Infinity' is no finite number
+            1e999      | is no finite number
+            1/0        | is no finite number
+            0/0        | is no finite number
+            1,234.5    | has two points or commas
+            1.234,5    | has two points or commas
+            one        | 'one' is not a number
+            --1        | is not a number
+            0.125 cm/s | 'cm/s' after the number is not understood: the answer is wanted in m/s
+            0.1 0.2    | not understood
+            12 %       | not understood
+            """)
     void everythingElseGetsOneClearLine(String typed, String problem) {
         AnswerText read = AnswerText.read(typed, "m/s");
         assertEquals(Optional.empty(), read.value());
-        assertTrue(read.problem().contains(problem), read.problem());
+        assertHas(read.problem(), problem);
         assertEquals(1, read.problem().lines().count());
     }
 

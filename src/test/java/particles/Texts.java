@@ -1,0 +1,21 @@
+package particles;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+/** Checks of texts for people: a failure shows the whole text. */
+public final class Texts {
+    private Texts() {
+    }
+
+    /** Checks that a text has all these parts. */
+    public static void assertHas(String text, String... parts) {
+        for (String part : parts) {
+            assertTrue(text.contains(part), () -> "'" + part + "' is not in: " + text);
+        }
+    }
+
+    /** Checks how a text begins. */
+    public static void assertStarts(String text, String start) {
+        assertTrue(text.startsWith(start), () -> "not '" + start + "' begins: " + text);
+    }
+}
