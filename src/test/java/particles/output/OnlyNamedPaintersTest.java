@@ -5,6 +5,7 @@ import static particles.output.SmallPictures.FRONT;
 import static particles.output.SmallPictures.curve;
 import static particles.output.SmallPictures.look;
 import static particles.output.SmallPictures.renderer;
+import static particles.output.SmallPictures.scenery;
 import static particles.output.SmallPictures.spring;
 import static particles.output.SmallPictures.state;
 
@@ -54,13 +55,10 @@ class OnlyNamedPaintersTest {
                 new Case("trails", look(ParticleStyle.Kind.BALLS, 1, 0.5), Scenery.NONE, false, Set.of("TrailPainter")),
                 new Case("a spring", BALLS, Scenery.NONE, true, Set.of()),
                 new Case("a hidden spring", noSprings, Scenery.NONE, true, Set.of()),
-                new Case("a surface", BALLS, new Scenery(List.of(new Surface(new int[] {0, 1, 2}, false)), List.of(),
-                List.of(),
-                        List.of()), false, Set.of()),
-                new Case("a slope", BALLS, new Scenery(List.of(), List.of(SLOPE), List.of(), List.of()), false,
-                        Set.of("ShadowMap")),
-                new Case("a wire", BALLS, new Scenery(List.of(), List.of(), List.of(), List.of(LINE)), false,
-                        Set.of()));
+                new Case("a surface", BALLS, scenery(new Surface(new int[] {0, 1, 2}, false)),
+                        false, Set.of()),
+                new Case("a slope", BALLS, scenery(SLOPE), false, Set.of("ShadowMap")),
+                new Case("a wire", BALLS, scenery(LINE), false, Set.of()));
     }
 
     @ParameterizedTest

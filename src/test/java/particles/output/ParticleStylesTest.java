@@ -5,12 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Systems.rk4;
 import static particles.output.SmallPictures.FRONT;
-import static particles.output.SmallPictures.H;
 import static particles.output.SmallPictures.W;
 import static particles.output.SmallPictures.area;
 import static particles.output.SmallPictures.look;
+import static particles.output.SmallPictures.middle;
 import static particles.output.SmallPictures.picture;
 import static particles.output.SmallPictures.renderer;
+import static particles.output.SmallPictures.scenery;
 import static particles.output.SmallPictures.state;
 
 import java.util.ArrayList;
@@ -165,7 +166,7 @@ class ParticleStylesTest {
             FrameState state = state(0, 0, 0, 0, 0, k == 0 ? -5 : 5);
             state.fixed[0] = true;
             state.death[1] = Double.POSITIVE_INFINITY;
-            alone[k] = renderer.render(state)[H / 2 * W + W / 2] >> 16 & 255;
+            alone[k] = middle(renderer.render(state)) >> 16 & 255;
         }
         assertTrue(alone[0] < 45 && alone[1] > 95, alone[0] + " behind, " + alone[1] + " in front");
     }
@@ -268,12 +269,11 @@ class ParticleStylesTest {
             for (boolean perspective : new boolean[] {true, false}) {
                 Camera camera = new Camera(new Vector3(0, 3, 9), Vector3.ZERO, new Vector3(0, 1, 0), perspective, 40,
                         9);
-                Scenery scenery = new Scenery(
-                        List.of(new Surface(new int[] {0, 1, 2, 2, 3, 4, 7, 8, 9}, false)), List.of(Plane.ground(0)),
-                        List.of(new Sphere(new Vector3(50, 0, 0), 1, true)), List.of());
+                Scenery scenery = scenery(new Surface(new int[] {0, 1, 2, 2, 3, 4, 7, 8, 9}, false), Plane.ground(0),
+                        new Sphere(new Vector3(50, 0, 0), 1, true));
                 int[] empty = picture(camera, look(kind, 0.5, 1), scenery);
                 int[] rgb = renderer(camera, look(kind, 0.5, 1), scenery).render(state);
-                assertTrue(rgb[H / 2 * W + W / 2] != empty[H / 2 * W + W / 2], kind + ": the one at the origin");
+                assertTrue(middle(rgb) != middle(empty), kind + ": the one at the origin");
             }
         }
     }

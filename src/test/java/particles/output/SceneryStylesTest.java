@@ -8,12 +8,13 @@ import static particles.output.SmallPictures.W;
 import static particles.output.SmallPictures.area;
 import static particles.output.SmallPictures.curve;
 import static particles.output.SmallPictures.look;
+import static particles.output.SmallPictures.middle;
 import static particles.output.SmallPictures.picture;
 import static particles.output.SmallPictures.renderer;
+import static particles.output.SmallPictures.scenery;
 import static particles.output.SmallPictures.spring;
 import static particles.output.SmallPictures.state;
 
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import particles.law.Sphere;
 import particles.law.Vector3;
@@ -47,14 +48,10 @@ class SceneryStylesTest {
         }
         int[] hollow = picture(camera, look(ParticleStyle.Kind.BALLS, 0.2, 0),
                 scenery(new Sphere(Vector3.ZERO, 1.2, true)), 0, 0, 0);
-        assertTrue((hollow[H / 2 * W + W / 2] & 255) > 120, "what is inside of a hollow is seen");
+        assertTrue((middle(hollow) & 255) > 120, "what is inside of a hollow is seen");
         int[] solid = picture(camera, look(ParticleStyle.Kind.BALLS, 0.2, 0), scenery(ball), 0, 0, 0);
         int[] alone = picture(camera, look(ParticleStyle.Kind.BALLS, 0.2, 0), scenery(ball), 0, 100, 0);
-        assertEquals(alone[H / 2 * W + W / 2], solid[H / 2 * W + W / 2], "what is inside of a ball is not");
-    }
-
-    private static Scenery scenery(Sphere sphere) {
-        return new Scenery(List.of(), List.of(), List.of(sphere), List.of());
+        assertEquals(middle(alone), middle(solid), "what is inside of a ball is not");
     }
 
     /** Rods are straight grey bars at any length, without a strain scale. */
@@ -91,8 +88,7 @@ class SceneryStylesTest {
         CurveView parabola = curve(Double.POSITIVE_INFINITY, u -> new Vector3(u, u * u / 16, 0));
         RenderOptions look = look(ParticleStyle.Kind.BALLS, 0.5, 0);
         int[] empty = picture(FRONT, look, Scenery.NONE);
-        int[] first = picture(FRONT, look, new Scenery(List.of(), List.of(), List.of(),
-                List.of(ring)));
+        int[] first = picture(FRONT, look, scenery(ring));
         double mean = 0;
         int count = 0;
         for (int p = 0; p < first.length; p++) {
@@ -105,8 +101,7 @@ class SceneryStylesTest {
         }
         assertEquals(60, mean / count, 0.1);          // measured 60.05
         assertTrue(count > 2 * Math.PI * 60 * 3, count + " pixels");
-        int[] second = picture(FRONT, look, new Scenery(List.of(), List.of(), List.of(),
-                List.of(parabola)));
+        int[] second = picture(FRONT, look, scenery(parabola));
         for (int x = -7; x <= 7; x++) {
             int p = (int) (100 - 20 * x * x / 16.0) * W + 160 + 20 * x;
             assertTrue(second[p] != empty[p], "at " + x + " m");

@@ -1,6 +1,12 @@
 package particles.output;
 
+import java.util.List;
 import java.util.function.DoubleFunction;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import particles.law.Plane;
+import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.output.frames.FrameRenderer;
 import particles.output.frames.FrameSetup;
@@ -12,6 +18,7 @@ import particles.view.RenderOptions;
 import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
 import particles.view.SpringList;
+import particles.view.Surface;
 
 /** Small pictures seen from the front, 20 pixels a metre, for tests that count pixels. */
 public final class SmallPictures {
@@ -78,12 +85,27 @@ public final class SmallPictures {
         };
     }
 
+    /** @return surfaces, planes, spheres and wires to draw */
+    public static Scenery scenery(Object... parts) {
+        return new Scenery(only(Surface.class, parts), only(Plane.class, parts), only(Sphere.class, parts),
+                only(CurveView.class, parts));
+    }
+
+    private static <T> List<T> only(Class<T> type, Object... parts) {
+        return Stream.of(parts).filter(type::isInstance).map(type::cast).toList();
+    }
+
+    /** @return the colour in the middle */
+    public static int middle(int[] picture) {
+        return picture[H / 2 * W + W / 2];
+    }
+
+    public static long count(int[] picture, IntPredicate colour) {
+        return IntStream.of(picture).filter(colour).count();
+    }
+
     /** The number of pixels that differ from the empty picture; edge pixels count partly. */
     public static double area(int[] picture, int[] empty) {
-        int count = 0;
-        for (int p = 0; p < picture.length; p++) {
-            count += picture[p] != empty[p] ? 1 : 0;
-        }
-        return count;
+        return IntStream.range(0, picture.length).filter(p -> picture[p] != empty[p]).count();
     }
 }

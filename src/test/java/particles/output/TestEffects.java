@@ -3,55 +3,28 @@ package particles.output;
 import java.util.function.Predicate;
 import particles.ParticleSystem;
 import particles.Rule;
+import particles.effects.Gravity;
 import particles.law.Effect;
+import particles.law.Vector3;
 
 /** Small forces for tests of observers. */
 public final class TestEffects {
     private TestEffects() {
     }
 
-    private abstract static class Base implements Effect {
-        private final String name;
-
-        Base(String name) {
-            this.name = name;
-        }
-
-        @Override
-        public String getName() {
-            return name;
-        }
-
-        @Override
-        public boolean dependsOnVelocity() {
-            return false;
-        }
-    }
-
-    /** Weight m g downwards for every particle of the system. */
-    public static Effect gravity(ParticleSystem system, double g) {
-        return new Base("gravity") {
-            @Override
-            public void addForces(double[] state, double time, double[] force) {
-                for (int i = 0; i < system.getParticles().count(); i++) {
-                    force[6 * i + 4] -= system.getParticles().mass(i) * g;
-                }
-            }
-
-            @Override
-            public double getPotentialEnergy(double[] state, double time) {
-                double energy = 0;
-                for (int i = 0; i < system.getParticles().count(); i++) {
-                    energy += system.getParticles().mass(i) * g * state[6 * i + 1];
-                }
-                return energy;
-            }
-        };
-    }
-
     /** No force until a time, then NaN. */
     public static Effect failingAt(double when) {
-        return new Base("failing") {
+        return new Effect() {
+            @Override
+            public String getName() {
+                return "failing";
+            }
+
+            @Override
+            public boolean dependsOnVelocity() {
+                return false;
+            }
+
             @Override
             public void addForces(double[] state, double time, double[] force) {
                 if (time > when) {
@@ -59,6 +32,11 @@ public final class TestEffects {
                 }
             }
         };
+    }
+
+    /** @return weight, m g downwards, for every particle of the system */
+    public static Effect gravity(ParticleSystem system, double g) {
+        return new Gravity(system.getParticles(), new Vector3(0, -g, 0));
     }
 
     /** @return a rule that acts after each step, and says whether it changed anything */

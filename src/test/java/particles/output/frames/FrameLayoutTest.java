@@ -22,7 +22,6 @@ import particles.output.painters.VisibilityFilter;
 import particles.output.raster.CameraProjection;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 import particles.view.CurveView;
@@ -37,12 +36,8 @@ class FrameLayoutTest {
     private static final int HEIGHT = 540;
     private static final double[] MOMENTS = {0.1, 0.5, 1};
 
-    static List<Path> scenes() {
-        return SceneFiles.list(Path.of("scenes"));
-    }
-
     @ParameterizedTest
-    @MethodSource("scenes")
+    @MethodSource("particles.scene.TestScenes#files")
     void wordsAreClearOfBodiesAndBodiesAreInThePicture(Path file) {
         SceneDescription described = SceneReader.read(file, new StudentClasses());
         Scene scene = SceneBuilder.build(described);

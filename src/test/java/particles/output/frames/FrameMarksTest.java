@@ -6,13 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.output.SmallPictures.FRONT;
 import static particles.output.SmallPictures.H;
 import static particles.output.SmallPictures.W;
+import static particles.output.SmallPictures.count;
 import static particles.output.SmallPictures.plain;
+import static particles.output.SmallPictures.renderer;
 
 import java.awt.geom.Rectangle2D;
 import java.util.List;
-import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -50,18 +50,7 @@ class FrameMarksTest {
     }
 
     private static int[] picture(ParticleStyle style) {
-        RenderOptions look = plain(0x0000ff, RADIUS, style);
-        FrameRenderer renderer = new FrameRenderer(new FrameSetup(FRONT, look, Scenery.NONE, "", ""), W, H,
-                Optional.empty());
-        return renderer.render(state(style, 2));
-    }
-
-    private static long count(int[] picture, IntPredicate colour) {
-        long count = 0;
-        for (int rgb : picture) {
-            count += colour.test(rgb) ? 1 : 0;
-        }
-        return count;
+        return renderer(FRONT, plain(0x0000ff, RADIUS, style), Scenery.NONE).render(state(style, 2));
     }
 
     private static boolean isRed(int rgb) {

@@ -7,11 +7,17 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.output.SmallPictures.FRONT;
 import static particles.output.SmallPictures.H;
 import static particles.output.SmallPictures.W;
+import static particles.output.SmallPictures.count;
+import static particles.output.SmallPictures.middle;
+import static particles.output.SmallPictures.picture;
+import static particles.output.SmallPictures.renderer;
+import static particles.output.SmallPictures.scenery;
 import static particles.output.SmallPictures.spring;
 import static particles.output.SmallPictures.state;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import particles.law.Plane;
 import particles.law.Vector3;
@@ -31,14 +37,8 @@ class FrameRendererTest {
     private static final RenderOptions LOOK = new RenderOptions(Visibility.ALWAYS, Visibility.ALWAYS,
             0.5, 0.1, new RenderOptions.Colours(0x00ff00, 0x000000, 0xff0000, 0x0000ff), ParticleStyle.STANDARD);
 
-    private static FrameRenderer renderer(Camera camera, RenderOptions look,
-            List<Surface> surfaces, List<Plane> planes) {
-        return new FrameRenderer(new FrameSetup(camera, look, new Scenery(surfaces, planes, List.of(), List.of()), "",
-                ""), W, H, 2);
-    }
-
     private static int[] draw(FrameState state) {
-        return renderer(FRONT, LOOK, List.of(), List.of()).render(state);
+        return renderer(FRONT, LOOK, Scenery.NONE).render(state);
     }
 
     private static boolean isGreen(int rgb) {
@@ -69,18 +69,18 @@ class FrameRendererTest {
         FrameState state = state(0, 0, 1, 0, 0, 0);
         state.fixed[1] = true;
         int[] rgb = draw(state);
-        assertTrue(isGreen(rgb[H / 2 * W + W / 2]));
+        assertTrue(isGreen(middle(rgb)));
         state.positions[2] = -1;
         rgb = draw(state);
-        assertTrue((rgb[H / 2 * W + W / 2] & 0xff) < 90, "the fixed particle is black");
+        assertTrue((middle(rgb) & 0xff) < 90, "the fixed particle is black");
     }
 
     @Test
     void aSurfaceHasTwoSides() {
         Surface surface = new Surface(new int[] {0, 1, 2}, false);
-        FrameRenderer renderer = renderer(FRONT, LOOK, List.of(surface), List.of());
-        int front = renderer.render(state(-4, -4, 0, 4, -4, 0, 0, 4, 0))[H / 2 * W + W / 2];
-        int back = renderer.render(state(4, -4, 0, -4, -4, 0, 0, 4, 0))[H / 2 * W + W / 2];
+        FrameRenderer renderer = renderer(FRONT, LOOK, scenery(surface));
+        int front = middle(renderer.render(state(-4, -4, 0, 4, -4, 0, 0, 4, 0)));
+        int back = middle(renderer.render(state(4, -4, 0, -4, -4, 0, 0, 4, 0)));
         assertTrue((front >> 16) > 150 && (front & 255) < 60, Integer.toHexString(front));
         assertTrue((back >> 16) < 60 && (back & 255) > 150, Integer.toHexString(back));
     }
@@ -91,9 +91,9 @@ class FrameRendererTest {
                 new RenderOptions.Colours(0, 0, 0, 0), ParticleStyle.STANDARD);
         double[][] middle = new double[2][];
         for (int k = 0; k < 2; k++) {
-            int[] rgb = renderer(FRONT, springsOnly, List.of(), List.of())
+            int[] rgb = renderer(FRONT, springsOnly, Scenery.NONE)
                     .render(spring(k == 0 ? 7 : 5, 0, -3, 0, 0, 3, 0, 0));
-            int[] background = renderer(FRONT, springsOnly, List.of(), List.of()).render(state());
+            int[] background = picture(FRONT, springsOnly, Scenery.NONE);
             double red = 0;
             double blue = 0;
             for (int p = 0; p < H * W * 7 / 10; p++) {             // above the words and the scale
@@ -112,26 +112,18 @@ class FrameRendererTest {
     @Test
     void theGroundHidesAndCarriesShadows() {
         Camera above = new Camera(new Vector3(0, 20, 20), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
-        List<Plane> ground = List.of(Plane.ground(0));
-        int[] empty = renderer(above, LOOK, List.of(), ground).render(state(0, -50, 0)).clone();
-        assertArrayEquals(empty, renderer(above, LOOK, List.of(), ground).render(state(0, -2, 0)),
-                "a shadow from below");
-        int[] hovering = renderer(above, LOOK, List.of(), ground).render(state(0, 1, 0));
-        int darker = 0;
-        int green = 0;
-        for (int p = 0; p < hovering.length; p++) {
-            assertTrue(!isGreen(empty[p]), "a ball under the ground is seen");
-            green += isGreen(hovering[p]) ? 1 : 0;
-            darker += !isGreen(hovering[p]) && (hovering[p] >> 16 & 255) < 0.8 * (empty[p] >> 16 & 255) ? 1 : 0;
-        }
+        FrameRenderer renderer = renderer(above, LOOK, scenery(Plane.ground(0)));
+        int[] empty = renderer.render(state(0, -50, 0)).clone();
+        assertEquals(0, count(empty, FrameRendererTest::isGreen), "a ball under the ground is seen");
+        assertArrayEquals(empty, renderer.render(state(0, -2, 0)), "a shadow from below");
+        int[] hovering = renderer.render(state(0, 1, 0)).clone();
+        long green = count(hovering, FrameRendererTest::isGreen);
         assertTrue(green > 250, green + " pixels of the ball");
+        long darker = IntStream.range(0, empty.length).filter(p -> !isGreen(hovering[p])
+                && (hovering[p] >> 16 & 255) < 0.8 * (empty[p] >> 16 & 255)).count();
         assertTrue(darker > 60 && darker < 400, darker + " pixels of shadow");      // measured 220
-        int[] resting = renderer(above, LOOK, List.of(), ground).render(state(0, 0, 0));
-        int whole = 0;
-        for (int rgb : resting) {
-            whole += isGreen(rgb) ? 1 : 0;
-        }
-        assertEquals(green, whole, 25, "the ground cuts into a ball that rests on it");
+        assertEquals(green, count(renderer.render(state(0, 0, 0)), FrameRendererTest::isGreen), 25,
+                "the ground cuts into a ball that rests on it");
     }
 
     /** A closed surface hides the springs inside, and those that begin on it; an open one those that it contains. */
