@@ -2,10 +2,8 @@ package particles.app;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertStarts;
 
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -16,8 +14,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
-import particles.app.cli.Program;
 import particles.app.cli.ProgramCommand;
+import particles.app.cli.Screen;
 import particles.app.run.StopRequest;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
@@ -73,16 +71,12 @@ class ExperimentOptionsTest {
             race           | -Psolvers=rk5       | option -Psolvers: unknown solver 'rk5'
             """)
     void invalidOptionsAreRefusedInOneLine(String command, String option, String line) {
-        StringWriter out = new StringWriter();
-        StringWriter err = new StringWriter();
         Path folder = top.resolve("results");
-        ExitCode code = new Program(Main.commands(new StopRequest()), OptionStyle.GRADLE,
-                new PrintWriter(out),
-                new PrintWriter(err)).execute(command, option.replaceFirst("-P", "--"), "--out=" + folder);
-        assertEquals(ExitCode.BAD_INPUT, code);
-        assertTrue(err.toString().startsWith(line), err.toString());
-        assertEquals(1, err.toString().strip().lines().count(), err.toString());
-        assertEquals("", out.toString());
+        Screen screen = Screen.of(Main.commands(new StopRequest()), OptionStyle.GRADLE, command,
+                option.replaceFirst("-P", "--"), "--out=" + folder);
+        assertEquals(new Screen(ExitCode.BAD_INPUT, "", screen.err()), screen);
+        assertStarts(screen.err(), line);
+        assertEquals(1, screen.err().lines().count(), screen.err());
         assertFalse(Files.exists(folder), "nothing is written");
     }
 }

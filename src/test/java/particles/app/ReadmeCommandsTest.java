@@ -4,8 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -23,7 +21,7 @@ import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
-import particles.app.cli.Program;
+import particles.app.cli.Screen;
 import particles.app.run.StopRequest;
 
 /**
@@ -128,12 +126,8 @@ class ReadmeCommandsTest {
     }
 
     private static void run(String command, ExitCode expected) {
-        StringWriter out = new StringWriter();
-        PrintWriter both = new PrintWriter(out);
-        String[] args = WORD.matcher(command).results().skip(1)
-                .map(word -> word.group().replace("'", "").replaceFirst("^-P", "--")).toArray(String[]::new);
-        ExitCode code = new Program(Main.commands(new StopRequest()), OptionStyle.GRADLE, both,
-                both).execute(args);
-        assertEquals(expected, code, out.toString());
+        Screen.of(expected, Main.commands(new StopRequest()), OptionStyle.GRADLE,
+                WORD.matcher(command).results().skip(1).map(word -> word.group().replace("'", "")
+                        .replaceFirst("^-P", "--")).toArray(String[]::new));
     }
 }

@@ -1,8 +1,6 @@
 package particles.app;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -11,7 +9,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
-import particles.app.cli.Program;
+import particles.app.cli.Screen;
 import particles.app.run.RunCommand;
 import particles.app.run.StopRequest;
 import particles.app.student.StudentClasses;
@@ -58,9 +56,8 @@ final class SceneSums {
         List<String> args = new ArrayList<>(List.of("run", "--scene=" + file, "--out=" + out));
         args.addAll(more);
         args.add("--duration=" + duration(scene));
-        StringWriter lines = new StringWriter();
-        ExitCode code = new Program(List.of(new RunCommand(scenes, new StopRequest())), OptionStyle.SHELL,
-                new PrintWriter(lines), new PrintWriter(lines)).execute(args.toArray(String[]::new));
-        return code == ExitCode.DONE ? WholeFiles.sums(out).get("trajectory.csv") : code + ": " + lines;
+        Screen screen = Screen.of(List.of(new RunCommand(scenes, new StopRequest())), OptionStyle.SHELL,
+                args.toArray(String[]::new));
+        return screen.code() == ExitCode.DONE ? WholeFiles.sums(out).get("trajectory.csv") : screen.toString();
     }
 }

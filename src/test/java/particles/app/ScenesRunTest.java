@@ -2,9 +2,8 @@ package particles.app;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
 
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -14,11 +13,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
-import particles.app.cli.Program;
-import particles.app.cli.ProgramCommand;
+import particles.app.cli.Screen;
 import particles.app.run.RunCommand;
 import particles.app.run.StopRequest;
-import particles.scene.SceneFiles;
 import particles.scene.SceneName;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
@@ -29,23 +26,15 @@ class ScenesRunTest {
     private static final Path SCENES = Path.of("scenes");
     private static final int STEPS = 60;
 
-    static List<Path> scenes() {
-        return SceneFiles.list(SCENES);
-    }
-
     @ParameterizedTest
-    @MethodSource("scenes")
+    @MethodSource("particles.scene.TestScenes#files")
     void everySceneWritesAllItsFiles(Path file, @TempDir Path out) {
         SceneDescription scene = SceneReader.read(file);
         double duration = Math.min(scene.duration(), STEPS * scene.deltaT());
-        StringWriter lines = new StringWriter();
-        StringWriter errors = new StringWriter();
-        List<ProgramCommand> commands = List.of(new RunCommand(SCENES, new StopRequest()));
-        ExitCode code = new Program(commands, OptionStyle.SHELL, new PrintWriter(lines), new PrintWriter(errors))
-                .execute("run", "--scene=" + SceneName.of(file).number(), "--duration=" + duration, "--out=" + out);
-        assertEquals("", errors.toString());
-        assertEquals(ExitCode.DONE, code);
-        assertTrue(lines.toString().contains(scene.title()), lines.toString());
+        Screen screen = Screen.of(List.of(new RunCommand(SCENES, new StopRequest())), OptionStyle.SHELL, "run",
+                "--scene=" + SceneName.of(file).number(), "--duration=" + duration, "--out=" + out);
+        assertEquals(new Screen(ExitCode.DONE, screen.out(), ""), screen);
+        assertHas(screen.out(), scene.title());
         for (String name : List.of("frames/frame-00000.png", "animation.gif", "energy.png", "trajectory.csv",
                 "run.json")) {
             assertTrue(Files.isRegularFile(out.resolve(name)), name);

@@ -3,21 +3,20 @@ package particles.app.cli;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
+import static particles.Texts.assertHas;
 
 import deSolvers.DESolverException;
 import deSolvers.EulerSolver;
 import deSolvers.catalog.SolverCatalog;
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.io.UncheckedIOException;
-import java.io.Writer;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -33,9 +32,6 @@ import picocli.CommandLine.Option;
 
 /** The command line: messages, exit codes, and no stack trace for expected failures. */
 class ProgramTest {
-    private final StringWriter out = new StringWriter();
-    private final StringWriter err = new StringWriter();
-
     /** A command with an option of each kind that prints them, or fails on request. */
     @Command(name = "try", description = "Tries the options.")
     private static final class TryCommand extends ProgramCommand {
@@ -63,46 +59,21 @@ class ProgramTest {
 
     private final TryCommand command = new TryCommand();
 
-    /** As with output redirected to a full disk. */
-    @Test
-    void outputThatCannotBePrintedIsAnError() {
-        PrintWriter full = new PrintWriter(new Writer() {
-            @Override
-            public void write(char[] letters, int offset, int length) throws IOException {
-                throw new IOException("No space left on device");
-            }
+    private final List<ProgramCommand> commands = Stream.concat(Main.commands(new StopRequest()).stream(),
+            Stream.of(command)).toList();
 
-            @Override
-            public void flush() {
-            }
-
-            @Override
-            public void close() {
-            }
-        });
-        assertEquals(ExitCode.TROUBLE, new Program(List.of(command), OptionStyle.SHELL, full,
-                new PrintWriter(err)).execute("try", "--scene=a"));
-        assertEquals("some output could not be printed: the destination is full or closed",
-                err.toString().strip());
+    private Screen execute(OptionStyle style, String... args) {
+        return Screen.of(commands, style, args);
     }
 
-    private ExitCode execute(OptionStyle style, String... args) {
-        List<ProgramCommand> commands = new ArrayList<>(Main.commands(new StopRequest()));
-        commands.add(command);
-        return new Program(commands, style, new PrintWriter(out), new PrintWriter(err)).execute(args);
-    }
-
-    @Test
-    void optionsReachTheCommand() {
-        assertEquals(ExitCode.DONE, execute(OptionStyle.SHELL, "try", "--deltaT=1e-3", "--frames", "--scene=a=b c"));
-        assertEquals("deltaT=0.001 frames=true scene=a=b c", out.toString().strip());
-        assertEquals("", err.toString());
-    }
-
-    @Test
-    void valuesAreTakenLiterally() {
-        assertEquals(ExitCode.DONE, execute(OptionStyle.SHELL, "try", "--scene=@/etc/passwd", "--frames=false"));
-        assertEquals("deltaT=null frames=false scene=@/etc/passwd", out.toString().strip());
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            --deltaT=1e-3 --frames              | deltaT=0.001 frames=true scene=null
+            --scene=a=b --frames=true           | deltaT=null frames=true scene=a=b
+            --scene=@/etc/passwd --frames=false | deltaT=null frames=false scene=@/etc/passwd
+            """)
+    void optionsReachTheCommandLiterally(String typed, String printed) {
+        assertEquals(new Screen(ExitCode.DONE, printed, ""), execute(OptionStyle.SHELL, ("try " + typed).split(" ")));
     }
 
     /** What is typed, and the line that refuses it. */
@@ -122,55 +93,36 @@ class ProgramTest {
             // unknown option -Pzoom; allowed: -PdeltaT, -Pframes, -Pscene, -Phelp
             GRADLE | try --deltaT             | option -PdeltaT needs a value: -PdeltaT=SECONDS
             SHELL  | try --scene=1 --scene=2  | option --scene was given twice
-            SHELL  | solvers cloth            | unexpected 'cloth'; options are written --name=value; allowed: --help
+            SHELL  | solvers @/etc/passwd     | unexpected '@/etc/passwd'; options are written --name=value; \
+            allowed: --help
             SHELL  | solver                   | unknown command 'solver'; did you mean 'solvers'? commands: COMMANDS
             SHELL  | ``                       | a command is missing; commands: COMMANDS
             SHELL  | --scene=2                | option --scene=2 has to follow a command; commands: COMMANDS
             """)
     void wrongCommandsAndOptionsAreRefused(OptionStyle style, String typed, String lines) {
-        assertEquals(ExitCode.BAD_INPUT, execute(style, typed.isEmpty() ? new String[0] : typed.split(" ")));
-        List<String> names = new ArrayList<>();
-        Main.commands(new StopRequest()).forEach(known -> names.add(known.name()));
-        names.add("try");
-        assertEquals(lines.replace("COMMANDS", String.join(", ", names)).replace(" // ", System.lineSeparator()),
-                err.toString().strip());
-        assertEquals("", out.toString());
-    }
-
-    @Test
-    void namesAndValuesOfOptionsAreReportedTogether() {
-        assertEquals(ExitCode.BAD_INPUT, execute(OptionStyle.SHELL, "run", "--scnee=2", "--scene=no-such-scene",
-                "--deltaT=abc", "--solver=rk5", "--threads=-1", "--video=avi", "--out="));
-        List<String> lines = err.toString().lines().toList();
-        List<String> beginnings = List.of("unknown option --scnee; did you mean --scene?", "option --video: 'avi'",
-                "there is no scene 'no-such-scene'", "--solver: unknown solver 'rk5'", "--deltaT: ", "--threads: ",
-                "option --out: needs a folder name");
-        for (String beginning : beginnings) {
-            assertEquals(1, lines.stream().filter(line -> line.startsWith(beginning)).count(), beginning + " in "
-                    + lines);
-        }
-        assertEquals(beginnings.size(), lines.size(), lines.toString());
+        assertEquals(new Screen(ExitCode.BAD_INPUT, "", lines.replace(" // ", System.lineSeparator())
+                .replace("COMMANDS", commands.stream().map(ProgramCommand::name).collect(Collectors.joining(", ")))),
+                execute(style, typed.isEmpty() ? new String[0] : typed.split(" ")));
     }
 
     @Test
     void allWrongOptionsOfAnExperimentAreReported() {
-        assertEquals(ExitCode.BAD_INPUT, execute(OptionStyle.GRADLE, "energyDrift", "--scene=no-such-scene",
-                "--deltaT=-1", "--duration=soon", "--solvers=rk5"));
-        assertEquals(4, err.toString().lines().count(), err.toString());
+        Screen screen = execute(OptionStyle.GRADLE, "energyDrift", "--scene=no-such-scene", "--deltaT=-1",
+                "--duration=soon", "--solvers=rk5");
+        assertEquals(ExitCode.BAD_INPUT, screen.code());
+        assertEquals(4, screen.err().lines().count(), screen.err());
     }
 
     @Test
     void helpShowsTheOptionsAsTheyAreTyped() {
-        assertEquals(ExitCode.DONE, execute(OptionStyle.GRADLE, "try", "--help"));
-        assertTrue(out.toString().contains("-PdeltaT=SECONDS"), out.toString());
-        assertTrue(out.toString().contains("-Pscene=NAME"), out.toString());
-        assertTrue(out.toString().contains("Tries the options."), out.toString());
+        Screen screen = execute(OptionStyle.GRADLE, "try", "--help");
+        assertEquals(ExitCode.DONE, screen.code());
+        assertHas(screen.out(), "-PdeltaT=SECONDS", "-Pscene=NAME", "Tries the options.");
     }
 
     @Test
     void helpOfTheProgramListsTheCommands() {
-        assertEquals(ExitCode.DONE, execute(OptionStyle.SHELL, "--help"));
-        assertTrue(out.toString().contains("solvers") && out.toString().contains("Tries the options."), out.toString());
+        assertHas(execute(OptionStyle.SHELL, "--help").out(), "solvers", "Tries the options.");
     }
 
     /** The memory estimate may be too small: running out of memory is also one line that says what to do. */
@@ -201,8 +153,7 @@ class ProgramTest {
     @MethodSource("failures")
     void anExpectedFailureIsItsLinesAndItsCode(ExitCode code, String line, Throwable failure) {
         command.failure = failure;
-        assertEquals(code, execute(OptionStyle.SHELL, "try"));
-        assertEquals(line, err.toString().strip());
+        assertEquals(new Screen(code, "", line), execute(OptionStyle.SHELL, "try"));
     }
 
     static List<Throwable> unexpected() {
@@ -213,17 +164,15 @@ class ProgramTest {
     @MethodSource("unexpected")
     void anUnexpectedExceptionIsNotSwallowed(Throwable failure) {
         command.failure = failure;
-        assertEquals(ExitCode.TROUBLE, execute(OptionStyle.SHELL, "try"));
-        assertTrue(err.toString().contains(failure.toString()), err.toString());
-        assertTrue(err.toString().contains("at particles.app.cli.ProgramTest."), err.toString());
+        Screen screen = execute(OptionStyle.SHELL, "try");
+        assertEquals(ExitCode.TROUBLE, screen.code());
+        assertHas(screen.err(), failure.toString(), "at particles.app.cli.ProgramTest.");
     }
 
     @Test
     void everySolverHasItsLine() {
-        assertEquals(ExitCode.DONE, execute(OptionStyle.SHELL, "solvers"));
-        List<String> firstWords = out.toString().lines().map(line -> line.split(" ")[0]).toList();
-        assertEquals(SolverCatalog.names(), firstWords);
-        assertTrue(out.toString().lines().anyMatch(line -> line.matches("rk4 +order 4  The old workhorse.*")),
-                out.toString());
+        String out = execute(OptionStyle.SHELL, "solvers").out();
+        assertEquals(SolverCatalog.names(), out.lines().map(line -> line.split(" ")[0]).toList());
+        assertTrue(out.lines().anyMatch(line -> line.matches("rk4 +order 4  The old workhorse.*")), out);
     }
 }

@@ -89,7 +89,12 @@ class ChartLayoutTest {
 
     /** From 1.2 to 1.8 a logarithmic axis has no power of ten, and 5e-3 to 5e-2 one; both get labels between. */
     @ParameterizedTest
-    @CsvSource({"1.2, 1.8", "5e-3, 5e-2", "1e-17, 1e3", "0.9, 110"})
+    @CsvSource(textBlock = """
+            1.2, 1.8
+            5e-3, 5e-2
+            1e-17, 1e3
+            0.9, 110
+            """)
     void logarithmicAxesHaveThreeLabels(double low, double high) {
         Panel panel = Panel.chart(new ChartData("rk4 rises", "time (s)", "height (m)", true, true,
                 List.of(new Series("rk4", Mark.LINE, new double[] {low, high}, new double[] {low, high}))));

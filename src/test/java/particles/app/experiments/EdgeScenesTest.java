@@ -3,8 +3,6 @@ package particles.app.experiments;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -17,7 +15,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import particles.app.Main;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
-import particles.app.cli.Program;
+import particles.app.cli.Screen;
 import particles.app.run.StopRequest;
 
 /** Every task that takes a scene handles scenes in which nothing moves, nothing is left, or everything is far away. */
@@ -44,16 +42,13 @@ class EdgeScenesTest {
     @MethodSource("tasksAndScenes")
     void noTaskEndsInAStackTrace(String task, String what, String particles) throws IOException {
         Path scene = Files.writeString(top.resolve("edge.yaml"), HEAD + particles);
-        StringWriter errors = new StringWriter();
         List<String> args = new ArrayList<>(List.of(task, "--scene=" + scene, "--out=" + top.resolve("out")));
         if (task.equals("race")) {
             args.addAll(List.of("--frames=4", "--solvers=euler,rk4"));
         }
-        ExitCode code = new Program(Main.commands(new StopRequest()), OptionStyle.SHELL,
-                new PrintWriter(new StringWriter()), new PrintWriter(errors)).execute(args.toArray(String[]::new));
+        Screen screen = Screen.of(Main.commands(new StopRequest()), OptionStyle.SHELL, args.toArray(String[]::new));
         boolean noPath = task.equals("phasePlots") && what.equals("all are fixed");
-        assertEquals(noPath ? "option --scene: at its start this scene has no free particle, so there is no"
-                + " path to draw" : "", errors.toString().strip());
-        assertEquals(noPath ? ExitCode.BAD_INPUT : ExitCode.DONE, code);
+        assertEquals(new Screen(noPath ? ExitCode.BAD_INPUT : ExitCode.DONE, screen.out(), noPath ? "option --scene: at"
+                + " its start this scene has no free particle, so there is no path to draw" : ""), screen);
     }
 }

@@ -3,6 +3,7 @@ package particles.app.experiments;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
 
 import com.lowagie.text.pdf.PdfName;
 import com.lowagie.text.pdf.PdfReader;
@@ -134,7 +135,7 @@ class HeadlineTest {
             assertEquals(slides.size(), reader.getNumberOfPages());
             for (int k = 0; k < slides.size(); k++) {
                 String text = new PdfTextExtractor(reader).getTextFromPage(k + 1).replaceAll("[\\s\\u00a0]", "");
-                assertTrue(text.contains(slides.get(k).title().replaceAll("[\\s\\u00a0]", "")), text);
+                assertHas(text, slides.get(k).title().replaceAll("[\\s\\u00a0]", ""));
                 assertEquals(16 * reader.getPageSize(k + 1).getHeight(), 9 * reader.getPageSize(k + 1).getWidth());
                 boolean pixels = reader.getPageN(k + 1).getAsDict(PdfName.RESOURCES).contains(PdfName.XOBJECT);
                 assertEquals(slides.get(k).panels().isEmpty(), pixels, "only a race has pictures of a scene");
@@ -151,17 +152,18 @@ class HeadlineTest {
 
     /** A headline that says more than its numbers is found: each of these is a true one with one thing changed. */
     @ParameterizedTest
-    @CsvSource(delimiter = '|', value = {
-        "A spring: rk4 is cheapest for 0.01 and 1e-6 | evaluations of the derivative",
-        "A spring: verlet is cheapest for 0.01 and 1e-6 | evaluations of the derivative",
-        "A spring: verlet and rk4 tie for 0.01 | evaluations of the derivative",
-        "A spring: verlet is cheapest for 0.01, none has 1e-6 | evaluations of the derivative",
-        "A spring: verlet is the best | evaluations of the derivative",
-        "Evaluations for 1 % grow as k^0.4 (rk4) | evaluations for 1 %",
-        "Evaluations for 1 % stay the same at any stiffness with rk4 | evaluations for 1 %",
-        "A net: rk4 gains 15 % | energy error / scale",
-        "A net: rk4 stays within 1e-3 % | energy error / scale",
-        "A net: verlet and rk4 lose 96 % | energy error / scale"})
+    @CsvSource(delimiter = '|', textBlock = """
+            A spring: rk4 is cheapest for 0.01 and 1e-6                 | evaluations of the derivative
+            A spring: verlet is cheapest for 0.01 and 1e-6              | evaluations of the derivative
+            A spring: verlet and rk4 tie for 0.01                       | evaluations of the derivative
+            A spring: verlet is cheapest for 0.01, none has 1e-6        | evaluations of the derivative
+            A spring: verlet is the best                                | evaluations of the derivative
+            Evaluations for 1 % grow as k^0.4 (rk4)                     | evaluations for 1 %
+            Evaluations for 1 % stay the same at any stiffness with rk4 | evaluations for 1 %
+            A net: rk4 gains 15 %                                       | energy error / scale
+            A net: rk4 stays within 1e-3 %                              | energy error / scale
+            A net: verlet and rk4 lose 96 %                             | energy error / scale
+            """)
     void aFalseHeadlineFails(String title, String quantity) throws IOException {
         Path csv = top.resolve("made.csv");
         List<String> lines = new ArrayList<>(List.of("chart,series,x quantity,x,y quantity,y"));

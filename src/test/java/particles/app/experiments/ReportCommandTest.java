@@ -3,21 +3,22 @@ package particles.app.experiments;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
+import static particles.Texts.assertStarts;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.SimulationException;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Mistakes;
 import particles.app.cli.OptionStyle;
-import particles.app.cli.Program;
+import particles.app.cli.Screen;
 import particles.experiments.runs.ProgressListener;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
@@ -92,16 +93,12 @@ class ReportCommandTest {
         }
     }
 
-    private final StringWriter out = new StringWriter();
-    private final StringWriter err = new StringWriter();
-
-    private ExitCode report(RuntimeException why, String... options) {
-        String[] args = new String[options.length + 2];
-        args[0] = "report";
-        args[1] = "--out=" + top.resolve("report");
-        System.arraycopy(options, 0, args, 2, options.length);
-        return new Program(List.of(new ReportCommand(List.of(new Fails(why), new Shows()))),
-                OptionStyle.GRADLE, new PrintWriter(out), new PrintWriter(err)).execute(args);
+    private Screen report(ExitCode expected, RuntimeException why, String... options) {
+        Screen screen = Screen.of(List.of(new ReportCommand(List.of(new Fails(why), new Shows()))), OptionStyle.GRADLE,
+                Stream.concat(Stream.of("report", "--out=" + top.resolve("report")), Stream.of(options))
+                        .toArray(String[]::new));
+        assertEquals(expected, screen.code(), screen.err());
+        return screen;
     }
 
     private String page() throws IOException {
@@ -110,27 +107,25 @@ class ReportCommandTest {
 
     @Test
     void experimentThatFailsIsWrittenAndTheOthersStand() throws IOException {
-        assertEquals(ExitCode.DONE, report(new SimulationException(1.5, -1, "no <reference>", null)));
+        Screen screen = report(ExitCode.DONE, new SimulationException(1.5, -1, "no <reference>", null));
         String page = page();
-        assertTrue(page.contains("could not be made"), page);
-        assertTrue(page.contains("no &lt;reference&gt;"), page);
-        assertTrue(page.contains("<h2>One spring by 1</h2>"), page);
-        assertTrue(page.contains("data-value=\"0.125\""), page);
-        assertTrue(out.toString().contains("failed: ") && out.toString().contains("One spring by 1"), out.toString());
+        assertHas(page, "could not be made", "no &lt;reference&gt;", "<h2>One spring by 1</h2>",
+                "data-value=\"0.125\"");
+        assertHas(screen.out(), "failed: ", "One spring by 1");
         assertTrue(Files.exists(top.resolve("report/shows/shows.md")), "each has its folder too");
-        assertEquals("", err.toString());
+        assertEquals("", screen.err());
     }
 
     @Test
     void mistakesOfTheProgramAreWrittenToo() throws IOException {
-        assertEquals(ExitCode.DONE, report(ODD));
-        assertTrue(page().contains("internal error") && page().contains("odd"), page());
+        report(ExitCode.DONE, ODD);
+        assertHas(page(), "internal error", "odd");
     }
 
     @Test
     void fullDiskEndsAll() {
         OutputException full = new OutputException(top, "write", new IOException("no space left"));
-        assertEquals(ExitCode.TROUBLE, report(full));
+        report(ExitCode.TROUBLE, full);
         assertFalse(Files.exists(top.resolve("report/report.html")));
     }
 
@@ -139,24 +134,21 @@ class ReportCommandTest {
         Path odd = top.resolve("a & 'b' <i>.yaml");
         Files.writeString(odd, Files.readString(Path.of("scenes/02-one-spring.yaml"))
                 .replaceFirst("title: .*", "title: \"<script>alert('&')</script>\""));
-        assertEquals(ExitCode.DONE, report(ODD, "--scene=" + odd, "--experiments=shows"),
-                err.toString());
+        report(ExitCode.DONE, ODD, "--scene=" + odd, "--experiments=shows");
         String page = page();
         assertFalse(page.contains("<script>alert") || page.contains("<i>"), page);
-        assertTrue(page.contains("<h2>&lt;script&gt;alert('&amp;')&lt;/script&gt; by 5</h2>"), page);
+        assertHas(page, "<h2>&lt;script&gt;alert('&amp;')&lt;/script&gt; by 5</h2>");
         assertFalse(page.contains("could not be made"), "only what was asked for");
-        assertEquals(ExitCode.DONE, report(ODD, "--scene=" + odd), err.toString());
+        report(ExitCode.DONE, ODD, "--scene=" + odd);
         assertFalse(page().contains("could not be made"), "and by default only what looks at the scene");
     }
 
     @Test
     void whatIsNotThereIsSaidBeforeAnythingRuns() {
-        assertEquals(ExitCode.BAD_INPUT, report(ODD, "--experiments=shws"));
-        assertTrue(err.toString()
-                .startsWith("option -Pexperiments: no experiment is called 'shws'; did you mean 'shows'?"),
-                err.toString());
-        assertEquals(ExitCode.BAD_INPUT, report(ODD, "--scene=sprng"));
-        assertEquals(ExitCode.BAD_INPUT, report(ODD, "--solvers=rk5"));
+        assertStarts(report(ExitCode.BAD_INPUT, ODD, "--experiments=shws").err(),
+                "option -Pexperiments: no experiment is called 'shws'; did you mean 'shows'?");
+        report(ExitCode.BAD_INPUT, ODD, "--scene=sprng");
+        report(ExitCode.BAD_INPUT, ODD, "--solvers=rk5");
         assertFalse(Files.exists(top.resolve("report")), "nothing is written");
     }
 }

@@ -3,11 +3,10 @@ package particles.app.run;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -20,7 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
-import particles.app.cli.Program;
+import particles.app.cli.Screen;
 import particles.scene.SceneFiles;
 import particles.scene.SceneName;
 
@@ -68,18 +67,16 @@ class GalleryTest {
             camera: {position: [0.6, 0.6, 4], target: [0.6, 0.6, 0]}
             """;
 
-    private static ExitCode gallery(Path folder, StringWriter lines) {
-        PrintWriter out = new PrintWriter(lines);
-        return new Program(List.of(new GalleryCommand(folder)), OptionStyle.SHELL, out, out).execute("gallery");
+    private static String gallery(ExitCode expected, Path folder) {
+        return Screen.of(expected, List.of(new GalleryCommand(folder)), OptionStyle.SHELL, "gallery");
     }
 
     /** At 0.4 s, the stone is at (1.2, 1.2), right of the middle; its trail comes from the left. */
     @Test
     void thePictureShowsTheMotionSoFar(@TempDir Path folder) throws IOException {
         Files.writeString(folder.resolve("01-stone.yaml"), SCENE);
-        StringWriter lines = new StringWriter();
-        assertEquals(ExitCode.DONE, gallery(folder, lines), lines.toString());
-        assertTrue(Files.readString(folder.resolve("README.md")).contains("**A thrown stone**<br>A parabola."));
+        gallery(ExitCode.DONE, folder);
+        assertHas(Files.readString(folder.resolve("README.md")), "**A thrown stone**<br>A parabola.");
         BufferedImage image = ImageIO.read(folder.resolve("pictures/01-stone.png").toFile());
         int leftmost = image.getWidth();
         int rightmost = 0;
@@ -99,9 +96,7 @@ class GalleryTest {
     @Test
     void aSceneWithAMistakeIsNamedAndNothingIsWritten(@TempDir Path folder) throws IOException {
         Files.writeString(folder.resolve("01-stone.yaml"), SCENE.replace("duration: 1", "duration: long"));
-        StringWriter lines = new StringWriter();
-        assertEquals(ExitCode.BAD_INPUT, gallery(folder, lines));
-        assertTrue(lines.toString().contains("01-stone.yaml:5:"), lines.toString());
+        assertHas(gallery(ExitCode.BAD_INPUT, folder), "01-stone.yaml:5:");
         assertFalse(Files.exists(folder.resolve("README.md")));
         assertFalse(Files.exists(folder.resolve("pictures")));
     }

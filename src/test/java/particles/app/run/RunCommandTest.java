@@ -4,12 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
+import static particles.Texts.assertStarts;
 
 import deSolvers.text.Digits;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -29,8 +29,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
-import particles.app.cli.Program;
-import particles.app.cli.ProgramCommand;
+import particles.app.cli.Screen;
 import particles.app.cli.Version;
 import particles.scene.SceneFiles;
 
@@ -56,13 +55,12 @@ class RunCommandTest {
     Path top;
     private Path scenes;
     private Path out;
-    private final StringWriter lines = new StringWriter();
-    private final StringWriter errors = new StringWriter();
+    private Screen screen;
 
     @BeforeEach
     void writeScene() throws IOException {
         scenes = Files.createDirectory(top.resolve("scenes"));
-        Files.writeString(scenes.resolve("01-block.yaml"), SCENE);
+        writeScene(SCENE);
         out = top.resolve("out");
     }
 
@@ -76,17 +74,14 @@ class RunCommandTest {
             args.removeIf(arg -> arg.startsWith(option.replaceFirst("=.*", "=")));
             args.add(option);
         }
-        lines.getBuffer().setLength(0);
-        errors.getBuffer().setLength(0);
-        List<ProgramCommand> commands = List.of(new RunCommand(scenes, stop),
-                new ScenesCommand(scenes));
-        return new Program(commands, OptionStyle.GRADLE, new PrintWriter(lines), new PrintWriter(errors))
-                .execute(args.toArray(String[]::new));
+        screen = Screen.of(List.of(new RunCommand(scenes, stop), new ScenesCommand(scenes)), OptionStyle.GRADLE,
+                args.toArray(String[]::new));
+        return screen.code();
     }
 
     private void assertEnds(ExitCode code, String error, String... options) {
-        assertEquals(code, run(options), errors.toString());
-        assertEquals(error, errors.toString().strip());
+        run(options);
+        assertEquals(new Screen(code, screen.out(), error), screen);
     }
 
     private Set<String> files() throws IOException {
@@ -109,14 +104,8 @@ class RunCommandTest {
         Files.writeString(scenes.resolve("01-block.yaml"), text);
     }
 
-    private static void assertHas(String text, String... parts) {
-        for (String part : parts) {
-            assertTrue(text.contains(part), part + " in " + text);
-        }
-    }
-
     private void assertPrinted(String... parts) {
-        assertHas(lines.toString(), parts);
+        assertHas(screen.out(), parts);
     }
 
     private void assertJson(String... parts) throws IOException {
@@ -125,6 +114,13 @@ class RunCommandTest {
 
     private static final Set<String> NUMBERS_AND_PLOTS = Set.of("energy.png", "phase.png", "run.json",
             "trajectory.csv");
+
+    /** Checks that there are numbers, plots and these files, and no others. */
+    private void assertFiles(String... more) throws IOException {
+        Set<String> expected = new TreeSet<>(NUMBERS_AND_PLOTS);
+        expected.addAll(List.of(more));
+        assertEquals(expected, files());
+    }
 
     /** A million pictures are too many; a million seconds without pictures are not. */
     @Test
@@ -141,7 +137,7 @@ class RunCommandTest {
         assertEquals(ExitCode.BAD_INPUT, run("--scene=2"));
         assertEquals(scenes.resolve("02-far.yaml") + """
                 :5:11: a duration of 1000000 s needs more than a million pictures at frameRate = 25; in the scene, \
-                output: {frameRate: 0.001} draws 1000, and -Pframes=false none""", errors.toString().strip());
+                output: {frameRate: 0.001} draws 1000, and -Pframes=false none""", screen.err());
         assertFalse(Files.exists(out), "nothing is written");
         assertEquals(ExitCode.DONE, run("--scene=2", "--frames=false"));
     }
@@ -173,12 +169,8 @@ class RunCommandTest {
     @Test
     void aRunWritesItsFilesAndPrintsTheFolder() throws IOException {
         assertEnds(ExitCode.DONE, "");
-        Set<String> expected = new TreeSet<>(NUMBERS_AND_PLOTS);
-        expected.add("animation.gif");
-        for (int frame = 0; frame <= 5; frame++) {
-            expected.add("frames/frame-0000" + frame + ".png");
-        }
-        assertEquals(expected, files());
+        assertFiles("animation.gif", "frames/frame-00000.png", "frames/frame-00001.png", "frames/frame-00002.png",
+                "frames/frame-00003.png", "frames/frame-00004.png", "frames/frame-00005.png");
         for (String name : files()) {
             if (name.endsWith(".png") || name.endsWith(".gif")) {
                 assertTrue(ImageIO.read(out.resolve(name).toFile()).getWidth() >= 64, name);
@@ -186,9 +178,9 @@ class RunCommandTest {
         }
         List<String> rows = Files.readAllLines(out.resolve("trajectory.csv"));
         assertEquals(1 + 51 * 2, rows.size());
-        assertTrue(rows.get(102).startsWith("0.5,block,"), rows.get(102));
-        assertPrinted("0.5 s simulated in 50 steps with 200 evaluations");
-        assertPrinted("files in " + out + ": frames, animation.gif, energy.png, phase.png, trajectory.csv, run.json");
+        assertStarts(rows.get(102), "0.5,block,");
+        assertPrinted("0.5 s simulated in 50 steps with 200 evaluations",
+                "files in " + out + ": frames, animation.gif, energy.png, phase.png, trajectory.csv, run.json");
         assertJson("\"scene\" : \"01-block\"", "\"solver\" : \"rk4\"", "\"steps\" : 50",
                 "\"evaluations\" : 200",
                 "\"version\" : \"" + Version.CURRENT + "\"", "\"endTime\" : 0.5");
@@ -202,7 +194,7 @@ class RunCommandTest {
                 "no phase.png: under 'output', the scene names no particle for it");
         writeScene(SCENE);
         assertEnds(ExitCode.DONE, "", "--frames=false");
-        assertFalse(lines.toString().contains("no phase.png"), lines.toString());
+        assertFalse(screen.out().contains("no phase.png"), screen.out());
     }
 
     @Test
@@ -211,14 +203,14 @@ class RunCommandTest {
         assertTrue(files().containsAll(Set.of("film.mp4", "animation.gif")), files().toString());
         assertPrinted("animation.gif, film.mp4, energy.png");
         assertEnds(ExitCode.DONE, "");
-        assertTrue(files().stream().noneMatch("film.mp4"::equals), "the next run removes it");
+        assertFalse(files().contains("film.mp4"), "the next run removes it");
         replaceInScene("{frameRate: 10", "{video: mp4, animation: false, frameRate: 10");
         assertEnds(ExitCode.DONE, "");
         assertTrue(files().contains("film.mp4") && !files().contains("animation.gif"), files().toString());
         assertEnds(ExitCode.DONE, "", "--video=none");
-        assertTrue(files().stream().noneMatch("film.mp4"::equals), "an option goes before the scene");
+        assertFalse(files().contains("film.mp4"), "an option goes before the scene");
         assertEnds(ExitCode.DONE, "", "--frames=false");
-        assertEquals(NUMBERS_AND_PLOTS, files());
+        assertFiles();
     }
 
     /** Wider than an animation is otherwise, which would be 352 pixels wide. */
@@ -253,9 +245,7 @@ class RunCommandTest {
         run("--duration=0.2");
         assertEquals(3, files().stream().filter(name -> name.startsWith("frames/")).count());
         run("--frames=false");
-        Set<String> expected = new TreeSet<>(NUMBERS_AND_PLOTS);
-        expected.add("notes.txt");
-        assertEquals(expected, files());
+        assertFiles("notes.txt");
     }
 
     @Test
@@ -290,7 +280,7 @@ class RunCommandTest {
         assertEquals(4, thinned.size());
         assertEquals(0.4, thinned.get(2), 1e-14);               // the clock adds 0.01 forty times
         assertEquals(0.5, thinned.get(3));
-        Files.writeString(scenes.resolve("01-block.yaml"), SCENE);
+        writeScene(SCENE);
         // 150,001 times of two particles: every second step
         run("--frames=false", "--deltaT=1e-6", "--duration=0.15");
         List<String> times = times();
@@ -317,6 +307,14 @@ class RunCommandTest {
             the value is the text 'long'; it has to be a number from 0 up (s)
             --deltaT=1e-11                | SCENE:5:11: a duration of 0.5 s is 5e10 steps of deltaT = 1e-11 s; a run \
             can have at most 1e10
+            --scnee=2 --scene=no-such-scene --deltaT=abc --solver=rk5 --threads=-1 --video=avi --out= \
+            | unknown option -Pscnee; did you mean -Pscene? allowed: -Pout, -Pscene, -Psolver, -PdeltaT, -Pduration, \
+            -Pthreads, -Pframes, -Pvideo, -Psize, -Preplay, -Pslide, -Psvg, -Pdark, -Phelp \
+            // -Psolver: unknown solver 'rk5'; did you mean 'rk4'? known: euler ... \
+            // -PdeltaT: the value is the text 'abc'; it has to be a number over 0 (s) \
+            // -Pthreads: the value is -1; it has to be a whole number from 1 to 64 \
+            // there is no scene 'no-such-scene'; scenes: 01-block // option -Pout: needs a folder name \
+            // option -Pvideo: 'avi' is not a kind of film; allowed: none, mp4
             --threads=0                   | -Pthreads: the value is 0; it has to be a whole number from 1 to 64
             --frames=maybe                | option -Pframes has to be true or false, not 'maybe'
             --out=                        | option -Pout: needs a folder name
@@ -335,18 +333,17 @@ class RunCommandTest {
     void wrongOptionsAreRefusedBeforeAnythingIsWritten(String typed, String expected) {
         assertEquals(ExitCode.BAD_INPUT, run(typed.split(" ")));
         assertEquals(expected.replace("SCENE", scenes.resolve("01-block.yaml").toString()).replace(" // ", "\n"),
-                errors.toString().strip().replaceFirst(": euler,.*", ": euler ..."));
+                screen.err().replaceFirst(": euler,.*", ": euler ..."));
         assertFalse(Files.exists(out));
     }
 
     @Test
     void aBrokenSceneIsRefusedWithEveryPlace() throws IOException {
-        Path file = scenes.resolve("01-block.yaml");
-        Files.writeString(file, SCENE.replace("solver: rk4", "solvr: rk4").replace("mass: 2", "mass: -2"));
+        writeScene(SCENE.replace("solver: rk4", "solvr: rk4").replace("mass: 2", "mass: -2"));
         assertEquals(ExitCode.BAD_INPUT, run());
-        assertEquals(2, errors.toString().lines().count(), errors.toString());  // not also the missing key
-        String place = file.toString().replace('\\', '/') + ":";
-        assertTrue(errors.toString().lines().allMatch(line -> line.startsWith(place)), errors.toString());
+        assertEquals(2, screen.err().lines().count(), screen.err());  // not also the missing key
+        String place = scenes.resolve("01-block.yaml").toString().replace('\\', '/') + ":";
+        assertTrue(screen.err().lines().allMatch(line -> line.startsWith(place)), screen.err());
         assertFalse(Files.exists(out));
     }
 
@@ -373,10 +370,10 @@ class RunCommandTest {
     @Test
     void aThousandfoldGainIsABlowUp() throws IOException {
         assertEquals(ExitCode.STOPPED, run("--solver=euler", "--duration=20", "--frames=false"));
-        assertTrue(errors.toString().matches("""
+        assertTrue(screen.err().matches("""
                 euler stopped at t = 9\\.\\d+ s at particle 'block': the numerical error is \\d+ J, over 1000 times \
                 the rest of the energy\\Rundamped springs gain energy with euler at any deltaT\\Rtry \
-                -Psolver=verlet\\R"""), errors.toString());
+                -Psolver=verlet"""), screen.err());
     }
 
     /**
@@ -391,18 +388,18 @@ class RunCommandTest {
                 .replaceAll("(columns|rows|layers): 6", "$1: 7").replaceAll("stiffness: \\d+", "stiffness: 6000"));
         assertEquals(ExitCode.STOPPED, run("--scene=" + jelly, "--solver=implicit-midpoint", "--deltaT=0.0166666667",
                 "--frames=false"));
-        assertTrue(errors.toString().matches("from t = [\\d.]+ s on the motion by implicit-midpoint is wrong: the"
+        assertTrue(screen.err().matches("from t = [\\d.]+ s on the motion by implicit-midpoint is wrong: the"
                 + " numerical error of \\d+ J is larger than the energy scale and the work put in, \\d+ J\\R"
                 + "implicit-midpoint has no stability limit, but it adds energy where springs buckle or"
                 + " turn\\Rtry -Psolver=linearised-euler, which solves one linear system per step and damps what is too"
-                + " fast for it\\R"), errors.toString());
-        assertFalse(lines.toString().contains("warning"), "the lines above say it");
+                + " fast for it"), screen.err());
+        assertFalse(screen.out().contains("warning"), "the lines above say it");
     }
 
     @Test
     void aBlowUpKeepsItsResultsAndEndsWithCode3() throws IOException {
         assertEquals(ExitCode.STOPPED, run("--deltaT=0.5", "--duration=100"));
-        assertEquals(3, errors.toString().lines().count(), errors.toString());
+        assertEquals(3, screen.err().lines().count(), screen.err());
         assertTrue(files().containsAll(NUMBERS_AND_PLOTS) && files().contains("frames/frame-00000.png"),
                 files().toString());
         assertTrue(files().stream().noneMatch(name -> name.endsWith(".part")), files().toString());
@@ -416,20 +413,14 @@ class RunCommandTest {
         StopRequest stop = new StopRequest();
         stop.request();
         assertEquals(ExitCode.STOPPED, run(stop));
-        assertEquals("the run was stopped at t = 0.01 s of 0.5 s", errors.toString().strip());
-        Set<String> expected = new TreeSet<>(NUMBERS_AND_PLOTS);
-        expected.addAll(Set.of("animation.gif", "frames/frame-00000.png"));
-        assertEquals(expected, files());
+        assertEquals("the run was stopped at t = 0.01 s of 0.5 s", screen.err());
+        assertFiles("animation.gif", "frames/frame-00000.png");
         assertEquals(List.of("0.0", "0.01"), times());
     }
 
     @Test
     void scenesAreListedWithWhatTheyTeach() {
-        List<ProgramCommand> commands = List.of(new ScenesCommand(scenes));
-        assertEquals(ExitCode.DONE, new Program(commands, OptionStyle.SHELL, new PrintWriter(lines),
-                new PrintWriter(errors))
-                .execute("scenes"));
-        assertEquals(List.of("01  block: A block (rk4)", "    Nothing but that it runs."),
-                lines.toString().lines().toList());
+        assertEquals(List.of("01  block: A block (rk4)", "    Nothing but that it runs."), Screen.of(ExitCode.DONE,
+                List.of(new ScenesCommand(scenes)), OptionStyle.SHELL, "scenes").lines().toList());
     }
 }

@@ -7,8 +7,6 @@ import com.lowagie.text.pdf.PdfReader;
 import com.lowagie.text.pdf.parser.PdfTextExtractor;
 import deSolvers.text.Digits;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -23,7 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
-import particles.app.cli.Program;
+import particles.app.cli.Screen;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 
@@ -33,16 +31,14 @@ class RunFindingsTest {
     Path out;
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', value = {
-        "3  | 5   | falls from (\\S+) J to (\\S+) J  | (\\S+) times as large as the first",
-        "11 | 20  | rises from (\\S+) J to (\\S+) J  | (\\S+) times as wide and (\\S+) times as high",
-        "2  | 6.2 | stays at (\\S+) J to             | as large as the first"})
+    @CsvSource(delimiter = '|', textBlock = """
+            3  | 5   | falls from (\\S+) J to (\\S+) J | (\\S+) times as large as the first
+            11 | 20  | rises from (\\S+) J to (\\S+) J | (\\S+) times as wide and (\\S+) times as high
+            2  | 6.2 | stays at (\\S+) J to            | as large as the first
+            """)
     void titlesSayWhatTheRunShows(String scene, double duration, String energy, String path) throws IOException {
-        StringWriter errors = new StringWriter();
-        assertEquals(ExitCode.DONE, new Program(List.of(new RunCommand(Path.of("scenes"), new StopRequest())),
-                OptionStyle.GRADLE, new PrintWriter(new StringWriter()), new PrintWriter(errors)).execute("run",
-                "--scene=" + scene, "--duration=" + duration, "--frames=false", "--slide", "--out=" + out),
-                errors.toString());
+        Screen.of(ExitCode.DONE, List.of(new RunCommand(Path.of("scenes"), new StopRequest())), OptionStyle.GRADLE,
+                "run", "--scene=" + scene, "--duration=" + duration, "--frames=false", "--slide", "--out=" + out);
         List<String> slides = slides();
         Matcher energies = find(energy, slides.get(0));
         String json = Files.readString(out.resolve("run.json"));

@@ -2,10 +2,8 @@ package particles.app.run;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertStarts;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -13,26 +11,27 @@ import org.junit.jupiter.params.provider.ValueSource;
 import particles.energy.EnergyRecorder;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.SceneReader;
 import particles.scene.TestScenes;
+import particles.scene.format.SceneDescription;
 
 /** The lines printed at the end of a run. */
 class SummaryTest {
 
     /** The lines for a mass on a spring, x'' = -x from x = 1: 0.5 J for ever. */
-    private static List<String> lines(String solver, double deltaT, double duration) throws IOException {
-        Path file = Path.of("scenes/02-one-spring.yaml");
-        return lines(file, Files.readString(file).replaceFirst("solver: \\S+", "solver: " + solver)
-                .replaceFirst("deltaT: \\S+", "deltaT: " + deltaT)
-                .replaceFirst("duration: \\S+", "duration: " + duration));
+    private static List<String> lines(String solver, double deltaT, double duration) {
+        return spring(solver, deltaT, duration).lines(false);
     }
 
-    private static List<String> lines(Path file, String text) {
-        return summary(file, text).lines(false);
+    private static Summary spring(String solver, double deltaT, double duration) {
+        return summary(TestScenes.named("2").withSolver(solver).withDeltaT(deltaT).withDuration(duration));
     }
 
-    private static Summary summary(Path file, String text) {
-        Scene scene = SceneBuilder.build(SceneReader.read(file.toString(), text.getBytes()));
+    private static List<String> lines(String text) {
+        return summary(TestScenes.read(text)).lines(false);
+    }
+
+    private static Summary summary(SceneDescription described) {
+        Scene scene = SceneBuilder.build(described);
         EnergyRecorder energy = new EnergyRecorder(scene.simulation(), scene.energyEstimate(), 1);
         energy.attachTo(scene.simulation(), List.of());
         scene.simulation().run();
@@ -43,7 +42,7 @@ class SummaryTest {
     @ParameterizedTest
     @ValueSource(doubles = {0.1, 1})
     void thousandsOfImpactsPerSecondAdviseSoftBalls(double speed) {
-        String warning = lines(Path.of("scenes/rattle.yaml"), """
+        String warning = lines("""
                 title: A rattle
                 teaches: Impacts.
                 solver: rk4
@@ -57,15 +56,12 @@ class SummaryTest {
                 rules:
                   - collisions: {radius: 0.1, restitution: 1}
                 """.formatted(speed)).stream().filter(line -> line.contains("'repulsion'")).findFirst().orElse("none");
-        assertTrue(warning.startsWith(speed < 1 ? "none" : "warning: 250 impacts"), warning);
+        assertStarts(warning, speed < 1 ? "none" : "warning: 250 impacts");
     }
 
     /** Euler multiplies 0.5 J by 1 + h^2 = 1.25 in its only step, and the energy scale is what it ends with. */
     @Test
-    void runJsonHoldsEveryNumber() throws IOException {
-        Path file = Path.of("scenes/02-one-spring.yaml");
-        String json = summary(file, Files.readString(file).replaceFirst("solver: \\S+", "solver: euler")
-                .replaceFirst("deltaT: \\S+", "deltaT: 0.5").replaceFirst("duration: \\S+", "duration: 0.5")).json();
+    void runJsonHoldsEveryNumber() {
         assertEquals("""
                 {
                   "version" : "0.1.0",
@@ -91,12 +87,13 @@ class SummaryTest {
                   },
                   "java" : {
                     "version" : "VERSION",
-                """.replace("VERSION", Runtime.version().toString()), json.substring(0, json.indexOf("    \"vendor")));
+                """.replace("VERSION", Runtime.version().toString()), spring("euler", 0.5, 0.5).json()
+                .replaceFirst("(?s)    \"vendor.*", ""));
     }
 
     /** Euler multiplies the energy by 1 + h^2 in each step: 0.5 J (1.01)^100 = 1.352 J; 0.8524 J are its error. */
     @Test
-    void aGrowingRunPrintsItsErrorAndAWarning() throws IOException {
+    void aGrowingRunPrintsItsErrorAndAWarning() {
         List<String> lines = lines("euler", 0.1, 10);
         assertEquals(5, lines.size(), lines.toString());
         assertEquals("energy: 0.5 J at the start, 1.35 J at the end; largest change 0.852 J", lines.get(2));
@@ -107,7 +104,7 @@ class SummaryTest {
 
     /** Implicit midpoint keeps the energy with any step; with 4.5 steps per period it is 0.16 m off after one. */
     @Test
-    void stepsThatAreTooLongForTheVibrationAreToldThoughTheEnergyIsKept() throws IOException {
+    void stepsThatAreTooLongForTheVibrationAreToldThoughTheEnergyIsKept() {
         for (int steps : new int[] {1, 9}) {
             List<String> lines = lines("implicit-midpoint", 1.4, 1.4 * steps);
             assertEquals("warning: not resolved: the fastest visible vibration has fewer than 6 steps per period; try a"
@@ -122,7 +119,7 @@ class SummaryTest {
     /** Both divide the energy by 1 + h^2 in each step: 0.5 J / (1.01)^100 = 0.185 J are left. */
     @ParameterizedTest
     @ValueSource(strings = {"backward-euler", "linearised-euler"})
-    void energyLostByABackwardEulerMethodIsNumericalDamping(String solver) throws IOException {
+    void energyLostByABackwardEulerMethodIsNumericalDamping(String solver) {
         List<String> lines = lines(solver, 0.1, 10);
         assertEquals(5, lines.size(), lines.toString());
         assertEquals("numerical error: at most 0.315 J (0.63 of the energy scale, 0.5 J), by numerical damping",
@@ -151,7 +148,7 @@ class SummaryTest {
                 rules:
                   - shake: {particle: hand, amplitude: [0, 0.02, 0], period: 1}
                 """;
-        List<String> lines = lines(Path.of("x.yaml"), text);
+        List<String> lines = lines(text);
         assertTrue(lines.get(4).matches("warning: numerical damping took \\d[.]\\d+ J, \\d\\d times the energy scale; a"
                 + " smaller deltaT loses less."), lines.get(4));
     }
@@ -159,21 +156,21 @@ class SummaryTest {
     /** Both are right. Bulirsch-Stoer takes more than a swing at once, in which the ledger looks three times. */
     @Test
     void whatTheLedgerCannotResolveIsNotCalledWrong() {
-        assertEquals(4, lines(Path.of("x.yaml"), TestScenes.shaken("radau", 0.19)).size());
-        List<String> lines = lines(Path.of("x.yaml"), TestScenes.shaken("bulirsch-stoer", 0.19));
+        assertEquals(4, lines(TestScenes.shaken("radau", 0.19)).size());
+        List<String> lines = lines(TestScenes.shaken("bulirsch-stoer", 0.19));
         assertEquals("note: the energy ledger cannot resolve this motion, as the sub-steps of bulirsch-stoer are too"
                 + " long for it; the error may be the ledger's own. A smaller deltaT tells.", lines.get(4));
     }
 
     @Test
-    void aGoodRunDoesNotWarn() throws IOException {
+    void aGoodRunDoesNotWarn() {
         List<String> lines = lines("rk4", 0.1, 20);
         assertEquals(4, lines.size(), lines.toString());
         assertTrue(lines.get(3).matches("numerical error: at most \\S+e-6 J .*"), lines.get(3));
     }
 
     @Test
-    void aShortenedOnlyStepIsNamed() throws IOException {
+    void aShortenedOnlyStepIsNamed() {
         assertEquals("the run is shorter than deltaT: its only step was 0.2 s long", lines("rk4", 0.5, 0.2).get(2));
         assertEquals(4, lines("rk4", 0.2, 0.2).size(), "it is as long as deltaT");
     }
