@@ -12,6 +12,7 @@ import java.util.function.Supplier;
 public abstract class ContractBasics {
     static final double START = 0.3;
     static final double STEP = 0.1;
+    static final double[] NOT_FINITE = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY};
 
     private final Supplier<DESolver> maker;
 

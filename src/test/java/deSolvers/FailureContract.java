@@ -22,7 +22,7 @@ public abstract class FailureContract extends ContractBasics {
 
     @Test
     void deltaTMustBeFinite() {
-        for (double bad : new double[] {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY}) {
+        for (double bad : NOT_FINITE) {
             SecondOrderProblem problem = windy(1);
             DESolver solver = createSolver();
             DESolverException e = assertThrows(DESolverException.class, () -> solver.stepState(problem, bad));
@@ -72,7 +72,7 @@ public abstract class FailureContract extends ContractBasics {
 
     @Test
     void aNonFiniteStateIsNamedAndPutBack() {
-        for (double bad : new double[] {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY}) {
+        for (double bad : NOT_FINITE) {
             for (int entry = 0; entry < 6; entry++) {
                 SecondOrderProblem problem = windy(1);
                 double[] state = problem.getState();
@@ -91,7 +91,7 @@ public abstract class FailureContract extends ContractBasics {
 
     @Test
     void aNonFiniteDerivativeIsNamed() {
-        for (double bad : new double[] {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY}) {
+        for (double bad : NOT_FINITE) {
             for (int entry = 0; entry < 6; entry++) {
                 SpySource source = new SpySource(windy(1));
                 source.spoilDerivative(entry, bad, 0);

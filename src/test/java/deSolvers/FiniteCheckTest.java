@@ -8,8 +8,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Each entry is checked by itself: a sum of large finite entries does not count as infinite. */
 class FiniteCheckTest {
-    private static final double[] BAD = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY};
-
     private static double[] large(int n) {
         double[] values = new double[n];
         Arrays.fill(values, Double.MAX_VALUE);
@@ -21,7 +19,7 @@ class FiniteCheckTest {
     void theFirstNonFiniteEntryIsFound(int n) {
         assertEquals(-1, FiniteCheck.firstNonFinite(large(n)));
         for (int i = 0; i < n; i++) {
-            for (double bad : BAD) {
+            for (double bad : ContractBasics.NOT_FINITE) {
                 double[] values = large(n);
                 values[i] = bad;
                 assertEquals(i, FiniteCheck.firstNonFinite(values));

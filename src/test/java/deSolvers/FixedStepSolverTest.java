@@ -109,7 +109,7 @@ class FixedStepSolverTest {
         for (DESolver solver : new DESolver[] {new EulerSolver(), new MidpointSolver(), new RK4Solver(),
                 new AdamsBashforthMoultonSolver(), new SymplecticEulerSolver(), new VelocityVerletSolver(),
                 new Yoshida4Solver()}) {
-            for (double bad : new double[] {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY}) {
+            for (double bad : ContractBasics.NOT_FINITE) {
                 for (int entry = 0; entry < 6; entry++) {
                     SteadyRates source = new SteadyRates(entry, bad);
                     int evaluations = 1;

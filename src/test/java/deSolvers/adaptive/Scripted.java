@@ -29,6 +29,11 @@ final class Scripted extends AdaptiveSolver {
         this.knowsEndSlope = knowsEndSlope;
     }
 
+    /** One with the same error for each sub-step, which evaluates the slope at its end. */
+    Scripted(double error) {
+        this(false, (offset, h) -> error);
+    }
+
     @Override
     protected void resize(int n) {
         assertEquals(1, n);

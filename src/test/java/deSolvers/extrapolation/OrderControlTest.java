@@ -1,5 +1,8 @@
 package deSolvers.extrapolation;
 
+import static deSolvers.extrapolation.OrderControl.Verdict.ACCEPT;
+import static deSolvers.extrapolation.OrderControl.Verdict.CONTINUE;
+import static deSolvers.extrapolation.OrderControl.Verdict.REJECT;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import deSolvers.extrapolation.OrderControl.Verdict;
@@ -47,59 +50,59 @@ class OrderControlTest {
 
     @Test
     void columnsBeforeTheTargetAreNotAccepted() {
-        assertVerdict(Verdict.CONTINUE, 1, 0);
-        assertVerdict(Verdict.CONTINUE, 1, 1e10);
-        assertVerdict(Verdict.CONTINUE, 1, Double.MAX_VALUE);
-        assertVerdict(Verdict.REJECT, 1, Double.POSITIVE_INFINITY);
+        assertVerdict(CONTINUE, 1, 0);
+        assertVerdict(CONTINUE, 1, 1e10);
+        assertVerdict(CONTINUE, 1, Double.MAX_VALUE);
+        assertVerdict(REJECT, 1, Double.POSITIVE_INFINITY);
         assertNext(H * Math.cbrt(0.02) / 4, 1);
         control.restart(1e-6);
-        assertVerdict(Verdict.REJECT, 1, Double.NaN);
+        assertVerdict(REJECT, 1, Double.NaN);
     }
 
     /** The errors up to which later columns can be expected to converge: a factor (n_j/n_0)^2 for each of them. */
     @Test
     void aHopelessStretchIsRejectedEarly() {
         double both = 7 * 9 * 7 * 9;
-        assertVerdict(Verdict.CONTINUE, 2, 1.0000001);
-        assertVerdict(Verdict.CONTINUE, 2, both);
-        assertVerdict(Verdict.CONTINUE, 3, 81);
-        assertVerdict(Verdict.REJECT, 4, 1.0000001);
+        assertVerdict(CONTINUE, 2, 1.0000001);
+        assertVerdict(CONTINUE, 2, both);
+        assertVerdict(CONTINUE, 3, 81);
+        assertVerdict(REJECT, 4, 1.0000001);
         control.restart(1e-6);
-        assertVerdict(Verdict.REJECT, 2, both * 1.0000001);
+        assertVerdict(REJECT, 2, both * 1.0000001);
         control.restart(1e-6);
-        assertVerdict(Verdict.CONTINUE, 2, both);
-        assertVerdict(Verdict.REJECT, 3, 81.00001);
+        assertVerdict(CONTINUE, 2, both);
+        assertVerdict(REJECT, 3, 81.00001);
     }
 
     @Test
     void anErrorOfOneIsAccepted() {
         for (int k = 2; k <= 4; k++) {
             control.restart(1e-6);
-            assertVerdict(Verdict.ACCEPT, k, 1);
+            assertVerdict(ACCEPT, k, 1);
         }
     }
 
     /** Work for a unit of time 23.9 against 36.8: two columns do it for less. */
     @Test
     void aMuchCheaperLowerColumnBecomesTheTarget() {
-        assertVerdict(Verdict.CONTINUE, 2, 1.5);
-        assertVerdict(Verdict.ACCEPT, 3, 0.9);
+        assertVerdict(CONTINUE, 2, 1.5);
+        assertVerdict(ACCEPT, 3, 0.9);
         assertNext(best(2, 1.5), 2);
     }
 
     /** 33.4 against 33.8: neither much cheaper nor much dearer. */
     @Test
     void theTargetStaysIfNoColumnIsMuchCheaper() {
-        assertVerdict(Verdict.CONTINUE, 2, 8);
-        assertVerdict(Verdict.ACCEPT, 3, 0.5);
+        assertVerdict(CONTINUE, 2, 8);
+        assertVerdict(ACCEPT, 3, 0.5);
         assertNext(best(3, 0.5), 3);
     }
 
     /** 109 against 18.9: one more column will probably pay, with a stretch of the same cost per unit of time. */
     @Test
     void aHigherColumnIsTriedIfThisOnePaid() {
-        assertVerdict(Verdict.CONTINUE, 2, 3000);
-        assertVerdict(Verdict.ACCEPT, 3, 1e-3);
+        assertVerdict(CONTINUE, 2, 3000);
+        assertVerdict(ACCEPT, 3, 1e-3);
         assertNext(best(3, 1e-3) * COST[4] / COST[3], 4);
     }
 
@@ -110,19 +113,19 @@ class OrderControlTest {
             control.restart(1e-6);
             double work = COST[3] / best(3, 0.9);
             double down = errorForWork(2, 0.8 * work * slightly);
-            assertVerdict(Verdict.CONTINUE, 2, down);
-            assertVerdict(Verdict.ACCEPT, 3, 0.9);
+            assertVerdict(CONTINUE, 2, down);
+            assertVerdict(ACCEPT, 3, 0.9);
             assertNext(slightly < 1 ? best(2, down) : best(3, 0.9), slightly < 1 ? 2 : 3);
             control.restart(1e-6);
             double up = errorForWork(2, work / 0.9 * slightly);
-            assertVerdict(Verdict.CONTINUE, 2, up);
-            assertVerdict(Verdict.ACCEPT, 3, 0.9);
+            assertVerdict(CONTINUE, 2, up);
+            assertVerdict(ACCEPT, 3, 0.9);
             assertNext(slightly > 1 ? best(3, 0.9) * COST[4] / COST[3] : best(3, 0.9), slightly > 1 ? 4 : 3);
             control.restart(1e-6);
             double rejected = COST[3] / best(3, 100);
             double lower = errorForWork(2, 0.8 * rejected * slightly);
-            assertVerdict(Verdict.CONTINUE, 2, lower);
-            assertVerdict(Verdict.REJECT, 3, 100);
+            assertVerdict(CONTINUE, 2, lower);
+            assertVerdict(REJECT, 3, 100);
             assertNext(slightly < 1 ? best(2, lower) : best(3, 100), slightly < 1 ? 2 : 3);
         }
     }
@@ -135,51 +138,51 @@ class OrderControlTest {
     @Test
     void theFirstColumnIsNeverTheTargetForLong() {
         control.restart(1e-3);
-        assertVerdict(Verdict.ACCEPT, 1, 0.5);
+        assertVerdict(ACCEPT, 1, 0.5);
         assertNext(best(1, 0.5) * COST[2] / COST[1], 2);
         control.restart(1e-3);
-        assertVerdict(Verdict.REJECT, 1, 3000);
+        assertVerdict(REJECT, 1, 3000);
         assertNext(best(1, 3000), 1);
-        assertVerdict(Verdict.ACCEPT, 1, 0.5);
+        assertVerdict(ACCEPT, 1, 0.5);
         assertNext(best(1, 0.5), 1);
-        assertVerdict(Verdict.ACCEPT, 1, 0.5);
+        assertVerdict(ACCEPT, 1, 0.5);
         assertNext(best(1, 0.5) * COST[2] / COST[1], 2);
     }
 
     /** After a rejection the target does not rise, and one step later it may again. */
     @Test
     void theTargetDoesNotRiseRightAfterARejection() {
-        assertVerdict(Verdict.CONTINUE, 2, 3000);
-        assertVerdict(Verdict.CONTINUE, 3, 80);
-        assertVerdict(Verdict.REJECT, 4, 2);
+        assertVerdict(CONTINUE, 2, 3000);
+        assertVerdict(CONTINUE, 3, 80);
+        assertVerdict(REJECT, 4, 2);
         assertNext(best(3, 80), 3);
-        assertVerdict(Verdict.CONTINUE, 2, 3000);
-        assertVerdict(Verdict.ACCEPT, 3, 1e-3);
+        assertVerdict(CONTINUE, 2, 3000);
+        assertVerdict(ACCEPT, 3, 1e-3);
         assertNext(best(3, 1e-3), 3);
-        assertVerdict(Verdict.CONTINUE, 2, 3000);
-        assertVerdict(Verdict.ACCEPT, 3, 1e-3);
+        assertVerdict(CONTINUE, 2, 3000);
+        assertVerdict(ACCEPT, 3, 1e-3);
         assertNext(best(3, 1e-3) * COST[4] / COST[3], 4);
     }
 
     /** No more than one column above the target, even if the column above was the one that was accepted. */
     @Test
     void theTargetRisesByOneAtATime() {
-        assertVerdict(Verdict.CONTINUE, 2, 3000);
-        assertVerdict(Verdict.CONTINUE, 3, 80);
-        assertVerdict(Verdict.ACCEPT, 4, 1e-6);
+        assertVerdict(CONTINUE, 2, 3000);
+        assertVerdict(CONTINUE, 3, 80);
+        assertVerdict(ACCEPT, 4, 1e-6);
         assertNext(best(4, 1e-6), 4);
     }
 
     @Test
     void theTargetNeverPassesTheLastColumn() {
         control.restart(1e-12);
-        assertVerdict(Verdict.CONTINUE, 5, 1e4);
-        assertVerdict(Verdict.CONTINUE, 6, 100);
-        assertVerdict(Verdict.ACCEPT, 7, 1e-4);
+        assertVerdict(CONTINUE, 5, 1e4);
+        assertVerdict(CONTINUE, 6, 100);
+        assertVerdict(ACCEPT, 7, 1e-4);
         assertNext(best(7, 1e-4), 7);
-        assertVerdict(Verdict.CONTINUE, 6, 1e4);
-        assertVerdict(Verdict.CONTINUE, 7, 289);
-        assertVerdict(Verdict.ACCEPT, 8, 1e-4);
+        assertVerdict(CONTINUE, 6, 1e4);
+        assertVerdict(CONTINUE, 7, 289);
+        assertVerdict(ACCEPT, 8, 1e-4);
         assertNext(best(8, 1e-4), 7);
     }
 }

@@ -8,6 +8,7 @@ import deSolvers.DEStateSource;
 import deSolvers.problems.SecondOrderProblem;
 import deSolvers.problems.Steps;
 import java.util.Random;
+import java.util.function.Consumer;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -22,16 +23,12 @@ class SymplecticSolverTest {
         return random.doubles(2L * d * BLOCKS, -1, 1).toArray();
     }
 
-    private static boolean isVelocity(int entry, int d) {
-        return entry % (2 * d) >= d;
-    }
-
     /** Runs kicks and drifts within a step of a source with blocks of d. */
-    private static void inAStep(int d, Moves moves) {
+    private static void inAStep(int d, Consumer<SymplecticSolver> moves) {
         new SymplecticSolver() {
             @Override
             void kickAndDrift(DEStateSource source, double[] s, double deltaT) {
-                moves.of(this);
+                moves.accept(this);
             }
         }.stepState(new SecondOrderProblem(d, new double[2 * d * BLOCKS]) {
             @Override
@@ -41,31 +38,19 @@ class SymplecticSolverTest {
         }, H);
     }
 
-    /** What a step does. */
-    private interface Moves {
-        void of(SymplecticSolver solver);
-    }
-
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4})
-    void aKickChangesVelocitiesOnly(int d) {
+    void aKickChangesVelocitiesOnlyAndADriftPositions(int d) {
         double[] state = random(d);
         double[] a = random(d);
         double[] kicked = state.clone();
-        inAStep(d, solver -> solver.kick(kicked, a, H));
-        for (int e = 0; e < state.length; e++) {
-            assertEquals(isVelocity(e, d) ? state[e] + H * a[e] : state[e], kicked[e], "entry " + e);
-        }
-    }
-
-    @ParameterizedTest
-    @ValueSource(ints = {1, 2, 3, 4})
-    void aDriftChangesPositionsOnly(int d) {
-        double[] state = random(d);
         double[] drifted = state.clone();
+        inAStep(d, solver -> solver.kick(kicked, a, H));
         inAStep(d, solver -> solver.drift(drifted, H));
         for (int e = 0; e < state.length; e++) {
-            assertEquals(isVelocity(e, d) ? state[e] : state[e] + H * state[e + d], drifted[e], "entry " + e);
+            boolean velocity = e % (2 * d) >= d;
+            assertEquals(velocity ? state[e] + H * a[e] : state[e], kicked[e], "entry " + e);
+            assertEquals(velocity ? state[e] : state[e] + H * state[e + d], drifted[e], "entry " + e);
         }
     }
 

@@ -13,6 +13,7 @@ import particles.ParticleSystem;
 import particles.Systems;
 import particles.effects.springs.SpringForce;
 import particles.law.DifferentiableEffect;
+import particles.law.Effect.Trait;
 import particles.law.Effect;
 import particles.law.Particles;
 import particles.law.PerParticleEffect;
@@ -33,7 +34,7 @@ class EffectFactsTest {
     private final Particles particles = new ParticleSystem().getParticles();
 
     private static void assertFacts(Effect effect, String name, boolean perParticle, boolean byVelocity,
-            Effect.Trait trait) {
+            Trait trait) {
         assertEquals(name, effect.getName());
         assertEquals(perParticle, effect instanceof PerParticleEffect, name + " acts on each particle by itself");
         assertEquals(byVelocity, effect.dependsOnVelocity(), name + " depends on velocity");
@@ -43,13 +44,13 @@ class EffectFactsTest {
 
     @Test
     void eachLawDeclaresItsInterfacesAndFlags() {
-        assertFacts(new Gravity(particles, Vector3.ZERO), "gravity", true, false, Effect.Trait.CONSERVATIVE);
+        assertFacts(new Gravity(particles, Vector3.ZERO), "gravity", true, false, Trait.CONSERVATIVE);
         assertFacts(new PointAttraction(particles, Vector3.ZERO, 1, 0), "attraction", true, false,
-                Effect.Trait.CONSERVATIVE);
-        assertFacts(new LinearDrag(particles, 1, Wind.STILL), "drag", true, true, Effect.Trait.DISSIPATIVE);
-        assertFacts(new QuadraticDrag(particles, 1, Wind.STILL), "quadraticDrag", true, true, Effect.Trait.DISSIPATIVE);
+                Trait.CONSERVATIVE);
+        assertFacts(new LinearDrag(particles, 1, Wind.STILL), "drag", true, true, Trait.DISSIPATIVE);
+        assertFacts(new QuadraticDrag(particles, 1, Wind.STILL), "quadraticDrag", true, true, Trait.DISSIPATIVE);
         for (double damping : new double[] {0, TINY, 1}) {
-            Effect.Trait trait = damping > 0 ? Effect.Trait.DISSIPATIVE : Effect.Trait.CONSERVATIVE;
+            Trait trait = damping > 0 ? Trait.DISSIPATIVE : Trait.CONSERVATIVE;
             assertFacts(new Penalty(particles, GROUND, 1, damping), "penaltyPlane", true, damping > 0, trait);
             assertFacts(new Penalty(particles, BALL, 1, damping), "penaltySphere", true, damping > 0, trait);
             assertFacts(new Cohesion(particles, 1, 0.5, 1, damping), "cohesion", false, damping > 0, trait);
