@@ -204,7 +204,7 @@ public final class Session {
     public double[] region(String solver, double left, double bottom, double cell, int columns, int rows) {
         Amplification amplification = SolverCatalog.names().contains(solver)
                 ? Amplification.of(SolverCatalog.info(solver))
-                : new Amplification(() -> SolverCatalog.create(solver), true, false);
+                : Amplification.ofOwn(() -> SolverCatalog.create(solver));
         return IntStream.range(0, columns * rows).mapToDouble(k -> amplification.at(
                 left + (k % columns + 0.5) * cell, bottom + (k / columns + 0.5) * cell)).toArray();
     }

@@ -2,9 +2,12 @@ package particles.lab;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Texts.assertHas;
 
+import deSolvers.DESolver;
+import deSolvers.DEStateSource;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -54,6 +57,20 @@ class SessionTest {
         session.advance(10, 1e4);
         assertHas(session.status(), "\"steps\":2,\"evaluations\":2,");
         assertHas(session.status(), "\"over\":true");
+    }
+
+    /** A method that is not finished. */
+    public static final class Unfinished extends DESolver {
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            throw new IllegalStateException("yet to be written");
+        }
+    }
+
+    @Test
+    void aSolverWithoutAnyStepIsToldInItsOwnWords() {
+        assertEquals("yet to be written", assertThrows(IllegalStateException.class, () -> session.region(
+                Unfinished.class.getName(), -1, 0, 1, 2, 2)).getMessage());
     }
 
     @Test

@@ -1,7 +1,6 @@
 package particles.experiments.stability;
 
 import deSolvers.DESolver;
-import deSolvers.DESolverException;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import deSolvers.problems.LinearPair;
@@ -23,6 +22,8 @@ import java.util.function.Supplier;
  * A step that the solver refuses counts as infinite growth.
  */
 public final class Amplification {
+    /** A step of deltaT omega = 0.1, which any iteration can do. */
+    private static final double SOFT = 0.01;
     /** Growth below this is round-off or Newton's tolerance. */
     static final double ROUNDING = 1e-8;
     /** Steps of a multistep method before its growth is measured, and as many again while it is. */
@@ -61,6 +62,16 @@ public final class Amplification {
         }, info.secondOrder(), info.family().equals("multistep"));
     }
 
+    /**
+     * @param maker creates solvers without memory
+     * @return the amplification of a solver of your own, on springs
+     * @throws RuntimeException the solver's own, if it refuses a short step, too
+     */
+    public static Amplification ofOwn(Supplier<DESolver> maker) {
+        maker.get().stepState(LinearPair.spring(SOFT, 0), 1);
+        return new Amplification(maker, true, false);
+    }
+
     /** @return whether it is tried on springs, and not on the test equation */
     public boolean isOfSprings() {
         return ofSprings;
@@ -95,7 +106,9 @@ public final class Amplification {
         try {
             double growth = manySteps ? rate(source) : StepMatrix.of(maker.get(), source, 1, 1, 1).radius();
             return Double.isNaN(growth) ? Double.POSITIVE_INFINITY : growth;
-        } catch (DESolverException e) {
+        } catch (NullPointerException | IndexOutOfBoundsException e) {
+            throw e;                                    // a mistake, and no refusal
+        } catch (RuntimeException e) {                  // by whatever the solver refuses the step
             return Double.POSITIVE_INFINITY;
         }
     }

@@ -60,6 +60,34 @@ class CheckSolverCommandTest {
         }
     }
 
+    /** Backward Euler by an iteration that converges for short steps only. */
+    public static final class Iterates extends DESolver {
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            double[] start = new double[source.getStateSize()];
+            source.getState(start);
+            source.incTime(deltaT);
+            double[] next = start;
+            for (int round = 0; round < 200; round++) {
+                source.setState(next);
+                double[] dSdt = new double[next.length];
+                source.getStateDerivative(dSdt);
+                double[] better = start.clone();
+                double change = 0;
+                for (int i = 0; i < better.length; i++) {
+                    better[i] += deltaT * dSdt[i];
+                    change = Math.max(change, Math.abs(better[i] - next[i]));
+                }
+                next = better;
+                if (change < 1e-12) {
+                    source.setState(next);
+                    return;
+                }
+            }
+            throw new IllegalStateException("it does not converge: use a shorter deltaT than " + deltaT);
+        }
+    }
+
     /** Ends everything. */
     public static final class Exits extends DESolver {
         @Override
@@ -141,6 +169,14 @@ class CheckSolverCommandTest {
         assertHas(screen, "style: it refuses a negative deltaT (deltaT has to be above 0");
         String report = Files.readString(folder.resolve("report/checkSolver.md"));
         assertHas(report, "it refuses deltaT = 0", "a step of 1 s is refused");
+    }
+
+    @Test
+    void refusedStepsAreNoPartOfTheStabilityRegion(@TempDir Path folder) throws IOException {
+        String screen = here(ExitCode.DONE, Iterates.class.getName(), folder);
+        assertTrue(screen.startsWith("Iterates: right. This is backward Euler."), screen);
+        String report = Files.readString(folder.resolve("report/checkSolver.md"));
+        assertTrue(report.contains("(region.png)") && report.contains("| refused |"), report);
     }
 
     @Test
