@@ -113,6 +113,7 @@ final class Block {
         for (int i : particles) {
             addContacts(isNew(i) ? i : -1, surface, struck);
         }
+        Arrays.fill(active, true);
     }
 
     private boolean isNew(int i) {

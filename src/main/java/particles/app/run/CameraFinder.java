@@ -91,11 +91,9 @@ public final class CameraFinder {
             List.of(ledger, extent, this).forEach(scene.simulation()::addObserver);
             mostEnergy = MOST_ENERGY * scene.energyEstimate();
             mostEvaluations = MOST_PARTICLE_EVALUATIONS / scene.system().getParticles().count();
-        }
-
-        @Override
-        public void started(ParticleSystem system) {
-            beforeBlowUp = Box.of(extent).grown();
+            Extent start = new Extent();
+            start.started(scene.system());
+            beforeBlowUp = Box.of(start).grown();       // a run may fail before its first step
         }
 
         @Override

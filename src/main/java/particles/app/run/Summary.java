@@ -123,7 +123,7 @@ record Summary(String name, String hash, Scene scene, EnergyRecorder recorder, d
         }
         Violation violation = simulation().getViolation();
         if (violation.part() > VIOLATION && !failed) {
-            lines.add("warning: " + violation.what() + "; a smaller deltaT or another solver keeps it better.");
+            lines.add("warning: " + violation.what() + "; try a smaller deltaT or another solver.");
         }
         if (scene.description().hasHardBalls() && simulation().getEvents() > MANY_EVENTS * time) {
             lines.add("warning: " + simulation().getEvents() + " impacts and changes of contact, each located by extra"

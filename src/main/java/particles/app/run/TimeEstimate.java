@@ -88,7 +88,7 @@ final class TimeEstimate {
         Stopwatch watch = new Stopwatch(steps, nanoTime);
         copy.simulation().addObserver(watch);
         CompletableFuture<Void> trial = CompletableFuture.runAsync(copy.simulation()::run, TimeEstimate::start);
-        // what ends the run itself, it says for itself
+        // if the trial fails, so will the run, with its own message
         trial.exceptionally(end -> null).completeOnTimeout(null, patience, TimeUnit.MILLISECONDS).join();
         watch.enough = true;
         return watch.seconds > 0 || trial.isDone() ? watch.seconds : steps / (watch.made + 1) * patience / 1000;

@@ -1,5 +1,7 @@
 package particles.reactions.algebra;
 
+import java.util.Arrays;
+
 /**
  * Active-set solver of a mixed linear complementarity problem: A lambda - b = w with w = 0 in the rows of rods and
  * wires, and lambda &ge; 0, w &ge; 0, lambda w = 0 in those of contacts: a contact either pushes or separates. For
@@ -32,6 +34,7 @@ public final class ActiveSetMethod {
 
     private final MinimumNormSolution dense = new MinimumNormSolution();
     private boolean[] wrong = {};
+    private boolean[] barred = {};                      // from being added next
     private boolean[] active;
     private double[] work = {};
     private double largest;                             // entry of b
@@ -60,6 +63,7 @@ public final class ActiveSetMethod {
         this.active = active;
         if (wrong.length < n) {
             wrong = new boolean[n];
+            barred = new boolean[n];
             work = new double[n];
         }
         if (n == 1 && contact[0] && a.get(0, 0) != 0) { // a single row needs no search
@@ -104,14 +108,16 @@ public final class ActiveSetMethod {
         return false;
     }
 
-    /** Whether the active contacts do not contradict each other. */
+    /** Whether contacts alone do not contradict each other; if rods do, no other set of contacts helps. */
     private boolean isConsistent(int n, boolean[] contact, double[] w) {
+        boolean contactsAgree = true;
+        boolean rodsAgree = true;
         for (int r = 0; r < n; r++) {
-            if (contact[r] && active[r] && Math.abs(w[r]) > CONTRADICTION * largest) {
-                return false;
-            }
+            boolean agrees = !active[r] || Math.abs(w[r]) <= CONTRADICTION * largest;
+            contactsAgree &= agrees || !contact[r];
+            rodsAgree &= agrees || contact[r];
         }
-        return true;
+        return contactsAgree || !rodsAgree;
     }
 
     private boolean searchElastic(EnvelopeMatrix a, double[] b, boolean[] contact, double[] lambda, double[] w) {
@@ -123,10 +129,22 @@ public final class ActiveSetMethod {
             a.set(r, r, rigid[r] * (contact[r] ? 1 + SOFT : 1), 0);
             active[r] = rigid[r] != 0 && !contact[r];
         }
+        Arrays.fill(barred, false);
+        int added = -1;
         boolean found = false;
         for (int pivots = 0; pivots <= 50 + 20 * n && !found; pivots++) {
             solveActive(a, b, lambda, w);
-            found = !dropFirst(contact, lambda, pushing, n) && !addWorst(contact, w, n);
+            boolean enters = added >= 0 && pushing[added] == 0;
+            int dropped = dropFirst(contact, lambda, pushing, n);
+            if (enters && dropped == added) {
+                barred[added] = true;                   // round-off: it would come and go for ever
+            } else if (dropped < 0) {
+                if (enters) {
+                    Arrays.fill(barred, false);
+                }
+                added = addWorst(contact, w, n);
+                found = added < 0;
+            }
         }
         for (int r = 0; r < n; r++) {
             a.set(r, r, rigid[r], 0);
@@ -147,8 +165,8 @@ public final class ActiveSetMethod {
         return true;
     }
 
-    /** Goes towards a solution until the first contact would pull; drops that contact, if there is one. */
-    private boolean dropFirst(boolean[] contact, double[] lambda, double[] pushing, int n) {
+    /** Goes towards a solution until the first contact would pull, which is dropped; returns it, or -1. */
+    private int dropFirst(boolean[] contact, double[] lambda, double[] pushing, int n) {
         double part = 1;
         int first = -1;
         for (int r = 0; r < n; r++) {
@@ -163,21 +181,21 @@ public final class ActiveSetMethod {
         if (first >= 0) {
             active[first] = false;
         }
-        return first >= 0;
+        return first;
     }
 
-    /** Adds the contact that lets its particle in fastest, if there is one. */
-    private boolean addWorst(boolean[] contact, double[] w, int n) {
+    /** Adds the contact that lets its particle in fastest, but for barred ones; returns it, or -1. */
+    private int addWorst(boolean[] contact, double[] w, int n) {
         int worst = -1;
         for (int r = 0; r < n; r++) {
-            if (contact[r] && !active[r] && w[r] < (worst < 0 ? -ROUNDING * largest : w[worst])) {
+            if (contact[r] && !active[r] && !barred[r] && w[r] < (worst < 0 ? -ROUNDING * largest : w[worst])) {
                 worst = r;
             }
         }
         if (worst >= 0) {
             active[worst] = true;
         }
-        return worst >= 0;
+        return worst;
     }
 
     /** Finds the contacts that pull or let their particle in; returns their number. */

@@ -51,6 +51,26 @@ class CameraFinderTest {
     }
 
     @Test
+    void aRunThatFailsBeforeItsFirstStepIsSeenWhereItBegins() {
+        SceneDescription jam = TestScenes.read("""
+                title: a jam
+                teaches: friction of 4 jams a rod
+                solver: rk4
+                deltaT: 0.001
+                duration: 0.02
+                impact: exact
+                particles:
+                  - {id: a, position: [0, 0, 0], velocity: [3, 0, 0]}
+                  - {id: b, position: [-0.57735026919, 0.81649658093, 0], velocity: [3, 0, 0]}
+                rods: [{from: a, to: b}]
+                effects: [gravity]
+                rules:
+                  - ground: {restitution: 0, restSpeed: 0.000001, friction: {law: coulomb, coefficient: 4}}
+                """);
+        assertTrue(size(view(jam), SceneBuilder.build(jam)) > HEIGHT / 8.0);
+    }
+
+    @Test
     void aRunThatDoesNotBlowUpStaysInThePicture() {
         Scene scene = SceneBuilder.build(CHAIN);
         CameraProjection view = view(CHAIN);
