@@ -7,19 +7,25 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Shortest digits of numbers: they read back as the same double, and no shorter ones do. */
 class NumbersTest {
 
-    @Test
-    void knownNumbersHaveTheirShortestDigits() {
-        assertEquals("0.1", Numbers.shortest(0.1));
-        assertEquals("-0.0", Numbers.shortest(-0.0));
-        assertEquals("1.0E-5", Numbers.shortest(1e-5));
-        assertEquals("4.9E-324", Numbers.shortest(Double.MIN_VALUE));
-        assertEquals("1.7976931348623157E308", Numbers.shortest(Double.MAX_VALUE));
-        assertEquals("2.2E-322", Numbers.shortest(2.2E-322));           // JDK 17's Double.toString says 2.17E-322
-        assertEquals("2.0E23", Numbers.shortest(2e23));                 // and here 1.9999999999999998E23
+    /** JDK 17's Double.toString says 2.17E-322 and 1.9999999999999998E23 of the last two. */
+    @ParameterizedTest
+    @CsvSource(textBlock = """
+            0.1, 0.1
+            -0.0, -0.0
+            1e-5, 1.0E-5
+            4.9e-324, 4.9E-324
+            1.7976931348623157e308, 1.7976931348623157E308
+            2.2e-322, 2.2E-322
+            2e23, 2.0E23
+            """)
+    void knownNumbersHaveTheirShortestDigits(double number, String digits) {
+        assertEquals(digits, Numbers.shortest(number));
     }
 
     @Test
