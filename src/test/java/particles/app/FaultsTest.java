@@ -49,14 +49,20 @@ class FaultsTest {
 
     private Map<String, String> unbroken(Path scene) throws Exception {
         Path whole = top.resolve("whole");
-        ChildProgram.End end = run(child(), scene, whole);
-        assertEquals(0, end.code(), end.lines());
+        done(child(), scene, whole);
         return WholeFiles.sums(whole);
     }
 
     /** Runs a scene to its end, or to that of the program. */
     private ChildProgram.End run(ChildProgram child, Path scene, Path folder) throws Exception {
         return child.end(start(child, scene, folder));
+    }
+
+    /** Runs a scene, which has to come to its end, and returns its lines. */
+    private String done(ChildProgram child, Path scene, Path folder) throws Exception {
+        ChildProgram.End end = run(child, scene, folder);
+        assertEquals(0, end.code(), end.lines());
+        return end.lines();
     }
 
     private static Process start(ChildProgram child, Path scene, Path folder) throws IOException {
@@ -104,7 +110,7 @@ class FaultsTest {
         try (Stream<Path> files = Files.walk(out)) {
             assertEquals(List.of(), files.filter(file -> file.toString().endsWith(".part")).toList());
         }
-        assertEquals(0, run(child(), scene, out).code());
+        done(child(), scene, out);
         assertEquals(expected, WholeFiles.sums(out));
     }
 
@@ -120,7 +126,7 @@ class FaultsTest {
         assertOneLine(1, "cannot write .*/trajectory.csv: File too large.*", end);
         WholeFiles.assertWhole(out);
         assertFalse(Files.exists(out.resolve("trajectory.csv")), "the part that was written is not the file");
-        assertEquals(0, run(child(), scene, out).code());
+        done(child(), scene, out);
         assertEquals(expected, WholeFiles.sums(out));
     }
 
@@ -200,9 +206,8 @@ class FaultsTest {
         Path scene = FaultScene.write(folder.resolve("scene.yaml"), SHORT);
         Map<String, String> before = WholeFiles.sums(folder);
         assertTrue(scene.toFile().setWritable(false) && folder.toFile().setWritable(false));
-        ChildProgram.End end = run(child(), scene, out);
+        done(child(), scene, out);
         assertTrue(folder.toFile().setWritable(true));
-        assertEquals(0, end.code(), end.lines());
         assertEquals(before, WholeFiles.sums(folder));
     }
 
@@ -231,14 +236,13 @@ class FaultsTest {
                     "-Dfile.encoding=UTF-16"})
     void languageAndTimeZoneChangeNothing(String options) throws Exception {
         Path scene = scene(SHORT);
-        String usual = run(child(), scene, out).lines();
+        String usual = done(child(), scene, out);
         Map<String, String> expected = WholeFiles.sums(out);
-        ChildProgram.End end = run(child().jvm("-Dstdout.encoding=UTF-8", "-Dstderr.encoding=UTF-8")
+        String lines = done(child().jvm("-Dstdout.encoding=UTF-8", "-Dstderr.encoding=UTF-8")
                 .jvm(options.split(" ")), scene, out);
-        assertEquals(0, end.code(), end.lines());
         assertEquals(expected, WholeFiles.sums(out));
         if (!options.contains("UTF-16")) {              // in which Java 17 prints too
-            assertEquals(withoutTime(usual), withoutTime(end.lines()));
+            assertEquals(withoutTime(usual), withoutTime(lines));
         }
     }
 
@@ -254,11 +258,9 @@ class FaultsTest {
         Path folder = top.resolve("Übung 1, Lösung — 物理");
         Path expected = top.resolve("plain");
         FaultScene.write(top.resolve("scene.yaml"), SHORT);
-        ChildProgram.End end = run(child(), top.resolve("scene.yaml"), expected);
-        assertEquals(0, end.code(), end.lines());
+        done(child(), top.resolve("scene.yaml"), expected);
         Path scene = FaultScene.write(Files.createDirectory(folder).resolve("scene.yaml"), SHORT);
-        end = run(child().environment("LC_ALL", "C.UTF-8"), scene, folder.resolve("größe 2"));
-        assertEquals(0, end.code(), end.lines());
+        done(child().environment("LC_ALL", "C.UTF-8"), scene, folder.resolve("größe 2"));
         assertEquals(WholeFiles.sums(expected), WholeFiles.sums(folder.resolve("größe 2")));
     }
 

@@ -7,6 +7,7 @@ import static particles.Systems.rk4;
 import static particles.output.SmallPictures.FRONT;
 import static particles.output.SmallPictures.W;
 import static particles.output.SmallPictures.area;
+import static particles.output.SmallPictures.film;
 import static particles.output.SmallPictures.look;
 import static particles.output.SmallPictures.middle;
 import static particles.output.SmallPictures.picture;
@@ -25,9 +26,7 @@ import particles.Simulation;
 import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;
-import particles.output.frames.FrameObserver;
 import particles.output.frames.FrameRenderer;
-import particles.output.frames.FrameSink;
 import particles.output.frames.TrailRecorder;
 import particles.output.painters.BlobField;
 import particles.output.painters.BlobSurface;
@@ -197,11 +196,7 @@ class ParticleStylesTest {
         FrameRenderer renderer = renderer(FRONT, look(ParticleStyle.Kind.BALLS, 0.25, 2), Scenery.NONE);
         int[] empty = picture(FRONT, look(ParticleStyle.Kind.BALLS, 0.25, 2), Scenery.NONE);
         List<int[]> frames = new ArrayList<>();
-        try (FrameObserver observer = new FrameObserver(renderer, 10,
-                List.<FrameSink>of((index, rgb) -> () -> frames.add(rgb.clone())))) {
-            simulation.addObserver(observer);
-            simulation.run();
-        }
+        film(simulation, renderer, 10, (index, rgb) -> () -> frames.add(rgb.clone()));
         assertEquals(31, frames.size());
         int[] last = frames.get(30);                    // at x = 6 m: the trail begins at -2 m
         double before = -1;

@@ -5,11 +5,14 @@ import java.util.function.DoubleFunction;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import particles.Simulation;
 import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;
+import particles.output.frames.FrameObserver;
 import particles.output.frames.FrameRenderer;
 import particles.output.frames.FrameSetup;
+import particles.output.frames.FrameSink;
 import particles.output.painters.FrameState;
 import particles.view.Camera;
 import particles.view.CurveView;
@@ -45,6 +48,14 @@ public final class SmallPictures {
 
     public static FrameRenderer renderer(Camera camera, RenderOptions look, Scenery scenery) {
         return new FrameRenderer(new FrameSetup(camera, look, scenery, "", ""), W, H, 2);
+    }
+
+    /** Runs a simulation, and gives its frames to a sink. */
+    public static void film(Simulation simulation, FrameRenderer renderer, double rate, FrameSink sink) {
+        try (FrameObserver frames = new FrameObserver(renderer, rate, List.of(sink))) {
+            simulation.addObserver(frames);
+            simulation.run();
+        }
     }
 
     public static FrameState state(double... positions) {

@@ -29,6 +29,10 @@ class BallsInScenesTest {
         return new ParticleMark(id, colour < 0 ? OptionalInt.empty() : OptionalInt.of(colour), radius, "");
     }
 
+    private static RenderOptions look(String text) {
+        return TestScenes.read(text).drawing().look();
+    }
+
     @Test
     void ownRadiiCountInTheLaw() {
         Scene scene = TestScenes.build(BALLS + REPULSION);
@@ -38,7 +42,7 @@ class BallsInScenesTest {
 
     @Test
     void ballsAreDrawnWithTheirRadius() {
-        RenderOptions look = TestScenes.build(BALLS + REPULSION).description().drawing().look();
+        RenderOptions look = look(BALLS + REPULSION);
         assertEquals(0.3, look.particleRadius());
         assertEquals(List.of(mark("large", -1, 0.8), mark("row[0]", -1, 0.6), mark("row[1]", -1, 0.6)),
                 look.style().marks());
@@ -47,13 +51,13 @@ class BallsInScenesTest {
     /** What the look says goes first; a mark without a radius leaves the ball its own. */
     @Test
     void theLookOverridesRadii() {
-        RenderOptions look = TestScenes.build(BALLS + REPULSION + """
+        RenderOptions look = look(BALLS + REPULSION + """
                 look:
                   particleRadius: 0.1
                   marks:
                     - {particle: row, colour: "#0000ff"}
                     - {particle: large, radius: 0.2}
-                """).description().drawing().look();
+                """);
         assertEquals(0.1, look.particleRadius());
         assertEquals(List.of(mark("large", -1, 0.2), mark("row[0]", 255, 0.6), mark("row[1]", 255, 0.6)),
                 look.style().marks());
@@ -65,6 +69,6 @@ class BallsInScenesTest {
 
     @Test
     void withoutRepulsionNoRadiusIsSet() {
-        assertEquals(0, TestScenes.build(BALLS).description().drawing().look().particleRadius());
+        assertEquals(0, look(BALLS).particleRadius());
     }
 }

@@ -61,7 +61,11 @@ class GradeClassCommandTest {
 
     @BeforeEach
     void writeAssignment() throws Exception {
-        Files.writeString(folder.resolve("assignment.yaml"), "solvers: {MySolver: any}\n");
+        assign("solvers: {MySolver: any}\n");
+    }
+
+    private void assign(String text) throws Exception {
+        Files.writeString(folder.resolve("assignment.yaml"), text);
     }
 
     private Path handIn(String name, String... namesAndTexts) throws Exception {
@@ -80,8 +84,12 @@ class GradeClassCommandTest {
     }
 
     private List<String> rows(String student) throws Exception {
-        return Files.readString(folder.resolve("out/class.csv")).lines().filter(line -> line.startsWith(student + ","))
+        return made("class.csv").lines().filter(line -> line.startsWith(student + ","))
                 .toList();
+    }
+
+    private String made(String name) throws Exception {
+        return Files.readString(folder.resolve("out").resolve(name));
     }
 
     private void points(int expected, String student) throws Exception {
@@ -120,13 +128,18 @@ class GradeClassCommandTest {
         points(0, "loop");
         points(0, "nobody");
         assertHas(screen, "broken.zip cannot be read", "nothing was handed in by nobody");
-        String html = Files.readString(folder.resolve("out/class.html"));
+        String html = made("class.html");
         assertHas(html, "carl (MySolver), s1 (MySolver)");
         assertEquals(1, html.split("MySolver uses a solver of the project").length - 1, html);
-        String own = Files.readString(folder.resolve("out/s2/grade.md"));
+        String own = made("s2/grade.md");
         assertTrue(own.contains("\nanswers.yaml:2:")
                 && own.contains("| no.yaml: there is no such file")
                 && !own.contains("s1") && !own.contains("desolver-class"), own);
+    }
+
+    private void gradeAll(String... more) {
+        grade(ExitCode.DONE, options(Stream.concat(Stream.of("--folder=" + folder.resolve("in")), Stream.of(more))
+                .toArray(String[]::new)));
     }
 
     private String grade(ExitCode expected, String... options) {
@@ -147,7 +160,7 @@ class GradeClassCommandTest {
     /** Three hand-ins of one student, the middle one right, the last one late. */
     @Test
     void theLastOrTheBestAttemptCountsAndLateOnesAreTold() throws Exception {
-        Files.writeString(folder.resolve("assignment.yaml"), """
+        assign("""
                 exercises: {2: 2}
                 solvers: {}
                 deadline: 2026-03-14T13:00:00+01:00
@@ -155,21 +168,21 @@ class GradeClassCommandTest {
         dated("Ann_7_assignsubmission_file_a", "2026-03-14T10:00:00Z", "2: 1\n");
         dated("Ann_7_assignsubmission_file_b", "2026-03-14T11:59:59Z", answer("7"));
         dated("Ann_7_assignsubmission_file_c", "2026-03-14T13:30:00Z", "2: 1\n");
-        grade(ExitCode.DONE, options("--folder=" + folder.resolve("in")));
+        gradeAll();
         assertTrue(rows("7").get(0).matches("7,2[.].*,0,2,.*_c,2026-03-14T13:30:00Z,1[.]5,.*"), rows("7").toString());
-        assertHas(Files.readString(folder.resolve("out/talk.csv")), "7,late by 1.5 h");
-        grade(ExitCode.DONE, options("--folder=" + folder.resolve("in"), "--attempt=best"));
+        assertHas(made("talk.csv"), "7,late by 1.5 h");
+        gradeAll("--attempt=best");
         assertTrue(rows("7").get(0).matches("7,2[.].*,2,2,,.*_b,2026-03-14T11:59:59Z,,.*"), rows("7").toString());
     }
 
     /** Each student by itself, in any order and on any machine, and then the tables. */
     @Test
     void resultsThatAreCollectedGiveTheSameTables() throws Exception {
-        Files.writeString(folder.resolve("assignment.yaml"), "exercises: {2: 1}\nsolvers: {NoSolver: heun}\n");
+        assign("exercises: {2: 1}\nsolvers: {NoSolver: heun}\n");
         handIn("hw1-ann", "answers.yaml", answer("hw1-ann"), "MySolver.java", EULER);
         handIn("hw1-bob", "answers.yaml", "2: x \u00e9 \ud83d\ude00 \\ \"\n3: 1\n\t4: 2\n", "YourSolver.java", EULER);
         handIn("=1+1", "answers.yaml", "2: 7");
-        grade(ExitCode.DONE, options("--folder=" + folder.resolve("in")));
+        gradeAll();
         Map<String, String> whole = tables();
         for (String name : List.of("hw1-bob", "hw1-ann", "=1+1")) {
             grade(ExitCode.BAD_INPUT, "grade", "--handin=" + folder.resolve("in").resolve(name), "--out="
@@ -190,7 +203,7 @@ class GradeClassCommandTest {
     private Map<String, String> tables() throws Exception {
         Map<String, String> tables = new TreeMap<>();
         for (String name : ClassTables.FILES) {
-            tables.put(name, Files.readString(folder.resolve("out").resolve(name)));
+            tables.put(name, made(name));
         }
         return tables;
     }
@@ -198,11 +211,11 @@ class GradeClassCommandTest {
     /** After a stop those who are marked stay so; what changed is marked again. */
     @Test
     void onlyHandInsThatChangedAreMarkedAgain() throws Exception {
-        Files.writeString(folder.resolve("assignment.yaml"), "exercises: {2: 1}\nsolvers: {}\n");
+        assign("exercises: {2: 1}\nsolvers: {}\n");
         for (String name : List.of("a", "b", "c", "d")) {
             handIn(name, "answers.yaml", answer(name));
         }
-        grade(ExitCode.DONE, options("--folder=" + folder.resolve("in")));
+        gradeAll();
         for (String name : List.of("a", "b", "c", "d")) {       // a mark that only a new marking would change
             Path result = folder.resolve("out").resolve(name).resolve("grade.json");
             Files.writeString(result, Files.readString(result).replace("\"pass\"", name.equals("d") ? "\"error\""
@@ -211,12 +224,12 @@ class GradeClassCommandTest {
         handIn("b", "answers.yaml", answer("b") + "# changed\n");
         Files.writeString(folder.resolve("out/c/grade.json"), "damaged");
         Files.createDirectories(folder.resolve("out/class.csv-new"));
-        grade(ExitCode.DONE, options("--folder=" + folder.resolve("in")));
+        gradeAll();
         for (String name : List.of("a", "b", "c", "d")) {
             assertTrue(rows(name).get(0).contains(name.equals("a") ? ",0,1,kept," : ",1,1,,"), rows(name).toString());
         }
-        Files.writeString(folder.resolve("assignment.yaml"), "exercises: {2: 2}\nsolvers: {}\n");
-        grade(ExitCode.DONE, options("--folder=" + folder.resolve("in")));
+        assign("exercises: {2: 2}\nsolvers: {}\n");
+        gradeAll();
         assertTrue(rows("a").get(0).contains(",2,2,,"), "another assignment: " + rows("a"));
     }
 
@@ -233,10 +246,10 @@ class GradeClassCommandTest {
                 """.formatted(folder.resolve("out"));
         handIn("ann", "MySolver.java", EULER.replaceFirst("\\{\n", "{\n" + plant));
         handIn("zoe", "answers.yaml", answer("zoe"));
-        grade(ExitCode.DONE, options("--folder=" + folder.resolve("in")));
+        gradeAll();
         points(1, "zoe");
         points(1, "ann");
-        assertHas(Files.readString(folder.resolve("out/zoe/grade.md")), "1 of 13 points for zoe");
+        assertHas(made("zoe/grade.md"), "1 of 13 points for zoe");
     }
 
     @Test

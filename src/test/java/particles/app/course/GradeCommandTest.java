@@ -61,8 +61,16 @@ class GradeCommandTest {
         classes = Files.createDirectories(folder.resolve("exercises"));
     }
 
+    private void write(String name, String text) throws Exception {
+        Files.writeString(classes.resolve(name + ".java"), text);
+    }
+
+    private void answer(String text) throws Exception {
+        Files.writeString(folder.resolve("answers.yaml"), text);
+    }
+
     private void euler(String name, String increment) throws Exception {
-        Files.writeString(classes.resolve(name + ".java"), EULER.formatted(name, increment));
+        write(name, EULER.formatted(name, increment));
     }
 
     private String run(ExitCode expected, String... args) {
@@ -129,7 +137,7 @@ class GradeCommandTest {
     @Test
     void everyAnswerAndSolverGetsItsMark() throws Exception {
         String text = run(ExitCode.DONE, "exercise", "--number=2", "--student=" + STUDENT);
-        Files.writeString(folder.resolve("answers.yaml"), "# mine\n1: NaN\n2: " + spiral(text, 1)
+        answer("# mine\n1: NaN\n2: " + spiral(text, 1)
                 + "\n3: 0,5 kg\n12: no <such> & scene.yaml\n");
         euler("GoodSolver", "deltaT * dSdt[i]");
         euler("WrongSolver", "0.5 * deltaT * dSdt[i]");
@@ -183,7 +191,7 @@ class GradeCommandTest {
     /** Exit code 0 and the words of a right solver are no mark. */
     @Test
     void whoEndsTheProcessGetsNoMark() throws Exception {
-        Files.writeString(classes.resolve("HaltSolver.java"), PRANK.formatted("HaltSolver", "HaltSolver"));
+        write("HaltSolver", PRANK.formatted("HaltSolver", "HaltSolver"));
         String screen = grade(ExitCode.BAD_INPUT);
         assertHas(screen, "no mark   solver HaltSolver" + System.lineSeparator()
                 + "            wrong: the check did not finish; the class ended the program", "0 of 13 points");
@@ -213,7 +221,7 @@ class GradeCommandTest {
                 java.nio.file.Files.writeString(java.nio.file.Path.of("%s"), "broken");"""
                 .formatted(classes.resolve("VictimSolver.java").toString().replace('\\', '/')));
         hostile("SaysSolver", "if (true) throw new java.io.IOException(\"red \\u001b[31m\\r\\u202e\");");
-        Files.writeString(classes.resolve("CheckerSolver.java"), EULER.formatted("CheckerSolver", "deltaT * dSdt[i]")
+        write("CheckerSolver", EULER.formatted("CheckerSolver", "deltaT * dSdt[i]")
                 .replace("package exercises", "package particles.teaching.solvers"));
         euler("VictimSolver", "deltaT * dSdt[i]");
         String screen = grade(ExitCode.BAD_INPUT);
@@ -231,7 +239,7 @@ class GradeCommandTest {
         String[] names = {"HereSolver", "LaterSolver"};
         String[] when = {"calls > 0", "calls > 9000"};
         for (int k = 0; k < names.length; k++) {
-            Files.writeString(classes.resolve(names[k] + ".java"), EULER.formatted(names[k],
+            write(names[k], EULER.formatted(names[k],
                     "(" + when[k] + " ? 0.5 : 1) * deltaT * dSdt[i]").replaceFirst("\\{\n", """
                     {
                         static int calls;
@@ -247,7 +255,7 @@ class GradeCommandTest {
 
     /** Half a step of Euler, after these statements. */
     private void hostile(String name, String statements) throws Exception {
-        Files.writeString(classes.resolve(name + ".java"), EULER.formatted(name, "0.5 * deltaT * dSdt[i]")
+        write(name, EULER.formatted(name, "0.5 * deltaT * dSdt[i]")
                 .replaceFirst("\\{\n", Matcher.quoteReplacement("{\n    static { try { " + statements
                 + " } catch (Exception e) { throw new IllegalStateException(e); } }\n")));
     }
@@ -258,10 +266,10 @@ class GradeCommandTest {
     void effectsAreMarkedToo() throws Exception {
         String law = EffectSkeleton.effect("RightForce", true).replace("return Vector3.ZERO;",
                 "return new Vector3(0, -mass, 0);").replace("return 0;", "return mass * position.y();");
-        Files.writeString(classes.resolve("RightForce.java"), law);
-        Files.writeString(classes.resolve("WrongForce.java"), law.replace("RightForce", "WrongForce")
+        write("RightForce", law);
+        write("WrongForce", law.replace("RightForce", "WrongForce")
                 .replace("return mass * ", "return -mass * "));
-        Files.writeString(classes.resolve("HereForce.java"), law.replace("RightForce", "HereForce").replace("-mass", """
+        write("HereForce", law.replace("RightForce", "HereForce").replace("-mass", """
                 java.util.Arrays.stream(Thread.currentThread().getStackTrace()).anyMatch(frame ->
                         frame.getClassName().startsWith("particles.teaching.")) ? -mass : 0"""));
         String screen = grade(ExitCode.BAD_INPUT, assignment(
@@ -276,7 +284,7 @@ class GradeCommandTest {
         Files.createSymbolicLink(folder.resolve("linked.yaml"), secret);
         for (String path : List.of(secret.toString(), "../" + secret.getFileName(), "/etc/shadow", "linked.yaml",
                 "a/../linked.yaml")) {
-            Files.writeString(folder.resolve("answers.yaml"), "12: " + path + "\n");
+            answer("12: " + path + "\n");
             String screen = grade(ExitCode.BAD_INPUT);
             assertHas(screen, "'" + path + "' is outside of the folder of answers.yaml, or a link");
             assertFalse(screen.contains("root"), screen);
@@ -345,7 +353,7 @@ class GradeCommandTest {
             handed-in | DONE      | handed in 1. Three | 2 of 2 handed in, and no points yet for s-123; report:
             """)
     void theAssignmentSaysHowMuchIsShown(String shows, ExitCode code, String line, String points) throws Exception {
-        Files.writeString(folder.resolve("answers.yaml"), "1: 7\n2: 8\n");
+        answer("1: 7\n2: 8\n");
         String screen = grade(code, assignment("exercises: {1: 1, 2: 1}\nshows: " + shows));
         assertHas(screen, line, points);
         for (String text : List.of(screen, Files.readString(folder.resolve("report/grade.md")))) {
@@ -355,7 +363,7 @@ class GradeCommandTest {
 
     @Test
     void whatIsStillToHandInIsSaid() throws Exception {
-        Files.writeString(folder.resolve("answers.yaml"), "1: 7\n");
+        answer("1: 7\n");
         String more = grade(ExitCode.BAD_INPUT, assignment("exercises: {1: 1, 3: 1}\nshows: handed-in"));
         assertTrue(more.contains("1 of 2 handed in, and no points yet") && more.contains("1 still to hand in")
                 && !more.contains("points: "), more);
@@ -385,7 +393,7 @@ class GradeCommandTest {
 
     @Test
     void linesThatAreNoAnswersAreSaid() throws Exception {
-        Files.writeString(folder.resolve("answers.yaml"), "1: [1, 2]\n2:\n13: 5\nx: 1\n1: 3\n");
+        answer("1: [1, 2]\n2:\n13: 5\nx: 1\n1: 3\n");
         String screen = grade(ExitCode.BAD_INPUT);
         for (String place : List.of(":1:4: '1' is [1, 2]; it has to be the answer", ":2:1: '2' has no value",
                 ":3:1: unknown key '13'", ":4:1: unknown key 'x'")) {

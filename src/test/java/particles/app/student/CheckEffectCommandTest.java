@@ -20,30 +20,13 @@ import particles.app.cli.Screen;
 import particles.effects.EffectContext;
 import particles.effects.EffectKind;
 import particles.law.Effect;
+import particles.law.ParticleForce;
 import particles.law.Particles;
+import particles.law.Vector3;
 import particles.spec.Values;
 
 /** The check of a force law through the program: its screen, its report, and classes that do not come back. */
 class CheckEffectCommandTest {
-
-    /** A law on every particle; what it does is left to those that go wrong. */
-    public abstract static class Planted implements Effect {
-        final Particles particles;
-
-        Planted(Particles particles) {
-            this.particles = particles;
-        }
-
-        @Override
-        public String getName() {
-            return "planted";
-        }
-
-        @Override
-        public boolean dependsOnVelocity() {
-            return false;
-        }
-    }
 
     /** The scene keys of a planted effect: none. */
     public abstract static class PlantedKeys extends EffectKind {
@@ -61,14 +44,15 @@ class CheckEffectCommandTest {
     }
 
     /** Ends everything. */
-    public static final class Exits extends Planted {
+    public static final class Exits extends ParticleForce {
         public Exits(Particles particles) {
             super(particles);
         }
 
         @Override
-        public void addForces(double[] state, double time, double[] force) {
+        protected Vector3 getForce(Vector3 position, Vector3 velocity, double mass, double time) {
             System.exit(0);
+            return Vector3.ZERO;
         }
 
         /** For the check. */
@@ -80,15 +64,15 @@ class CheckEffectCommandTest {
     }
 
     /** Does not even begin. */
-    public static final class ExitsAtOnce extends Planted {
+    public static final class ExitsAtOnce extends ParticleForce {
         public ExitsAtOnce(Particles particles) {
             super(particles);
             Runtime.getRuntime().exit(0);
         }
 
         @Override
-        public void addForces(double[] state, double time, double[] force) {
-            force[3] += 1;
+        protected Vector3 getForce(Vector3 position, Vector3 velocity, double mass, double time) {
+            return Vector3.ZERO;
         }
 
         /** For the check. */
@@ -128,6 +112,6 @@ class CheckEffectCommandTest {
     void aClassThatEndsTheProgramIsFoundOut(Class<?> planted, @TempDir Path folder) throws Exception {
         String found = CheckProcess.failureOf("checkEffect", "--effect=", planted, folder);
         assertTrue(found.matches("failure: the class ends the whole program .System.exit., in "
-                + planted.getSimpleName() + "[.](addForces|<init>), line \\d+ of CheckEffectCommandTest.java"), found);
+                + planted.getSimpleName() + "[.](getForce|<init>), line \\d+ of CheckEffectCommandTest.java"), found);
     }
 }

@@ -55,6 +55,10 @@ class ChartsTest {
         return new Series(name, Mark.LINE_AND_POINTS, x, y);
     }
 
+    private static XYPlot plot(boolean log, Series... series) {
+        return Charts.of(chart(log, series)).getXYPlot();
+    }
+
     @Test
     void theDatasetIsTheData() {
         JFreeChart chart = Charts.of(chart(false, series("same", 1, 4, 9), series("same", -1, -2)));
@@ -74,12 +78,12 @@ class ChartsTest {
     @Test
     void whatHasNoPlaceOnAnAxisIsAGap() {
         Series odd = series("odd", 1, 0, -3, Double.NaN, Double.POSITIVE_INFINITY, 100);
-        XYPlot log = Charts.of(chart(true, odd)).getXYPlot();
+        XYPlot log = plot(true, odd);
         assertInstanceOf(LogAxis.class, log.getRangeAxis());
         for (int k = 0; k < 6; k++) {
             assertEquals(k == 0 || k == 5, Double.isFinite(log.getDataset().getYValue(0, k)), "point " + k);
         }
-        XYPlot linear = Charts.of(chart(false, odd)).getXYPlot();
+        XYPlot linear = plot(false, odd);
         for (int k = 0; k < 6; k++) {
             assertEquals(k != 3 && k != 4, Double.isFinite(linear.getDataset().getYValue(0, k)), "point " + k);
         }
@@ -218,12 +222,12 @@ class ChartsTest {
         Set<Object> colours = new HashSet<>();
         for (String name : List.of("total", "work: moving anchors", "numerical error",
                 "work: drag (dissipated)")) {
-            XYPlot plot = Charts.of(chart(false, series(name, 1, 2))).getXYPlot();
+            XYPlot plot = plot(false, series(name, 1, 2));
             colours.add(plot.getRenderer().getSeriesPaint(0));
         }
         assertEquals(4, colours.size(), colours.toString());
-        XYPlot works = Charts.of(chart(false, series("work: drag (dissipated)", 1, 2),
-                series("work: springs (dissipated)", 1, 2))).getXYPlot();
+        XYPlot works = plot(false, series("work: drag (dissipated)", 1, 2),
+                series("work: springs (dissipated)", 1, 2));
         assertNotEquals(works.getRenderer().getSeriesStroke(0), works.getRenderer().getSeriesStroke(1));
     }
 
@@ -231,7 +235,7 @@ class ChartsTest {
     void exponentsHaveOneStyleOnAllAxes() {
         assertEquals(List.of("100", "0.01", "1e-6", "1e7"), DoubleStream.of(100, 0.01, Math.pow(10, -6), 1e7)
                 .mapToObj(new DecadeAxis.PowerFormat()::format).toList());
-        ValueAxis axis = Charts.of(chart(true, series("y", 1e-8, 1))).getXYPlot().getRangeAxis();
+        ValueAxis axis = plot(true, series("y", 1e-8, 1)).getRangeAxis();
         assertInstanceOf(DecadeAxis.PowerFormat.class, ((LogAxis) axis).getNumberFormatOverride());
     }
 }

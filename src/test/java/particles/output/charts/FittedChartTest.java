@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Texts.assertHas;
 
-import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
@@ -45,13 +44,16 @@ class FittedChartTest {
                 List.of(new Series("rk4", Mark.LINE, x, v)));
     }
 
+    private static ChartRenderingInfo drawn(FittedChart chart, int width, int height) {
+        ChartRenderingInfo info = new ChartRenderingInfo();
+        chart.draw(new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB).createGraphics(),
+                new Rectangle2D.Double(0, 0, width, height), info);
+        return info;
+    }
+
     /** @return pixels a unit along x over pixels a unit along y */
     private static double aspect(FittedChart chart, int width, int height) {
-        ChartRenderingInfo info = new ChartRenderingInfo();
-        Graphics2D g = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB).createGraphics();
-        chart.draw(g, new Rectangle2D.Double(0, 0, width, height), info);
-        g.dispose();
-        Rectangle2D area = info.getPlotInfo().getDataArea();
+        Rectangle2D area = drawn(chart, width, height).getPlotInfo().getDataArea();
         XYPlot plot = chart.getXYPlot();
         return area.getWidth() / plot.getDomainAxis().getRange().getLength()
                 / (area.getHeight() / plot.getRangeAxis().getRange().getLength());
@@ -74,11 +76,7 @@ class FittedChartTest {
     }
 
     private static double titleHeight(FittedChart chart, int width) {
-        ChartRenderingInfo info = new ChartRenderingInfo();
-        Graphics2D g = new BufferedImage(width, 400, BufferedImage.TYPE_INT_RGB).createGraphics();
-        chart.draw(g, new Rectangle2D.Double(0, 0, width, 400), info);
-        g.dispose();
-        for (Object entity : info.getEntityCollection().getEntities()) {
+        for (Object entity : drawn(chart, width, 400).getEntityCollection().getEntities()) {
             if (entity instanceof TitleEntity title && title.getTitle() == chart.getTitle()) {
                 return title.getArea().getBounds2D().getHeight();
             }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static particles.Systems.rk4;
 import static particles.output.SmallPictures.FRONT;
+import static particles.output.SmallPictures.film;
 import static particles.output.SmallPictures.plain;
 
 import java.nio.file.Path;
@@ -86,10 +87,7 @@ class FrameObserverTest {
 
     private static Notes watch(Simulation simulation, double fps) {
         Notes notes = new Notes();
-        try (FrameObserver frames = new FrameObserver(renderer(), fps, List.of(notes))) {
-            simulation.addObserver(frames);
-            simulation.run();
-        }
+        film(simulation, renderer(), fps, notes);
         return notes;
     }
 
@@ -126,11 +124,7 @@ class FrameObserverTest {
         }));
         int[][] last = new int[1][];
         ParticleStyle trail = new ParticleStyle(ParticleStyle.Kind.BALLS, List.of(0), 2, false);
-        try (FrameObserver frames = new FrameObserver(renderer(trail), 1,
-                List.<FrameSink>of((index, rgb) -> () -> last[0] = rgb.clone()))) {
-            simulation.addObserver(frames);
-            simulation.run();
-        }
+        film(simulation, renderer(trail), 1, (index, rgb) -> () -> last[0] = rgb.clone());
         int lowest = IntStream.range(0, last[0].length)
                 .filter(p -> (last[0][p] >> 8 & 255) > 30 + (last[0][p] & 255)).max().orElseThrow() / W;
         assertEquals(H / 2.0, lowest, 2);
@@ -172,13 +166,8 @@ class FrameObserverTest {
     void aFailureOfTheDrawingThreadReachesTheCallerOnce() {
         Notes notes = new Notes();
         notes.failure = new OutputException(top.resolve("frame"), "write", "the disk is full", null);
-        OutputException thrown = assertThrows(OutputException.class, () -> {
-            try (FrameObserver frames = new FrameObserver(renderer(), 25, List.of(notes))) {
-                Simulation simulation = thrown(0.01, 1);
-                simulation.addObserver(frames);
-                simulation.run();
-            }
-        });
+        OutputException thrown = assertThrows(OutputException.class,
+                () -> film(thrown(0.01, 1), renderer(), 25, notes));
         assertSame(notes.failure, thrown);
         assertEquals(List.of(0, 1, 2), notes.frames);
         assertEquals(1, notes.closed);

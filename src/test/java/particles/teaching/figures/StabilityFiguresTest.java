@@ -3,6 +3,7 @@ package particles.teaching.figures;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
 import static particles.teaching.solvers.PlantedSolvers.blocks;
 import static particles.teaching.solvers.PlantedSolvers.slope;
 import static particles.teaching.solvers.PlantedSolvers.solver;
@@ -206,13 +207,11 @@ class StabilityFiguresTest {
         Random random = new Random(1);
         StabilityFigures shaky = figures(() -> PlantedSolvers.euler((dSdt, deltaT) -> dSdt * deltaT * (1
                 + 0.1 * random.nextDouble())));
-        assertTrue(shaky.rows().get(0).toString().contains("two steps from the same place are not the same"),
-                shaky.rows().toString());
+        assertHas(shaky.rows().get(0).toString(), "two steps from the same place are not the same");
         StabilityFigures adaptive = figures(DormandPrinceSolver::new);
-        assertTrue(adaptive.rows().get(0).toString().contains("it takes sub-steps as short as the system needs"),
-                adaptive.rows().toString());
+        assertHas(adaptive.rows().get(0).toString(), "it takes sub-steps as short as the system needs");
         StabilityFigures fixed = figures(() -> PlantedSolvers.euler((dSdt, deltaT) -> dSdt * 0.1));
-        assertTrue(fixed.rows().get(0).toString().contains("it does not follow deltaT"), fixed.rows().toString());
+        assertHas(fixed.rows().get(0).toString(), "it does not follow deltaT");
         for (StabilityFigures none : List.of(shaky, adaptive, fixed)) {
             assertFalse(none.region().isPresent());
             assertFalse(none.growth().isPresent());
