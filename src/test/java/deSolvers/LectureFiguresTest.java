@@ -3,6 +3,7 @@ package deSolvers;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.Oscillator;
 import deSolvers.problems.Steps;
 import org.junit.jupiter.api.Test;
@@ -12,18 +13,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** The numbers behind the lecture's figures, x'' = -x from (1, 0): amplitude |R(ih)|^N, phase N arg R(ih). */
 class LectureFiguresTest {
 
-    private static DESolver create(String name) {
-        return switch (name) {
-            case "euler" -> new EulerSolver();
-            case "midpoint" -> new MidpointSolver();
-            default -> new RK4Solver();
-        };
-    }
-
     private static Oscillator run(String solver, double deltaT, int steps) {
         Oscillator oscillator = new Oscillator();
-        DESolver s = create(solver);
-        Steps.make(steps, s, oscillator, deltaT);
+        Steps.make(steps, SolverCatalog.create(solver), oscillator, deltaT);
         return oscillator;
     }
 

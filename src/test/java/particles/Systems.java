@@ -34,8 +34,7 @@ public final class Systems {
     public static EnergyLedger ledger(ParticleSystem system, DESolver solver, double deltaT, double duration,
             Rule... rules) {
         EnergyLedger ledger = new EnergyLedger();
-        Simulation simulation = new Simulation(system, () -> solver, deltaT, duration);
-        List.of(rules).forEach(simulation::addRule);
+        Simulation simulation = simulation(system, solver, deltaT, duration, rules);
         simulation.addObserver(ledger);
         simulation.run();
         return ledger;
@@ -49,11 +48,15 @@ public final class Systems {
     /** Runs to the end, with rules and no energy limit. */
     public static Simulation run(ParticleSystem system, DESolver solver, double deltaT, double duration,
             Rule... rules) {
-        Simulation simulation = new Simulation(system, () -> solver, deltaT, duration);
-        for (Rule rule : rules) {
-            simulation.addRule(rule);
-        }
+        Simulation simulation = simulation(system, solver, deltaT, duration, rules);
         simulation.run();
+        return simulation;
+    }
+
+    private static Simulation simulation(ParticleSystem system, DESolver solver, double deltaT, double duration,
+            Rule... rules) {
+        Simulation simulation = new Simulation(system, () -> solver, deltaT, duration);
+        List.of(rules).forEach(simulation::addRule);
         return simulation;
     }
 

@@ -7,7 +7,6 @@ import deSolvers.DESolver;
 import deSolvers.DESolverException;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.ReferenceProblem;
-import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 
@@ -19,10 +18,6 @@ import java.util.stream.IntStream;
  * @param failure  why the run stopped before its end, if it did
  */
 record HardRun(double error, double largest, Optional<DESolverException> failure) {
-    static final List<String> SECOND_ORDER = SolverCatalog.all().stream().filter(s -> s.secondOrder())
-            .map(s -> s.name())
-            .toList();
-
     /**
      * @param solver  a catalogue name
      * @param problem at its start
