@@ -70,16 +70,15 @@ class SameResultsTest {
             };
             const next = () => {
               const [file, text, solver, time] = runs[found.length];
-              worker.postMessage({type: 'open', run: 0, file, text, solver, deltaT: '', tolerance: 0});
-              worker.postMessage({type: 'state', time});
+              worker.postMessage({type: 'open', run: time, file, text, solver, deltaT: '', tolerance: 0});
             };
-            let errors = '';
             worker.onmessage = ({data}) => {
-              errors = data.facts?.errors?.join('\\n') ?? errors;
-              if (data.type === 'state') {
+              if (data.type === 'opened' && !data.facts.errors) {
+                worker.postMessage({type: 'state', time: data.run});
+              } else if (data.type === 'state') {
                 tell(data.failure, data.state.buffer);
-              } else if (data.type === 'broken') {
-                tell(errors || data.message, new ArrayBuffer(0));
+              } else if (data.type === 'opened' || data.type === 'broken') {
+                tell(data.facts?.errors.join('\\n') ?? data.message, new ArrayBuffer(0));
               }
             };
             next();

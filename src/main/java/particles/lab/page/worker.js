@@ -174,7 +174,7 @@ const commands = {
 const WITHOUT_SCENE = ['solvers', 'open', 'region'];
 const handle = guarded(message => commands[message.type](message));
 onmessage = ({data}) => {
-  if (file || WITHOUT_SCENE.includes(data.type)) {      // before a scene is there, nobody waits for what is said of it
+  if (file || WITHOUT_SCENE.includes(data.type)) {      // until a scene is open, all other messages are ignored
     handle(data);
   }
 };
