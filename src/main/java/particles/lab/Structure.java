@@ -35,7 +35,11 @@ record Structure(String[] ids, int[] fixed, float[] births, float[] lives, Sprin
     }
 
     private static SpringList springs(ParticleSystem system) {
-        return SpringList.of(Stream.concat(system.getEffects().stream(), system.getReactions().stream()));
+        return SpringList.of(parts(system));
+    }
+
+    private static Stream<?> parts(ParticleSystem system) {
+        return Stream.concat(system.getEffects().stream(), system.getReactions().stream());
     }
 
     /**
@@ -45,7 +49,7 @@ record Structure(String[] ids, int[] fixed, float[] births, float[] lives, Sprin
     boolean isOf(ParticleSystem system) {
         int n = system.getParticles().count();
         return n == ids.length && (n == 0 || ids[n - 1].equals(system.getParticles().id(n - 1)))
-                && springs(system).count() == springs.count();
+                && SpringList.count(parts(system)) == springs.count();
     }
 
     /** The same, by name, as pages read it. */

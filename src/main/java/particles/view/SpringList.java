@@ -21,12 +21,24 @@ public record SpringList(int[] from, int[] to, double[] restLength, double[] sti
      * @return a copy of them
      */
     public static SpringList of(Stream<?> parts) {
-        List<SpringView> views = parts.filter(SpringView.class::isInstance).map(SpringView.class::cast).toList();
+        List<SpringView> views = views(parts).toList();
         return new SpringList(
                 views.stream().flatMapToInt(view -> numbers(view).map(view::from)).toArray(),
                 views.stream().flatMapToInt(view -> numbers(view).map(view::to)).toArray(),
                 views.stream().flatMapToDouble(view -> numbers(view).mapToDouble(view::restLength)).toArray(),
                 views.stream().flatMapToDouble(view -> numbers(view).mapToDouble(view::stiffness)).toArray());
+    }
+
+    /**
+     * @param parts the effects and reactions of a run
+     * @return how many springs and rods are in them, without a copy
+     */
+    public static int count(Stream<?> parts) {
+        return views(parts).mapToInt(SpringView::springCount).sum();
+    }
+
+    private static Stream<SpringView> views(Stream<?> parts) {
+        return parts.filter(SpringView.class::isInstance).map(SpringView.class::cast);
     }
 
     private static IntStream numbers(SpringView view) {
