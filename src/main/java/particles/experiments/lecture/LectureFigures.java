@@ -132,11 +132,12 @@ public final class LectureFigures {
                 Series.point("exact end", Mark.OPEN_POINTS, end[0], end[1])));
     }
 
-    /** @return the exact solution alone, which follows the vector field */
+    /** @return the exact solution alone, which follows the vector field, drawn as beside a solver's path */
     public static ChartData exactChart() {
         return new ChartData("Vectors show the vector field (v, \u2212x); each solution is a circle",
                 "position x (m)", "velocity v (m/s)", false, false,
-                List.of(exact(), Series.point("start", Mark.POINTS, 1, 0)));
+                List.of(new Series("no path", Mark.LINE, new double[0], new double[0]), exact(),
+                        Series.point("start", Mark.POINTS, 1, 0)));
     }
 
     private static Series exact() {

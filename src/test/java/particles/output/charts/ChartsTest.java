@@ -31,6 +31,7 @@ import org.jfree.chart.plot.XYPlot;
 import org.jfree.data.xy.XYDataset;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import particles.experiments.lecture.LectureFigures;
 import particles.output.files.OutputFolder;
 import particles.output.text.DecimalTicks;
 import particles.view.ChartData;
@@ -165,6 +166,11 @@ class ChartsTest {
                 assertEquals(ChartStyle.AXIS, plot.getRenderer().getSeriesPaint(k));
             }
         }
+        ChartData alone = LectureFigures.exactChart();
+        XYPlot plot = PhasePlot.of(alone, Optional.empty()).getXYPlot();
+        int exact = alone.series().stream().map(Series::name).toList().indexOf("exact");
+        assertEquals(ChartStyle.AXIS, plot.getRenderer().getSeriesPaint(exact));
+        assertEquals(ChartStyle.stroke(1), plot.getRenderer().getSeriesStroke(exact), "dashes");
     }
 
     /** A turn goes there and back, so that 60 of them cross 120 times; how many states they have does not matter. */
