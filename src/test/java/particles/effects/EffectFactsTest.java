@@ -13,8 +13,8 @@ import particles.ParticleSystem;
 import particles.Systems;
 import particles.effects.springs.SpringForce;
 import particles.law.DifferentiableEffect;
-import particles.law.Effect.Trait;
 import particles.law.Effect;
+import particles.law.Effect.Trait;
 import particles.law.Particles;
 import particles.law.PerParticleEffect;
 import particles.law.Plane;
@@ -33,8 +33,7 @@ class EffectFactsTest {
 
     private final Particles particles = new ParticleSystem().getParticles();
 
-    private static void assertFacts(Effect effect, String name, boolean perParticle, boolean byVelocity,
-            Trait trait) {
+    private static void assertFacts(Effect effect, String name, boolean perParticle, boolean byVelocity, Trait trait) {
         assertEquals(name, effect.getName());
         assertEquals(perParticle, effect instanceof PerParticleEffect, name + " acts on each particle by itself");
         assertEquals(byVelocity, effect.dependsOnVelocity(), name + " depends on velocity");
@@ -45,8 +44,7 @@ class EffectFactsTest {
     @Test
     void eachLawDeclaresItsInterfacesAndFlags() {
         assertFacts(new Gravity(particles, Vector3.ZERO), "gravity", true, false, Trait.CONSERVATIVE);
-        assertFacts(new PointAttraction(particles, Vector3.ZERO, 1, 0), "attraction", true, false,
-                Trait.CONSERVATIVE);
+        assertFacts(new PointAttraction(particles, Vector3.ZERO, 1, 0), "attraction", true, false, Trait.CONSERVATIVE);
         assertFacts(new LinearDrag(particles, 1, Wind.STILL), "drag", true, true, Trait.DISSIPATIVE);
         assertFacts(new QuadraticDrag(particles, 1, Wind.STILL), "quadraticDrag", true, true, Trait.DISSIPATIVE);
         for (double damping : new double[] {0, TINY, 1}) {
