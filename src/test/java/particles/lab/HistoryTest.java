@@ -4,8 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import particles.view.SpringList;
 
@@ -42,14 +44,9 @@ class HistoryTest {
         assertEquals(0, frames.get(0).time());
         double latest = frames.get(frames.size() - 1).time();
         assertTrue(latest > 990, "the latest is at " + latest);
-        double shortest = Double.POSITIVE_INFINITY;
-        double longest = 0;
-        for (int i = 1; i < frames.size(); i++) {
-            double gap = frames.get(i).time() - frames.get(i - 1).time();
-            shortest = Math.min(shortest, gap);
-            longest = Math.max(longest, gap);
-        }
-        assertTrue(longest <= 2 * shortest + 1e-9, shortest + " s to " + longest + " s");
+        DoubleSummaryStatistics gaps = IntStream.range(1, frames.size()).mapToDouble(i ->
+                frames.get(i).time() - frames.get(i - 1).time()).summaryStatistics();
+        assertTrue(gaps.getMax() <= 2 * gaps.getMin() + 1e-9, gaps.toString());
         assertTrue(frames.size() > 180, frames.size() + " moments");       // 376 fill the memory, and half of them stay
     }
 

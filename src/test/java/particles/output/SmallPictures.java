@@ -1,5 +1,6 @@
 package particles.output;
 
+import java.util.IntSummaryStatistics;
 import java.util.List;
 import java.util.function.DoubleFunction;
 import java.util.function.IntPredicate;
@@ -113,6 +114,12 @@ public final class SmallPictures {
 
     public static long count(int[] picture, IntPredicate colour) {
         return IntStream.of(picture).filter(colour).count();
+    }
+
+    /** @return how far the pixels' red, green and blue are apart, each from 0 to 255 */
+    public static IntSummaryStatistics differences(int[] one, int[] other) {
+        return IntStream.range(0, 3 * one.length).map(k -> Math.abs((one[k / 3] >> 8 * (k % 3) & 255)
+                - (other[k / 3] >> 8 * (k % 3) & 255))).summaryStatistics();
     }
 
     /** The number of pixels that differ from the empty picture; edge pixels count partly. */

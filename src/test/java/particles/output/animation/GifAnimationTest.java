@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.output.SmallPictures.FRONT;
+import static particles.output.SmallPictures.differences;
 
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
@@ -12,6 +13,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.IntSummaryStatistics;
 import java.util.List;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
@@ -116,19 +118,9 @@ class GifAnimationTest {
         List<Frame> frames = read();
         FrameRenderer renderer = renderer();
         for (int k = 0; k < 11; k++) {
-            int[] drawn = renderer.render(ball(k));
-            int[] read = frames.get(k).rgb();
-            double sum = 0;
-            int worst = 0;
-            for (int p = 0; p < drawn.length; p++) {
-                for (int shift = 0; shift < 24; shift += 8) {
-                    int off = Math.abs((drawn[p] >> shift & 255) - (read[p] >> shift & 255));
-                    sum += off / 3.0 / drawn.length;
-                    worst = Math.max(worst, off);
-                }
-            }
-            assertTrue(sum < 3, "frame " + k + " is off by " + sum);        // measured 2.05 of 255
-            assertTrue(worst < 60, "frame " + k + " is off by " + worst);   // measured 42
+            IntSummaryStatistics off = differences(renderer.render(ball(k)), frames.get(k).rgb());
+            assertTrue(off.getAverage() < 3, "frame " + k + " is off by " + off);   // measured 2.05 of 255
+            assertTrue(off.getMax() < 60, "frame " + k + " is off by " + off);      // measured 42
         }
     }
 
@@ -148,13 +140,9 @@ class GifAnimationTest {
         int[] colours = palette.getColours();
         assertTrue(colours.length <= 65);
         for (int colour : new int[] {rgb[0], rgb[30], rgb[63], 0xff0000}) {
-            int nearest = Arrays.stream(colours).map(c -> difference(c, colour)).min().orElseThrow();
+            int nearest = Arrays.stream(colours).map(c ->
+                    differences(new int[] {c}, new int[] {colour}).getMax()).min().orElseThrow();
             assertTrue(nearest <= 3, Integer.toHexString(colour) + " is off by " + nearest);        // cells are 4 wide
         }
-    }
-
-    private static int difference(int a, int b) {
-        return Math.max(Math.abs((a >> 16 & 255) - (b >> 16 & 255)),
-                Math.max(Math.abs((a >> 8 & 255) - (b >> 8 & 255)), Math.abs((a & 255) - (b & 255))));
     }
 }
