@@ -46,12 +46,20 @@ public interface ProgressListener {
      */
     default <T, R> List<R> onAllCores(List<T> items, Function<T, String> name, Function<T, R> task) {
         AtomicInteger done = new AtomicInteger();
+        ClassLoader classes = Thread.currentThread().getContextClassLoader();      // it finds a student's classes
         return items.parallelStream().map(item -> {
-            R result = task.apply(item);
-            synchronized (done) {
-                reached((double) done.incrementAndGet() / items.size(), name.apply(item));
+            Thread worker = Thread.currentThread();
+            ClassLoader before = worker.getContextClassLoader();
+            worker.setContextClassLoader(classes);
+            try {
+                R result = task.apply(item);
+                synchronized (done) {
+                    reached((double) done.incrementAndGet() / items.size(), name.apply(item));
+                }
+                return result;
+            } finally {
+                worker.setContextClassLoader(before);
             }
-            return result;
         }).toList();
     }
 }

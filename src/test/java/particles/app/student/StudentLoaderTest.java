@@ -5,8 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import particles.experiments.runs.ProgressListener;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -62,6 +66,29 @@ class StudentLoaderTest {
         StudentLoader loader = loader();
         Files.writeString(folder.resolve("exercises").resolve(name + ".java"), text);
         assertFails(message, loader, name);
+    }
+
+    /** Two tasks that wait for each other run in two threads. */
+    @Test
+    void allThreadsOfAnExperimentFindIt() throws Exception {
+        ClassLoader before = Thread.currentThread().getContextClassLoader();
+        loader("First", "", "Second", "").install();
+        CountDownLatch both = new CountDownLatch(2);
+        ProgressListener quiet = (part, what) -> { };
+        try {
+            List<String> names = List.of("exercises.First", "exercises.Second");
+            assertEquals(names, quiet.onAllCores(names, name -> name, name -> {
+                try {
+                    both.countDown();
+                    both.await(10, TimeUnit.SECONDS);
+                    return Class.forName(name, true, Thread.currentThread().getContextClassLoader()).getName();
+                } catch (ClassNotFoundException | InterruptedException e) {
+                    return e.toString();
+                }
+            }));
+        } finally {
+            Thread.currentThread().setContextClassLoader(before);
+        }
     }
 
     @Test
