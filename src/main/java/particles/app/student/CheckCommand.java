@@ -118,7 +118,12 @@ abstract class CheckCommand extends ResultsCommand {
         }
         List<String> args = new ArrayList<>(List.of(name(), subject(), "--out=" + getFolder()));
         args.addAll(chartArguments());
+        Files.deleteIfExists(report());
         StudentProcess.Outcome outcome = StudentProcess.run(args, StudentLoader.installed());
+        if (!Files.exists(report())) {                  // its process was ended before it wrote one
+            writeReport(unfinished(new Finding(outcome.code() == ExitCode.STOPPED ? Kind.UNDECIDED : Kind.FAILURE,
+                    String.join(" ", outcome.lines()).replaceFirst("^(wrong|not decided): ", ""))));
+        }
         outcome.lines().forEach(lines::println);
         if (outcome.code() != ExitCode.DONE) {
             throw new Failure(outcome.code(), List.of());
@@ -175,8 +180,7 @@ abstract class CheckCommand extends ResultsCommand {
         ExitCode code = failure.kind() == Kind.UNDECIDED ? ExitCode.STOPPED : ExitCode.BAD_INPUT;
         List<String> lines;
         try {
-            Checked failed = new Checked(subject().replaceFirst(".*=", ""), "The check did not finish.",
-                    List.of(failure));
+            Checked failed = unfinished(failure);
             lines = CheckReport.lines(failed, printed, writeReport(failed));
         } catch (OutputException e) {
             lines = List.of(failure.toString(), String.valueOf(e.getMessage()));
@@ -186,13 +190,21 @@ abstract class CheckCommand extends ResultsCommand {
         Runtime.getRuntime().halt(code.code());
     }
 
+    private Checked unfinished(Finding failure) {
+        return new Checked(subject().replaceFirst(".*=", ""), "The check did not finish.", List.of(failure));
+    }
+
+    private Path report() {
+        return getFolder().resolve(name() + ".md");
+    }
+
     /** @return the report's file */
     private Path writeReport(Checked checked) {
         try (OutputFolder files = OutputFolder.open(getFolder(), name() + ".md")) {
             ResultPageWriter.write(files, new ResultPage(name(), checked.subject() + ": " + checked.identity(),
                     checked.paragraphs(), checked.pictures(), checked.tables()), format());
         }
-        return getFolder().resolve(name() + ".md");
+        return report();
     }
 
     /** Keeps only the beginning of a class's output. */

@@ -88,6 +88,14 @@ class CheckSolverCommandTest {
         }
     }
 
+    /** Ends the process and leaves no time for a report. */
+    public static final class Halts extends DESolver {
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            Runtime.getRuntime().halt(0);
+        }
+    }
+
     /** Ends everything. */
     public static final class Exits extends DESolver {
         @Override
@@ -177,6 +185,16 @@ class CheckSolverCommandTest {
         assertTrue(screen.startsWith("Iterates: right. This is backward Euler."), screen);
         String report = Files.readString(folder.resolve("report/checkSolver.md"));
         assertTrue(report.contains("(region.png)") && report.contains("| refused |"), report);
+    }
+
+    @Test
+    void aCheckThatWasEndedLeavesNoOlderReport(@TempDir Path folder) throws IOException {
+        here(ExitCode.DONE, "euler", folder);
+        Screen.of(ExitCode.BAD_INPUT, List.of(new CheckSolverCommand()), OptionStyle.SHELL, "checkSolver",
+                "--solver=" + Halts.class.getName(), "--out=" + folder.resolve("report"));
+        String report = Files.readString(folder.resolve("report/checkSolver.md"));
+        assertTrue(report.startsWith("# " + Halts.class.getName() + ": The check did not finish."), report);
+        assertTrue(report.contains("- **failure**: the check did not finish; the class ended the program"), report);
     }
 
     @Test
