@@ -3,6 +3,7 @@ package particles.teaching.effects;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.Random;
+import java.util.stream.IntStream;
 import particles.law.PerParticleEffect;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
@@ -14,10 +15,18 @@ import particles.teaching.Formula;
  */
 record EffectWriting(EffectTrial trial) {
     private static final int TRIALS = 50;
+    private static final int STATES = 20;
 
     /** @return the first mistake; empty if there is none */
     Optional<Finding> finding() {
-        return written().or(this::nothing);
+        return written().or(this::nothing).or(this::elsewhere);
+    }
+
+    /** Whether they are also written like that in other states, at other times. */
+    private Optional<Finding> elsewhere() {
+        Random random = new Random(1687);
+        return IntStream.range(0, STATES).mapToObj(j -> EffectTrial.random(trial.system(), trial.effect(), random,
+                3 * random.nextDouble())).flatMap(there -> new EffectWriting(there).written().stream()).findFirst();
     }
 
     static Optional<Finding> wrong(Kind kind, String text) {

@@ -93,6 +93,23 @@ class PlantedClaimsTest {
                 "not yet: there is no force on any particle");
     }
 
+    /** The sample's first state is looked at when time is 0. */
+    @Test
+    void aPositionEntryIsWrittenLater() {
+        assertFound(new Effect() {
+            @Override
+            public String getName() {
+                return "planted";
+            }
+
+            @Override
+            public void addForces(double[] state, double time, double[] force) {
+                force[4] -= 1;
+                force[0] += time > 1 ? 1 : 0;
+            }
+        }, "is written to entry 0, where the position stands");
+    }
+
     /** The wall is far from where the sample's particles are, and pushes what comes to it. */
     @Test
     void whatActsFarAwayIsALaw() {
