@@ -75,8 +75,8 @@ class ArchitectureTest {
                                            particles.threads particles.view picocli
             particles.app.student:         deSolvers deSolvers.catalog particles.app.cli particles.javac particles.law
                                            particles.output.charts particles.output.files particles.output.report
-                                           particles.output.text particles.scene
-                                           particles.spec particles.teaching particles.teaching.effects
+                                           particles.output.text particles.scene particles.spec
+                                           particles.spec.messages particles.teaching particles.teaching.effects
                                            particles.teaching.exercises particles.teaching.figures
                                            particles.teaching.marking particles.teaching.solvers particles.view
                                            javax.crypto javax.crypto.spec javax.tools picocli

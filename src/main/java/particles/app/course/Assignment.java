@@ -69,7 +69,7 @@ record Assignment(String text, Optional<OffsetDateTime> deadline, String shows, 
             .mapToObj(n -> POINTS.optional(Integer.toString(n), "The weight of this exercise.")).toList();
     private static final Key<Values> COUNTED = MappingType.of("exercises", EXERCISES.toArray(new Key<?>[0]))
             .optional("exercises", "The weight of each exercise that counts.");
-    private static final Key<String> METHOD = NameType.of("method", AskedMethods.withCatalogue())
+    private static final Key<String> METHOD = TextType.of("one of " + String.join(", ", AskedMethods.names()), "")
             .withDefault("method", AskedMethods.ANY, "The method that it has to be.");
     private static final Key<Double> WEIGHT = POINTS.withDefault("weight", 1.0, "What it counts.");
     private static final Key<Map<String, Values>> SOLVERS = new MapType<>(CLASS,

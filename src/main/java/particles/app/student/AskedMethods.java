@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import particles.spec.messages.Wording;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.solvers.SolverCheck;
@@ -44,14 +45,9 @@ public final class AskedMethods {
         return Stream.concat(METHODS.keySet().stream().sorted(), Stream.of(ANY)).toList();
     }
 
-    /** @return the names, and those of the solvers of the catalogue that cannot be asked for */
-    public static List<String> withCatalogue() {
-        return Stream.concat(names().stream(), SolverCatalog.names().stream()).distinct().toList();
-    }
-
-    /** @return why a solver of the catalogue cannot be asked for, in a line */
+    /** @return why another name cannot be asked for, in a line */
     public static String refusal(String name) {
-        return "'" + name + "' cannot be asked for: the check sees whether such a method is right, but cannot tell it"
+        return !SolverCatalog.names().contains(name) ? Wording.unknown("method", name, names(), List.of()) : "'" + name + "' cannot be asked for: the check sees whether such a method is right, but cannot tell it"
                 + " from others of its kind; write " + (name.equals("adams") ? "multistep" : ANY);
     }
 
