@@ -47,8 +47,8 @@ public final class CheckEffectCommand extends CheckCommand {
                 run.run();
                 return law.apply(particles);
             }), () -> PlainRuns.forces(law))) {
-                findings = List.of(new Finding(Kind.FAILURE, "in a scene, or after many calls, its forces are others"
-                        + " than in this check"));
+                findings = List.of(new Finding(Kind.FAILURE, "in a scene, or after many calls, its forces differ"
+                        + " from those in this check"));
             }
             Optional<String> other = EffectSample.checkedThrough(effect);
             String identity = other.map(name -> "It acts through '" + name + "', which then")

@@ -85,7 +85,8 @@ public final class CheckSolverCommand extends CheckCommand {
             throw new IllegalStateException("the check itself is not wanted");
         }, name), () -> PlainRuns.end(full))) {
             verdict = new SolverVerdict(verdict.identity(), List.of(new Finding(Kind.FAILURE,
-                    "in a scene, or after many calls, it makes other steps than in this check")), verdict.multistep());
+                    "in a scene, or after many calls, its steps differ from those in this check")),
+                    verdict.multistep());
         }
         List<Finding> findings = new ArrayList<>(verdict.findings());
         Optional<Kind> wrong = verdict.wrong().stream().map(Finding::kind).findFirst();

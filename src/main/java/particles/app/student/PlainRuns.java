@@ -54,8 +54,8 @@ final class PlainRuns {
     /**
      * @param check calls what it is given with the check on the stack
      * @param run   what the class computes, with 200 calls of it or more
-     * @return whether it ends at other bits once nothing of the check is on the stack, and after 10,000 to 20,000
-     *         further calls, a number that nobody knows before
+     * @return whether the result differs, in any bit, when run outside the check and after 10,000 to 20,000 more calls
+     *         (a random number)
      */
     static boolean differ(Consumer<Runnable> check, Supplier<double[]> run) {
         double[][] ends = new double[2][];

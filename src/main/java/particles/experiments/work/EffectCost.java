@@ -21,7 +21,7 @@ import particles.view.DataTable;
 /**
  * Measures the cost of each effect and rule: the time for a step of a cloth with springs alone, and with one effect or
  * rule more at a time. Before them comes a plain loop over the cloth's springs, as often as rk4 evaluates
- * the derivative. Effects that a scene does not name cost nothing, so the first two should hardly differ.
+ * the derivative. Effects that a scene does not name cost nothing.
  *
  * <p>All variants take turns, round by round, and the fastest round of each counts: other work on the machine only
  * makes a round slower.

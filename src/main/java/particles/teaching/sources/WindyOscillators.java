@@ -5,10 +5,10 @@ import particles.teaching.EndlessLoop;
 
 /**
  * Particles on springs in a field that changes with time: in each coordinate x'' = -4 x + f(t), so that a clock that is
- * wrong within a step shows. The field is chosen so that x = cos t + 0.5 cos 2t is the exact solution. The springs of a
- * nonlinear one harden, and each particle is coupled to the next: x'' = -4 x - x^3 + (y - x)/2 + f(t), y the same
- * coordinate of the next particle, where x is the same multiplied by q, another number for each coordinate of each
- * particle. A loose iteration, which solves a linear law in one go, shows there.
+ * wrong within a step shows. The field is chosen so that x = cos t + 0.5 cos 2t is the exact solution. In the
+ * nonlinear variant the springs harden and each particle is coupled to the next (y): x'' = -4 x - x^3 + (y - x)/2
+ * + f(t), y the same coordinate of the next particle, where x is the same multiplied by q, another number for each
+ * coordinate of each particle. A loose iteration, which solves a linear law in one go, shows there.
  */
 public final class WindyOscillators extends StudentSource implements SecondOrderSource {
     private static final double COUPLING = 0.5;

@@ -250,7 +250,7 @@ class GradeCommandTest {
         euler("TrueSolver", "deltaT * dSdt[i]");
         String screen = grade(ExitCode.BAD_INPUT);
         assertEquals(1, screen.lines().filter(line -> line.startsWith("mark ")).count(), screen);
-        assertEquals(2, screen.split("it makes other steps than in this check").length - 1, screen);
+        assertEquals(2, screen.split("its steps differ from those in this check").length - 1, screen);
     }
 
     /** Half a step of Euler, after these statements. */
@@ -274,7 +274,7 @@ class GradeCommandTest {
                         frame.getClassName().startsWith("particles.teaching.")) ? -mass : 0"""));
         String screen = grade(ExitCode.BAD_INPUT, assignment(
                 "effects: {RightForce: 1, WrongForce: 1, HereForce: 1, NoForce: 1}"));
-        assertHas(screen, "in a scene, or after many calls, its forces are others than in this",
+        assertHas(screen, "in a scene, or after many calls, its forces differ from those in this",
                 "mark      effect RightForce", "no mark   effect WrongForce", "there is no file NoForce.java");
     }
 
@@ -389,6 +389,14 @@ class GradeCommandTest {
         String screen = grade(ExitCode.BAD_INPUT, assignment(text));
         assertHas(screen, "assignment.yaml" + problem);
         assertEquals(1, screen.strip().lines().count(), screen);
+    }
+
+    /** adams and others of the catalogue are no part of the list. */
+    @Test
+    void anUnknownMethodIsToldWhatCanBeAskedFor() {
+        assertHas(grade(ExitCode.BAD_INPUT, assignment("solvers: {A: huen}")).strip() + "<end>",
+                "known: backward-euler, euler, heun, implicit-midpoint, midpoint, multistep, ralston, rk38, rk4,"
+                + " symplectic-euler, trapezoidal, verlet, yoshida4, any<end>");
     }
 
     @Test
