@@ -48,8 +48,8 @@ public final class AskedMethods {
     /** @return why another name cannot be asked for, in a line */
     public static String refusal(String name) {
         return !SolverCatalog.names().contains(name) ? Wording.unknown("method", name, names(), List.of())
-                : "'" + name + "' cannot be asked for: the check sees whether such a method is right, but cannot tell it"
-                + " from others of its kind; write " + (name.equals("adams") ? "multistep" : ANY);
+                : "'" + name + "' cannot be asked for: the check sees whether such a method is right, but cannot"
+                + " tell it from others of its kind; write " + (name.equals("adams") ? "multistep" : ANY);
     }
 
     /**

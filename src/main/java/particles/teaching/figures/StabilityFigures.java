@@ -39,14 +39,19 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     /** With more noise the coefficients of R are not known well enough to be named. */
     private static final double CLEAN = 1e-9;
     private static final double STABLE = 1 + 1e-8;
-    /** Growth beyond this is all alike, and so much of a plane is shown that has no border between stable and not. */
+    /** Growth is compared up to this factor. */
     private static final double MOST = 4;
+    /** So much is shown of a plane without a border between stable and unstable. */
+    private static final double EMPTY = 4;
     private static final int DIRECTIONS = 12;
     private static final double NEAREST = 0.05;
     private static final double FARTHEST = 20;
     private static final double FACTOR = 1.1;
     private static final double MARGIN = 0.15;
-    private static final int CELLS = 80;
+    private static final int MOST_CELLS = 80;
+    private static final int FEWEST_CELLS = 24;
+    /** Evaluations that the grids of both solvers may take: half a second of them. */
+    private static final double BUDGET = 1.5e6;
     private static final String REAL = "real limit: largest stable deltaT |lambda|";
     private static final String IMAGINARY = "imaginary limit: largest stable deltaT omega";
     private static final String DAMPED = "damped limit: largest stable deltaT omega";
@@ -148,12 +153,15 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         double left = 0;
         double right = 0;
         double top = 0;
+        int looks = 0;
+        long before = evaluations(solvers);
         for (int k = 0; k <= DIRECTIONS; k++) {
             double cos = StrictMath.cos(Math.PI * k / DIRECTIONS);
             double sin = StrictMath.sin(Math.PI * k / DIRECTIONS);
             for (Amplification one : solvers) {
                 boolean stable = one.at(NEAREST * cos, NEAREST * sin) <= STABLE;
                 for (double size = NEAREST; size < FARTHEST; size *= FACTOR) {
+                    looks++;
                     if (one.at(size * cos, size * sin) <= STABLE != stable) {
                         stable = !stable;
                         left = Math.min(left, size * cos);
@@ -165,12 +173,20 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         }
         double size = Math.max(right - left, top);
         if (size == 0) {                                // all stable, or the imaginary axis for an outline
-            size = MOST;
+            size = EMPTY;
             left = -size;
         }
         double margin = MARGIN * size;
-        return new Window(left - 2 * margin, Math.max(right, left + size / 2) + margin,
-                Math.max(top, size / 2) + margin, size / CELLS);
+        left -= 2 * margin;
+        right = Math.max(right, left + 2 * margin + size / 2) + margin;
+        top = Math.max(top, size / 2) + margin;
+        double ofOnePoint = (double) solvers.size() * (evaluations(solvers) - before) / looks;
+        double affordable = size / Math.sqrt(ofOnePoint * (right - left) * top / BUDGET);
+        return new Window(left, right, top, size / Math.max(FEWEST_CELLS, Math.min(MOST_CELLS, affordable)));
+    }
+
+    private static long evaluations(List<Amplification> solvers) {
+        return solvers.stream().mapToLong(Amplification::getEvaluations).sum();
     }
 
     private static DataTable table(String name, Amplification own, String nearest,

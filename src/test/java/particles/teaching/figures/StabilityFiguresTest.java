@@ -15,6 +15,7 @@ import deSolvers.adaptive.DormandPrinceSolver;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
@@ -200,6 +201,21 @@ class StabilityFiguresTest {
         assertEquals("0", value(figures, "imaginary limit"));
         assertTrue(figures.rows().get(0).get(2).toString().endsWith("from the growth over many steps"));
         assertTrue(figures.region().isPresent());
+    }
+
+    /** A point of the grid takes up to 600 steps. */
+    @Test
+    void theGridOfADearMethodIsCoarser() {
+        AtomicLong evaluations = new AtomicLong();
+        StabilityFigures figures = StabilityFigures.of("mine", () -> {
+            DESolver solver = new AdamsBashforth2();
+            return solver((source, deltaT) -> {
+                evaluations.incrementAndGet();
+                solver.stepState(source, deltaT);
+            });
+        }, true);
+        assertTrue(figures.region().isPresent());
+        assertTrue(evaluations.get() < 2.5e6, evaluations + " evaluations");
     }
 
     @Test
