@@ -136,8 +136,7 @@ public final class BallContacts {
                 if (free && block.isPair(r)) {
                     ending.set(block.member(r));
                 } else if (free) {
-                    int k = block.contact(r);
-                    constraints.getModes().set(block.touching.surface[k], block.touching.particle[k], Mode.FREE);
+                    constraints.getModes().set(block.contact(r).surface, block.contact(r).particle, Mode.FREE);
                 }
             }
         });
