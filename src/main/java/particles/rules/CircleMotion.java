@@ -37,18 +37,9 @@ public final class CircleMotion implements AnchorMotion {
     public void at(double time, double[] values) {
         double sin = StrictMath.sin(omega * time);
         double cos = StrictMath.cos(omega * time);
-        put(values, 0, cosine.x(), sine.x(), sin, cos);
-        put(values, 1, cosine.y(), sine.y(), sin, cos);
-        put(values, 2, cosine.z(), sine.z(), sin, cos);
-        values[0] += centre.x();
-        values[1] += centre.y();
-        values[2] += centre.z();
-    }
-
-    private void put(double[] values, int c, double a, double b, double sin, double cos) {
-        double from = a * cos + b * sin;
-        values[c] = from;
-        values[3 + c] = omega * (b * cos - a * sin);
-        values[6 + c] = -omega * omega * from;
+        Vector3 from = cosine.times(cos).plus(sine.times(sin));
+        from.plus(centre).put(values, 0);
+        sine.times(cos).minus(cosine.times(sin)).times(omega).put(values, 3);
+        from.times(-omega * omega).put(values, 6);
     }
 }
