@@ -12,21 +12,17 @@ final class Deaths {
         boolean goes(ParticleSystem system, int i);
     }
 
-    /** Returns whether any particle was removed; a step without a death allocates nothing. */
+    /** Returns whether any particle was removed. */
     static boolean remove(ParticleSystem system, Test test) {
-        int n = system.getParticles().count();
-        int first = 0;
-        while (first < n && !test.goes(system, first)) {
-            first++;
-        }
-        if (first == n) {
-            return false;
-        }
-        boolean[] gone = new boolean[n];
-        for (int i = first; i < n; i++) {
+        boolean[] gone = new boolean[system.getParticles().count()];
+        boolean any = false;
+        for (int i = 0; i < gone.length; i++) {
             gone[i] = test.goes(system, i);
+            any |= gone[i];
         }
-        system.removeParticles(gone);
-        return true;
+        if (any) {
+            system.removeParticles(gone);
+        }
+        return any;
     }
 }

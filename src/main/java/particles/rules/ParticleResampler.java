@@ -28,7 +28,6 @@ public final class ParticleResampler implements Rule {
     private final double lightest;
     private final SeededRandom random;
     private final NeighbourGrid grid = new NeighbourGrid();
-    private int[] near = {};
     private int[] partner = {};
     private double[] square = {};                       // squared distance to the partner; infinity without one
     private boolean[] tied = {};
@@ -67,28 +66,26 @@ public final class ParticleResampler implements Rule {
     public boolean afterStep(ParticleSystem system, double deltaT) {
         int n = system.getParticles().count();
         findPartners(system, n);
-        boolean[] gone = {};
+        boolean[] gone = new boolean[n];
+        long before = made;
         for (int i = 0; i < n; i++) {
             boolean merges = mayChange(system, i) && square[i] < closest * closest && partner[i] > i
                     && mayChange(system, partner[i]) && partner[partner[i]] == i;
             boolean splits = mayChange(system, i) && square[i] > farthest * farthest
                     && system.getParticles().mass(i) >= 2 * lightest;
-            if (merges || splits) {
-                gone = gone.length == 0 ? new boolean[n] : gone;
+            if (merges) {
                 gone[i] = true;
-                if (merges) {
-                    gone[partner[i]] = true;
-                    merge(system, i, partner[i]);
-                } else {
-                    split(system, i);
-                }
+                gone[partner[i]] = true;
+                merge(system, i, partner[i]);
+            } else if (splits) {
+                gone[i] = true;
+                split(system, i);
             }
         }
-        if (gone.length == 0) {
-            return false;
+        if (made > before) {
+            system.removeParticles(Arrays.copyOf(gone, system.getParticles().count()));
         }
-        system.removeParticles(Arrays.copyOf(gone, system.getParticles().count()));
-        return true;
+        return made > before;
     }
 
     private boolean mayChange(ParticleSystem system, int i) {
@@ -97,14 +94,11 @@ public final class ParticleResampler implements Rule {
 
     /** Finds each particle's nearest neighbour within the farthest distance. */
     private void findPartners(ParticleSystem system, int n) {
-        if (partner.length < n) {
-            near = new int[n + n / 3];
-            partner = new int[n + n / 3];
-            square = new double[n + n / 3];
-            tied = new boolean[n + n / 3];
-        }
+        int[] near = new int[n];
+        partner = new int[n];
+        square = new double[n];
+        tied = new boolean[n];
         Arrays.fill(square, Double.POSITIVE_INFINITY);
-        Arrays.fill(tied, false);
         for (int s = 0; s < springs.springCount(); s++) {
             tied[springs.from(s)] = true;
             tied[springs.to(s)] = true;

@@ -31,19 +31,16 @@ public final class SpringTear implements Rule {
     @Override
     public boolean afterStep(ParticleSystem system, double deltaT) {
         double[] state = system.getOwnState();
-        int torn = 0;
-        for (int s = 0; s < springs.springCount(); s++) {
-            torn += isTorn(state, s) ? 1 : 0;
-        }
-        if (torn == 0) {
-            return false;
-        }
         boolean[] gone = new boolean[springs.springCount()];
+        boolean any = false;
         for (int s = 0; s < gone.length; s++) {
             gone[s] = isTorn(state, s);
+            any |= gone[s];
         }
-        springs.removeSprings(gone);
-        return true;
+        if (any) {
+            springs.removeSprings(gone);
+        }
+        return any;
     }
 
     private boolean isTorn(double[] state, int s) {
