@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.law.Reaction;
@@ -232,22 +233,22 @@ public final class RestingContacts implements Reaction {
      * @return whether the forces could stop any sliding particle within that time
      */
     public boolean mayStopWithin(ParticleSystem system, double time) {
+        return stoppingWithin(system, time).findAny().isPresent();
+    }
+
+    /** The sliding particles that the forces could stop within a time (s). */
+    private IntStream stoppingWithin(ParticleSystem system, double time) {
+        if (IntStream.range(0, modes.end()).noneMatch(i -> rubbing(i) > 0)) {
+            return IntStream.empty();
+        }
         double[] state = system.getOwnState();
         double[] force = new double[system.getStateSize()];
         system.addUpEffects(state, system.getTime(), force);
-        for (int i = 0; i < modes.end(); i++) {
-            if (mayStopWithin(time, system.getParticles().mass(i), i, state, force)) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    private boolean mayStopWithin(double time, double mass, int i, double[] state, double[] force) {
-        double rubbing = rubbing(i);
-        double speed = Vector3.at(state, STRIDE * i + 3).length();
-        double pull = Vector3.at(force, STRIDE * i + 3).length() / mass;
-        return rubbing > 0 && speed <= STOPS * time * (1 + rubbing) * pull;
+        return IntStream.range(0, modes.end()).filter(i -> {
+            double speed = Vector3.at(state, STRIDE * i + 3).length();
+            double pull = Vector3.at(force, STRIDE * i + 3).length() / particles.mass(i);
+            return rubbing(i) > 0 && speed <= STOPS * time * (1 + rubbing(i)) * pull;
+        });
     }
 
     /** The largest coefficient of Coulomb friction on a particle that slides; 0 if there is none. */
@@ -266,21 +267,7 @@ public final class RestingContacts implements Reaction {
      * @param deltaT the length of the step (s)
      */
     public void stopWithinStep(ParticleSystem system, double deltaT) {
-        boolean any = false;
-        for (int i = 0; i < modes.end() && !any; i++) {
-            any = rubbing(i) > 0;
-        }
-        if (!any) {
-            return;
-        }
-        double[] state = system.getOwnState();
-        double[] force = new double[system.getStateSize()];
-        system.addUpEffects(state, system.getTime(), force);
-        for (int i = 0; i < modes.end(); i++) {
-            if (mayStopWithin(deltaT, system.getParticles().mass(i), i, state, force)) {
-                sliding.stopWithinStep(i, system.getParticles().mass(i) / deltaT);
-            }
-        }
+        stoppingWithin(system, deltaT).forEach(i -> sliding.stopWithinStep(i, particles.mass(i) / deltaT));
     }
 
     /**

@@ -129,10 +129,10 @@ public final class Collisions implements EventRule {
                 found.add(new ExactImpacts.Change(Math.nextDown(motion.getEndTime()), true, this::push, this::release));
             }
         }
-        double h = motion.getEndTime() - motion.getStartTime();
         moves = moves.length < system.getParticles().count() ? new double[system.getParticles().count()] : moves;
         for (int i = 0; i < system.getParticles().count(); i++) {
-            putPath(motion, i, 1, h);
+            Arrays.fill(points, 0);
+            addPath(motion, i, 1);
             moves[i] = 0;
             for (int k = 3; k < 12; k += 3) {
                 moves[i] = Math.max(moves[i], Vector3.at(points, k).minus(Vector3.at(points, 0)).length());
@@ -142,16 +142,9 @@ public final class Collisions implements EventRule {
         findPairs(system, begin, moves, (i, j) -> findMeeting(motion, i, j, size, found));
     }
 
-    /** Adds the B&eacute;zier points of a particle's path, times a factor, after clearing them for the factor 1. */
-    private void putPath(Motion motion, int i, int factor, double h) {
-        double[] begin = motion.getStartState();
-        double[] end = motion.getEndState();
-        for (int c = 0, x = STRIDE * i; c < 3; c++, x++) {
-            double[] path = {begin[x], begin[x] + h * begin[x + 3] / 3, end[x] - h * end[x + 3] / 3, end[x]};
-            for (int k = 0; k < 4; k++) {
-                points[3 * k + c] = (factor > 0 ? 0 : points[3 * k + c]) + factor * path[k];
-            }
-        }
+    private void addPath(Motion motion, int i, int factor) {
+        Impacts.addPath(points, factor, motion.getStartState(), motion.getEndState(),
+                motion.getEndTime() - motion.getStartTime(), i);
     }
 
     /** Finds all pairs that are in reach, may move relative to each other and are not in contact. */
@@ -176,13 +169,12 @@ public final class Collisions implements EventRule {
     /** Finds when two balls meet; as for surfaces, those that begin in contact have to go deeper than round-off. */
     private void findMeeting(Motion motion, int i, int j, double rounding, List<Event> found) {
         double[] begin = motion.getStartState();
-        double start = motion.getStartTime();
-        double h = motion.getEndTime() - start;
         double gap = gap(begin, i, j);
         boolean begins = gap <= slack(begin, i);
         double below = begins ? Math.max(0, rounding + ExactImpacts.DEEP * reach(i, j) - gap) : 0;
-        putPath(motion, i, 1, h);
-        putPath(motion, j, -1, h);
+        Arrays.fill(points, 0);
+        addPath(motion, i, 1);
+        addPath(motion, j, -1);
         int count = new Sphere(Vector3.ZERO, reach(i, j), false).separation(points, coefficients);
         for (int k = 0; k < count; k++) {
             coefficients[k] += below * (2 * reach(i, j) - below);
@@ -193,11 +185,10 @@ public final class Collisions implements EventRule {
                 double above = gap(s.getOwnState(), i, j) + below;
                 return begins ? Math.max(above, rate(s.getOwnState(), i, j)) : above;
             };
-            found.add(new ExactImpacts.Change(begins ? Math.max(start + u * h, Math.nextUp(start)) : start + u * h,
-                    false, function, s -> {
-                        touching.touch(i, j, reach(i, j));
-                        settle(s);
-                    }));
+            found.add(ExactImpacts.Change.meeting(motion, u, begins, function, s -> {
+                touching.touch(i, j, reach(i, j));
+                settle(s);
+            }));
         }
     }
 

@@ -30,6 +30,19 @@ public final class ExactImpacts extends Impacts implements EventRule {
     /** An event of one particle: its function, positive until it happens, and its action. */
     record Change(double time, boolean happensAfter, ToDoubleFunction<ParticleSystem> function,
             Consumer<ParticleSystem> deed) implements Event {
+        /**
+         * A meeting, located on the cubic path.
+         *
+         * @param u      the fraction of the motion's time
+         * @param begins whether the two touch at the start, and so meet again later
+         */
+        static Change meeting(Motion motion, double u, boolean begins, ToDoubleFunction<ParticleSystem> function,
+                Consumer<ParticleSystem> deed) {
+            double start = motion.getStartTime();
+            double time = start + u * (motion.getEndTime() - start);
+            return new Change(begins ? Math.max(time, Math.nextUp(start)) : time, false, function, deed);
+        }
+
         @Override
         public double value(ParticleSystem system) {
             return function.applyAsDouble(system);
@@ -143,14 +156,13 @@ public final class ExactImpacts extends Impacts implements EventRule {
     private void findMeeting(int p, int i, Motion motion, boolean begins, double size, List<Event> found) {
         ContactSurface surface = surfaces.get(p);
         double[] begin = motion.getStartState();
-        double start = motion.getStartTime();
-        double h = motion.getEndTime() - start;
+        double h = motion.getEndTime() - motion.getStartTime();
         boolean isFlat = surface.obstacle().isFlat();
         double radius = isFlat ? 0 : 1 / surface.curvature(begin, i);
         double below = begins ? Math.max(0, DEEP * (size + radius) - surface.distance(begin, i)) : 0;
         double u = firstBelow(surface, begin, motion.getEndState(), h, i, below);
         if (!Double.isNaN(u)) {
-            found.add(new Change(begins ? Math.max(start + u * h, Math.nextUp(start)) : start + u * h, false, s -> {
+            found.add(Change.meeting(motion, u, begins, s -> {
                 double above = surface.distance(s.getOwnState(), i) + below;
                 return begins && !isFlat ? Math.max(above, surface.normalSpeed(s.getOwnState(), i)) : above;
             }, s -> meet(s, p, i)));

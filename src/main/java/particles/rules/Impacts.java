@@ -1,5 +1,6 @@
 package particles.rules;
 
+import java.util.Arrays;
 import java.util.List;
 import particles.ParticleSystem;
 import particles.Rule;
@@ -218,12 +219,8 @@ abstract class Impacts implements Rule {
      * @return the fraction of the time, 0 ... 1; NaN if it does not
      */
     final double firstBelow(ContactSurface surface, double[] begin, double[] end, double h, int i, double below) {
-        for (int c = 0, x = STRIDE * i; c < 3; c++, x++) {
-            points[c] = begin[x];
-            points[3 + c] = begin[x] + h * begin[x + 3] / 3;
-            points[6 + c] = end[x] - h * end[x + 3] / 3;
-            points[9 + c] = end[x];
-        }
+        Arrays.fill(points, 0);
+        addPath(points, 1, begin, end, h, i);
         int count = surface.obstacle().separation(points, coefficients);
         // a sphere's coefficients are those of r^2 - R^2 = (r - R) (r + R)
         double more = surface.obstacle().isFlat() ? below : 2 / surface.curvature(begin, i) * below;
@@ -232,6 +229,16 @@ abstract class Impacts implements Rule {
             coefficients[k] += more;
         }
         return crossing.of(coefficients, count);
+    }
+
+    /** Adds a multiple of the B&eacute;zier points of a particle's path, the cubic between two states. */
+    static void addPath(double[] points, int factor, double[] begin, double[] end, double h, int i) {
+        for (int c = 0, x = STRIDE * i; c < 3; c++, x++) {
+            points[c] += factor * begin[x];
+            points[3 + c] += factor * (begin[x] + h * begin[x + 3] / 3);
+            points[6 + c] += factor * (end[x] - h * end[x + 3] / 3);
+            points[9 + c] += factor * end[x];
+        }
     }
 
     /** Whether a particle is on a surface but for round-off. */
