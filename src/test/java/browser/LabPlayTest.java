@@ -91,6 +91,13 @@ class LabPlayTest extends LabPageTestCase {
         until("caption().startsWith('euler, deltaT = 0.0125 s: 0 s')");
         runToTheEnd();
         until("caption().endsWith(': 12.57 s, 1006 evaluations')");     // 4 pi / 0.0125 = 1005.3
+        page.script("const time = document.getElementById('time'); time.value = 3;"
+                + " time.dispatchEvent(new Event('input'));");
+        until("text('clock') === '3 s'");
+        page.click("copyLink");
+        until("text('note').includes('link is in the')");
+        page.go(page.driver().getCurrentUrl());
+        until("caption() === 'euler, deltaT = 0.0125 s: 3 s, 240 evaluations'");
         page.choose("solver", "radau");
         until("text('panelList').includes('No fixed number of evaluations')");
         page.script("document.getElementById('equalWork').click();"        // at once, as on a busy machine

@@ -322,6 +322,9 @@ function heard(i, message) {
     if (!message.facts.errors && phase.id) {
       panel.worker.postMessage(phase.question());
     }
+    if (!message.facts.errors && structure) {       // it may be opened after the first run's last frame
+      panel.worker.postMessage({type: 'follow', time: player.frame.time});
+    }
   } else if (message.type === 'frame' && panel.facts) {
     addEnergies(i + 1, message, panel.facts);
     phasePlot.add(i + 1, message.points);
