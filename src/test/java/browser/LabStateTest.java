@@ -167,10 +167,12 @@ class LabStateTest extends LabPageTestCase {
         String link = page.driver().getCurrentUrl();
         press("l");
         until("!document.body.classList.contains('lecture') && view.facts.title.startsWith('My own')");
-        page.go(link);
-        until("value('slides') === '10' && caption().startsWith('euler')");
+        page.await("another address", () -> !page.driver().getCurrentUrl().equals(link));
+        page.script("location.href = arguments[0];", link);
+        until("value('slides') === '10' && caption().startsWith('euler') && text('endLecture') === 'End'");
         press("l");
-        until("!document.body.classList.contains('lecture')");
+        until("!document.body.classList.contains('lecture') && caption().startsWith('euler')");
+        assertEquals("midpoint", page.script("return document.getElementById('solver').value;"));
         assertTrue(page.element("copyLink").isDisplayed());
     }
 

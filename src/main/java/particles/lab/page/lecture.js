@@ -28,7 +28,6 @@ export class Lecture {
   toggle() {
     if (!this.on) {
       this.before = this.describe();
-      $('endLecture').textContent = 'End, back to my scene';
       this.go(0);
     } else if (this.before) {
       this.open(this.before);
@@ -45,12 +44,21 @@ export class Lecture {
   }
 
   go(slide) {
+    const {before} = this;
     this.open({...STATIONS[slide], scene: STATIONS[slide].scene + '.yaml', lecture: slide});
+    this.keep(before);
+  }
+
+  /** What to go back to at the end; null if a link began the lecture. */
+  keep(before) {
+    this.before = before;
+    $('endLecture').textContent = before ? 'End, back to my scene' : 'End';
   }
 
   /** Shows a slide's words, whatever its scene does; -1 ends the lecture, and so does what is no number of a slide. */
   show(slide) {
     this.slide = STATIONS[slide] ? slide : -1;
+    this.keep(null);
     document.body.classList.toggle('lecture', this.on);
     $('lecture').hidden = !this.on;
     if (this.on) {
