@@ -10,9 +10,9 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import particles.experiments.runs.ProgressListener;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import particles.experiments.runs.ProgressListener;
 
 /** A class that does not compile breaks what uses it, with the compiler's messages, and nothing else. */
 class StudentLoaderTest {
