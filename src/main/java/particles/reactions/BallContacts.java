@@ -136,7 +136,8 @@ public final class BallContacts {
                 if (free && block.isPair(r)) {
                     ending.set(block.member(r));
                 } else if (free) {
-                    constraints.getModes().set(block.contact(r).surface, block.contact(r).particle, Mode.FREE);
+                    int k = block.contact(r);
+                    constraints.getModes().set(block.touching.surface[k], block.touching.particle[k], Mode.FREE);
                 }
             }
         });

@@ -1,11 +1,8 @@
 package particles.reactions;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
-import java.util.List;
 import java.util.function.IntPredicate;
-import java.util.stream.IntStream;
 import particles.law.Particles;
 import particles.reactions.algebra.ActiveSetMethod;
 import particles.reactions.algebra.EnvelopeMatrix;
@@ -35,7 +32,7 @@ final class Block {
     private final ActiveSetMethod activeSet;
     private final EnvelopeMatrix matrix = new EnvelopeMatrix();
     final BitSet held = new BitSet();                   // particles that do not move
-    final List<ContactRow> touching = new ArrayList<>();
+    final ContactRows touching;
     double[] right = {};
     private double[] solution = {};
     private double[] separation = {};
@@ -60,6 +57,7 @@ final class Block {
         this.contacts = contacts;
         this.activeSet = activeSet;
         firstRow = new int[particles.length];
+        touching = new ContactRows(contacts);
     }
 
     boolean isJoined() {
@@ -157,11 +155,9 @@ final class Block {
 
     /** Adds a row for each surface that a movable particle touches, and for the one that it strikes. */
     private void addContacts(int i, int surface, int struck) {
-        List<ContactRow> beside = new ArrayList<>();
         for (int p = 0; canMove(i) && p < contacts.getSurfaces().size(); p++) {
             if (p == surface && i == struck || contacts.getModes().get(p, i) != Mode.FREE) {
-                touching.add(new ContactRow(contacts, p, i, beside));
-                add(-touching.size(), i, -1);
+                add(-1 - touching.add(p, i), i, -1);
             }
         }
     }
@@ -173,8 +169,8 @@ final class Block {
             if (isMember(r)) {
                 System.arraycopy(rows.gradient, 6 * row[r], gradient, 6 * r, 6);
             } else {
-                contact(r).update(state, isJoined());
-                contact(r).normal.put(gradient, 6 * r);
+                touching.update(contact(r), state, isJoined());
+                System.arraycopy(touching.normal, 3 * contact(r), gradient, 6 * r, 3);
             }
         }
     }
@@ -208,17 +204,19 @@ final class Block {
         return row[r];
     }
 
-    /** The contact with a surface of a row. */
-    ContactRow contact(int r) {
-        return touching.get(-1 - row[r]);
+    /** The contact of a row. */
+    int contact(int r) {
+        return -1 - row[r];
     }
 
     /** Assembles the matrix. */
     private void assemble() {
         System.arraycopy(gradient, 0, pull, 0, 6 * size);
         for (int r = 0; r < size; r++) {
-            if (!isMember(r) && isJoined()) {
-                contact(r).normal.minus(contact(r).slip).put(pull, 6 * r);
+            if (row[r] < 0 && isJoined()) {
+                pull[6 * r] -= touching.slip[3 * contact(r)];
+                pull[6 * r + 1] -= touching.slip[3 * contact(r) + 1];
+                pull[6 * r + 2] -= touching.slip[3 * contact(r) + 2];
             }
             for (int c = matrix.first(r); c <= r; c++) {
                 matrix.set(r, c, c == r && row[r] < 0 ? weight(who[2 * r]) : entry(r, c), c == r ? 0 : entry(c, r));
@@ -232,8 +230,8 @@ final class Block {
     }
 
     /** J' v of a contact, times its particle's mass if that is single. */
-    double bend(ContactRow contact) {
-        return isJoined() ? contact.bend : all.mass(contact.particle) * contact.bend;
+    double bend(int k) {
+        return isJoined() ? touching.bend[k] : all.mass(touching.particle[k]) * touching.bend[k];
     }
 
     private double entry(int r, int c) {
@@ -289,17 +287,21 @@ final class Block {
 
     /** The row of a contact; -1 if there is none. */
     int find(int surface, int particle) {
-        return IntStream.range(0, size).filter(r -> !isMember(r) && contact(r).surface == surface
-                && contact(r).particle == particle).findFirst().orElse(-1);
+        for (int r = 0; r < size; r++) {
+            if (row[r] < 0 && touching.surface[contact(r)] == surface && touching.particle[contact(r)] == particle) {
+                return r;
+            }
+        }
+        return -1;
     }
 
     /** Adds the forces of all rows, with friction. */
     void addForces(double[] force) {
         for (int r = 0; r < size; r++) {
-            if (isMember(r)) {
+            if (row[r] >= 0) {
                 rows.addForce(row[r], solution[r], force);
             } else {
-                contact(r).addForce(solution[r], force);
+                touching.addForce(contact(r), solution[r], force);
             }
         }
     }

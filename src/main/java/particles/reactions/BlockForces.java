@@ -123,7 +123,8 @@ final class BlockForces {
         if (block.size() == 0) {
             return Optional.empty();
         }
-        boolean isIndirect = block.touching.stream().anyMatch(contact -> contact.isFrictionIndirect(state));
+        ContactRows touching = block.touching;
+        boolean isIndirect = touching.isFrictionIndirect(state);
         if (isIndirect || !block.isJoined()) {
             Optional<String> failure = solveOnce(block, force);
             if (failure.isPresent()) {
@@ -133,12 +134,14 @@ final class BlockForces {
         if (isIndirect) {
             for (int r = 0; r < block.size(); r++) {
                 if (!block.isMember(r)) {
-                    block.contact(r).push = block.force(r);
+                    touching.push[block.contact(r)] = block.force(r);
                 }
             }
             addUp(block, force);
         }
-        block.touching.forEach(contact -> contact.findSlip(isIndirect, isIndirect ? total : force, state));
+        for (int k = 0; k < touching.count; k++) {
+            touching.findSlip(k, isIndirect, isIndirect ? total : force, state);
+        }
         // friction acts along all surfaces of a particle: it does not change how hard they push a single one
         return block.isJoined() ? solveOnce(block, force) : Optional.empty();
     }
@@ -158,7 +161,7 @@ final class BlockForces {
         if (Arrays.stream(block.members).anyMatch(row -> !rows.isContact(row))) {
             what.add("rods and wires");
         }
-        if (block.hasPairs() || !block.touching.isEmpty()) {
+        if (block.hasPairs() || block.touching.count > 0) {
             what.add("contacts");
         }
         return new SimulationException(time, particle, "the " + String.join(" and ", what)
@@ -174,29 +177,15 @@ final class BlockForces {
             findAccelerations(block, force);
         }
         for (int r = 0; r < block.size(); r++) {
+            int row = block.member(r);
+            int k = block.contact(r);
             double decay = !block.isJoined() || block.isContact(r) && block.hasPairs() ? 0 : feedback;
-            block.right[r] = block.isIdle(r) ? 0 : -acceleration(block, r, force)
-                    - decay * decay * value(block, r) - 2 * decay * rate(block, r);
+            block.right[r] = block.isIdle(r) ? 0 : block.isMember(r)
+                    ? -(rows.times(row, accelerations, 3) + rows.bend[row]) - decay * decay * rows.value[row]
+                            - 2 * decay * rows.rate[row]
+                    : -(block.weight(block.touching.particle[k]) * block.touching.times(k, force, 3) + block.bend(k))
+                            - decay * decay * block.touching.value[k] - 2 * decay * block.touching.rate[k];
         }
-    }
-
-    /** J W F + J' v of a row. */
-    private double acceleration(Block block, int r, double[] force) {
-        if (block.isMember(r)) {
-            return rows.times(block.member(r), accelerations, 3) + rows.bend[block.member(r)];
-        }
-        ContactRow contact = block.contact(r);
-        return block.weight(contact.particle) * contact.times(force) + block.bend(contact);
-    }
-
-    /** C of a row. */
-    private double value(Block block, int r) {
-        return block.isMember(r) ? rows.value[block.member(r)] : block.contact(r).value;
-    }
-
-    /** C' of a row. */
-    private double rate(Block block, int r) {
-        return block.isMember(r) ? rows.rate[block.member(r)] : block.contact(r).rate;
     }
 
     /** W F of the particles that are not held. */
@@ -247,7 +236,7 @@ final class BlockForces {
     double frictionPower(Block block, double[] state) {
         double power = 0;
         for (int r = 0; r < block.size(); r++) {
-            power -= block.isMember(r) ? 0 : block.force(r) * block.contact(r).slipTimes(state);
+            power -= block.isMember(r) ? 0 : block.force(r) * block.touching.slipTimes(block.contact(r), state);
         }
         return power;
     }
@@ -292,7 +281,9 @@ final class BlockForces {
     /** b = -C, or -C' for velocities. */
     void putRates(Block block, double[] state, int place) {
         for (int r = 0; r < block.size(); r++) {
-            block.right[r] = block.isIdle(r) ? 0 : -(place == 0 ? value(block, r) : rate(block, r));
+            block.right[r] = block.isIdle(r) ? 0 : block.isMember(r)
+                    ? -(place == 0 ? rows.value : rows.rate)[block.member(r)]
+                    : -(place == 0 ? block.touching.value : block.touching.rate)[block.contact(r)];
         }
     }
 

@@ -16,13 +16,15 @@ final class BlockImpacts {
 
     private final ParticleSystem system;
     private final ConstraintRows rows;
+    private final RestingContacts contacts;
     private final ContactModes modes;
     private final BlockForces blocks;
 
     BlockImpacts(ParticleSystem system, ConstraintRows rows, RestingContacts contacts, BlockForces blocks) {
         this.system = system;
         this.rows = rows;
-        modes = contacts.getModes();
+        this.contacts = contacts;
+        this.modes = contacts.getModes();
         this.blocks = blocks;
     }
 
@@ -91,8 +93,10 @@ final class BlockImpacts {
             }
         }
         for (int r = 0; r < block.size(); r++) {
-            if (r != struck && !block.isMember(r) && block.separation(r) > block.contact(r).on.restSpeed()) {
-                modes.set(block.contact(r).surface, block.contact(r).particle, Mode.FREE);
+            int k = block.contact(r);
+            if (r != struck && !block.isMember(r)
+                    && block.separation(r) > contacts.getSurfaces().get(block.touching.surface[k]).restSpeed()) {
+                modes.set(block.touching.surface[k], block.touching.particle[k], Mode.FREE);
             }
         }
     }

@@ -1,7 +1,6 @@
 package particles.reactions;
 
-import java.util.ArrayList;
-import java.util.List;
+import java.util.Arrays;
 import particles.law.Particles;
 import particles.law.Vector3;
 import particles.reactions.wires.Curve;
@@ -17,19 +16,16 @@ import particles.reactions.wires.Curve;
 final class ConstraintRows {
     private static final int STRIDE = Particles.STRIDE;
 
-    /** A rod, or two balls in contact. */
-    private record Rod(int from, int to, double length) {
-    }
+    private int rods;                                   // and after them the contacts of balls
+    private int contacts;
+    private int beads;
+    private int[] from = new int[4];                    // by rod
+    private int[] to = new int[4];
+    private double[] length = new double[4];
+    private int[] bead = new int[4];                    // by bead: its particle
+    private Curve[] curve = new Curve[4];
 
-    /** A particle on a wire. */
-    private record Bead(int particle, Curve wire) {
-    }
-
-    private final List<Rod> rods = new ArrayList<>();
-    private final List<Rod> contacts = new ArrayList<>();
-    private final List<Bead> beads = new ArrayList<>();
-
-    double[] value = {};                                // by row: rods, then contacts, then two for each bead
+    double[] value = {};                                // by row: rods first, then two for each bead
     double[] rate = {};
     double[] bend = {};
     double[] gradient = {};                             // 6 a row: for the first and second particle
@@ -38,38 +34,50 @@ final class ConstraintRows {
     private final double[] bends = new double[Curve.ROWS];
 
     void addRod(int from, int to, double length) {
-        rods.add(new Rod(from, to, length));
+        if (rods == this.from.length) {
+            this.from = Arrays.copyOf(this.from, 2 * rods);
+            this.to = Arrays.copyOf(this.to, 2 * rods);
+            this.length = Arrays.copyOf(this.length, 2 * rods);
+        }
+        this.from[rods] = from;
+        this.to[rods] = to;
+        this.length[rods++] = length;
         fit();
     }
 
     /** Adds a contact of two balls, which are this far apart (m), after all rods and contacts. */
     void addContact(int from, int to, double distance) {
-        contacts.add(new Rod(from, to, distance));
-        fit();
+        addRod(from, to, distance);
+        contacts++;
     }
 
     void removeContact(int row) {
-        contacts.remove(row - rods.size());
-        fit();
-    }
-
-    void addBead(int particle, Curve along) {
-        beads.add(new Bead(particle, along));
+        int later = --rods - row;
+        contacts--;
+        System.arraycopy(from, row + 1, from, row, later);
+        System.arraycopy(to, row + 1, to, row, later);
+        System.arraycopy(length, row + 1, length, row, later);
         fit();
     }
 
     /** Whether a row is that of two balls in contact. */
     boolean isContact(int row) {
-        return row >= rods.size() && row < getBeadRows();
+        return row >= getRods() && row < rods;
     }
 
     /** The index after the last rod or contact. */
     int getBeadRows() {
-        return rods.size() + contacts.size();
+        return rods;
     }
 
-    private Rod rod(int row) {
-        return row < rods.size() ? rods.get(row) : contacts.get(row - rods.size());
+    void addBead(int particle, Curve along) {
+        if (beads == bead.length) {
+            bead = Arrays.copyOf(bead, 2 * beads);
+            curve = Arrays.copyOf(curve, 2 * beads);
+        }
+        bead[beads] = particle;
+        curve[beads++] = along;
+        fit();
     }
 
     private void fit() {
@@ -81,84 +89,99 @@ final class ConstraintRows {
 
     /** Updates indices after particles were removed; their rods, contacts and beads are removed too. */
     void reindex(int[] newIndex) {
-        for (List<Rod> joined : List.of(rods, contacts)) {
-            joined.replaceAll(rod -> new Rod(newIndex[rod.from], newIndex[rod.to], rod.length));
-            joined.removeIf(rod -> rod.from < 0 || rod.to < 0);
+        int kept = 0;
+        int begin = getRods();
+        contacts = 0;
+        for (int r = 0; r < rods; r++) {
+            if (newIndex[from[r]] >= 0 && newIndex[to[r]] >= 0) {
+                from[kept] = newIndex[from[r]];
+                to[kept] = newIndex[to[r]];
+                length[kept++] = length[r];
+                contacts += r < begin ? 0 : 1;
+            }
         }
-        beads.replaceAll(bead -> new Bead(newIndex[bead.particle], bead.wire));
-        beads.removeIf(bead -> bead.particle < 0);
+        rods = kept;
+        kept = 0;
+        for (int b = 0; b < beads; b++) {
+            if (newIndex[bead[b]] >= 0) {
+                bead[kept] = newIndex[bead[b]];
+                curve[kept++] = curve[b];
+            }
+        }
+        beads = kept;
         fit();
     }
 
     int count() {
-        return getBeadRows() + Curve.ROWS * beads.size();
+        return rods + Curve.ROWS * beads;
     }
 
     int getRods() {
-        return rods.size();
+        return rods - contacts;
     }
 
     int getBeads() {
-        return beads.size();
+        return beads;
     }
 
     /** The particle of a row's first three gradient entries. */
     int first(int row) {
-        return row < getBeadRows() ? rod(row).from : beads.get((row - getBeadRows()) / Curve.ROWS).particle;
+        return row < rods ? from[row] : bead[(row - rods) / Curve.ROWS];
     }
 
     /** The particle of its other three, or -1 if the row involves only one. */
     int second(int row) {
-        return row < getBeadRows() ? rod(row).to : -1;
+        return row < rods ? to[row] : -1;
     }
 
     /** The length to which errors of a row are relative (m): a rod's length, and 1 m for a wire. */
     double scale(int row) {
-        return row < getBeadRows() ? length(row) : 1;
+        return row < rods ? length[row] : 1;
     }
 
     double length(int rod) {
-        return rod(rod).length;
+        return length[rod];
     }
 
     /** The distance of a rod's ends (m). */
     double distance(int rod, double[] state) {
-        return apart(rod, state, 0).length();
-    }
-
-    private Vector3 apart(int rod, double[] state, int place) {
-        return Vector3.at(state, STRIDE * second(rod) + place).minus(Vector3.at(state, STRIDE * first(rod) + place));
+        return Vector3.at(state, STRIDE * to[rod]).minus(Vector3.at(state, STRIDE * from[rod])).length();
     }
 
     void evaluate(double[] state) {
-        for (int r = 0; r < getBeadRows(); r++) {
-            evaluateRod(r, state);
+        for (int r = 0; r < rods; r++) {
+            evaluateRod(r, state, STRIDE * from[r], STRIDE * to[r]);
         }
-        int row = getBeadRows();
-        for (Bead bead : beads) {
-            int x = STRIDE * bead.particle;
-            bead.wire.evaluate(state, x, values, gradients, bends);
-            for (int k = 0; k < Curve.ROWS; k++, row++) {
-                value[row] = values[k];
-                bend[row] = bends[k];
-                System.arraycopy(gradients, 3 * k, gradient, 6 * row, 3);
-                rate[row] = dot(6 * row, state, x + 3);
+        for (int b = 0, row = rods; b < beads; b++, row += Curve.ROWS) {
+            int x = STRIDE * bead[b];
+            curve[b].evaluate(state, x, values, gradients, bends);
+            for (int k = 0; k < Curve.ROWS; k++) {
+                value[row + k] = values[k];
+                bend[row + k] = bends[k];
+                System.arraycopy(gradients, 3 * k, gradient, 6 * (row + k), 3);
+                rate[row + k] = dot(6 * (row + k), state, x + 3);
             }
         }
     }
 
-    private void evaluateRod(int r, double[] state) {
-        Vector3 d = apart(r, state, 0);
-        Vector3 v = apart(r, state, 3);
-        double l = length(r);
-        value[r] = (d.dot(d) - l * l) / (2 * l);
-        rate[r] = d.dot(v) / l;
-        bend[r] = v.dot(v) / l;
-        d.put(gradient, 6 * r + 3);
-        for (int g = 6 * r; g < 6 * r + 3; g++) {
-            gradient[g + 3] /= l;
-            gradient[g] = -gradient[g + 3];
-        }
+    private void evaluateRod(int r, double[] state, int a, int b) {
+        double dx = state[b] - state[a];
+        double dy = state[b + 1] - state[a + 1];
+        double dz = state[b + 2] - state[a + 2];
+        double u = state[b + 3] - state[a + 3];
+        double v = state[b + 4] - state[a + 4];
+        double w = state[b + 5] - state[a + 5];
+        double l = length[r];
+        value[r] = (dx * dx + dy * dy + dz * dz - l * l) / (2 * l);
+        rate[r] = (dx * u + dy * v + dz * w) / l;
+        bend[r] = (u * u + v * v + w * w) / l;
+        int g = 6 * r;
+        gradient[g + 3] = dx / l;
+        gradient[g + 4] = dy / l;
+        gradient[g + 5] = dz / l;
+        gradient[g] = -gradient[g + 3];
+        gradient[g + 1] = -gradient[g + 4];
+        gradient[g + 2] = -gradient[g + 5];
     }
 
     private double dot(int g, double[] vectors, int i) {
@@ -168,15 +191,15 @@ final class ConstraintRows {
     /** A row's gradients times a vector of each particle, which begins at {@code place} + 6 i. */
     double times(int row, double[] vectors, int place) {
         return dot(6 * row, vectors, STRIDE * first(row) + place)
-                + (row < getBeadRows() ? dot(6 * row + 3, vectors, STRIDE * second(row) + place) : 0);
+                + (row < rods ? dot(6 * row + 3, vectors, STRIDE * to[row] + place) : 0);
     }
 
     /** The contribution of moving anchors to the rate of a row: gradients times the anchors' velocities. */
     double rateOfAnchors(int row, double[] state, double[] inverseMasses) {
         double sum = 0;
-        for (int k = 0; k < 2; k++) {
+        for (int k = 0; k < (row < rods ? 2 : 1); k++) {
             int i = k == 0 ? first(row) : second(row);
-            sum += i >= 0 && inverseMasses[i] == 0 ? dot(6 * row + 3 * k, state, STRIDE * i + 3) : 0;
+            sum += inverseMasses[i] == 0 ? dot(6 * row + 3 * k, state, STRIDE * i + 3) : 0;
         }
         return sum;
     }
@@ -188,14 +211,15 @@ final class ConstraintRows {
      * @param accelerations the accelerations of moving anchors (m/s&sup2;), in the entries of their velocities
      */
     boolean isDraggedByAnchor(int row, double[] state, double[] accelerations, double[] inverseMasses) {
-        boolean isFirst = inverseMasses[first(row)] == 0;
-        if (row >= getBeadRows() || !isFirst && inverseMasses[second(row)] != 0) {
+        int end = row >= rods ? -1 : inverseMasses[from[row]] == 0 ? from[row] : inverseMasses[to[row]] == 0 ? to[row]
+                : -1;
+        if (end < 0) {
             return false;
         }
-        int g = 6 * row + (isFirst ? 0 : 3);
-        int v = STRIDE * (isFirst ? first(row) : second(row)) + 3;
+        int g = 6 * row + (end == from[row] ? 0 : 3);
+        int v = STRIDE * end + 3;
         Vector3 velocity = Vector3.at(state, v);
-        double bend = velocity.dot(velocity) / length(row);
+        double bend = velocity.dot(velocity) / length[row];
         double along = bend + dot(g, accelerations, v);
         double most = bend + Vector3.at(accelerations, v).norm1();
         return Math.abs(rateOfAnchors(row, state, inverseMasses)) > RestingContacts.ROUNDING
@@ -205,8 +229,8 @@ final class ConstraintRows {
     /** Adds a row's force on its particles, lambda times the gradients. */
     void addForce(int row, double lambda, double[] force) {
         addTo(force, STRIDE * first(row) + 3, lambda, 6 * row);
-        if (row < getBeadRows()) {
-            addTo(force, STRIDE * second(row) + 3, lambda, 6 * row + 3);
+        if (row < rods) {
+            addTo(force, STRIDE * to[row] + 3, lambda, 6 * row + 3);
         }
     }
 

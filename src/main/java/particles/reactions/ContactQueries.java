@@ -93,7 +93,8 @@ final class ContactQueries {
         Block alone = singles.single(i);
         alone.take(state, false);
         for (int r = 0; r < alone.size(); r++) {
-            alone.right[r] = -alone.contact(r).times(force) - alone.bend(alone.contact(r));
+            int k = alone.contact(r);
+            alone.right[r] = -alone.touching.times(k, force, 3) - alone.bend(k);
         }
         alone.solve(Block.NONE, true);
         return alone;
@@ -139,10 +140,11 @@ final class ContactQueries {
         double withstood = 0;
         pushed = 0;
         for (int r = 0; r < alone.size(); r++) {
+            int k = alone.contact(r);
             double push = alone.force(r);
             pushed += push;
-            withstood += push * alone.contact(r).on.friction().staticCoefficient();
-            rest = rest.plus(alone.contact(r).normal.times(push));
+            withstood += push * alone.touching.friction[k].staticCoefficient();
+            rest = rest.plus(Vector3.at(alone.touching.normal, 3 * k).times(push));
         }
         return withstood - Math.sqrt(rest.dot(rest));
     }

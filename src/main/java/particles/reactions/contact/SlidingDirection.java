@@ -14,7 +14,12 @@ public final class SlidingDirection {
     /** Speeds below this, relative to the speed at the step's beginning, have no reliable direction. */
     private static final double ALMOST_STOPPED = 1e-6;
 
-    private final Vector3[] axes = new Vector3[3];      // orthonormal, of the normals given to keepAlong
+    /**
+     * The direction that friction opposes: a tangential velocity (m/s), or the force that will move the particle (N).
+     */
+    public final double[] direction = new double[3];
+    private final double[] beginning = new double[3];
+    private final double[] axes = new double[9];        // orthonormal, of the normals given to keepAlong
     private int surfaces;
     private double[] stepBegin = {};                    // the state at the beginning of the step
     private double[] stopping = {};                     // m/deltaT of a particle that may stop in the step, or 0 (kg/s)
@@ -76,47 +81,69 @@ public final class SlidingDirection {
 
     /** Lets the particle slide only along one more surface, with this normal. */
     public void keepAlong(Vector3 normal) {
-        Vector3 axis = along(normal);
-        double length = surfaces == 0 ? 1 : length(axis);
+        if (surfaces == 3) {
+            return;
+        }
+        double[] axis = direction;
+        axis[0] = normal.x();
+        axis[1] = normal.y();
+        axis[2] = normal.z();
+        double length = 1;
+        if (surfaces > 0) {
+            along(axis, 0, axis);
+            length = length(axis);
+        }
         if (length > PARALLEL) {
-            axes[surfaces++] = over(axis, length);
+            int a = 3 * surfaces++;
+            axes[a] = axis[0] / length;
+            axes[a + 1] = axis[1] / length;
+            axes[a + 2] = axis[2] / length;
         }
     }
 
     /**
-     * Finds the friction of a surface. A particle that may stop within the step gets the constant force that stops it
-     * at the end of the step, minus (F_t + m v_0/deltaT), or where that is more than mu N, as much of it as mu N. This
-     * does not depend on the present velocity, whose direction turns the faster the slower it is, so that any solver
-     * can follow it. The error is O(deltaT), as that of the time of the stop.
+     * Finds the direction and the factor of friction. A particle that may stop within the step gets the constant force
+     * that stops it at the end of the step, minus (F_t + m v_0/deltaT), or where that is more than mu N, as much of it
+     * as mu N. This does not depend on the present velocity, whose direction turns the faster the slower it is, so that
+     * any solver can follow it. The error is O(deltaT), as that of the time of the stop.
      *
-     * @param law      the friction of the surface
-     * @param push     the normal force (N), positive
+     * @param push     the normal force (N)
      * @param share    the part of the particle's Coulomb friction that this surface can give: 1 if it is the only one
-     * @param force    the force that would move the particle along the surface, without friction (N)
-     * @param particle its index
-     * @return minus the friction, for a normal force of 1 N
+     * @param force    the force that would move the particle along the surface, without friction (N), from entry v on
+     * @param v        the index of the particle's velocity in the state
+     * @return the factor: friction is minus factor times direction; 0 for no friction
      */
-    public Vector3 find(Friction law, double push, double share, double[] force, double[] state, int particle) {
-        int v = Particles.STRIDE * particle + 3;
-        Vector3 direction = along(Vector3.at(state, v));
+    public double find(Friction law, double push, double share, double[] force, double[] state,
+            int v) {
+        if (law.law() == Friction.Law.NONE || !(push > 0)) {
+            return 0;
+        }
         double factor = push * law.coefficient();
+        if (law.law() == Friction.Law.COULOMB && mayStop(v / Particles.STRIDE)) {
+            return findStop(factor, share, force, v);
+        }
+        along(state, v, direction);
         if (law.law() == Friction.Law.COULOMB) {
-            boolean stops = mayStop(particle);
-            direction = followBeginning(direction, particle);
+            followBeginning(v);
             double speed = length(direction);
-            if (!stops && speed > 0) {
+            if (speed > 0) {
                 factor /= speed;
-            } else {                                    // against the force that will move it, or that stops it
-                direction = along(Vector3.at(force, v));
-                if (stops) {
-                    direction = direction.plus(along(Vector3.at(stepBegin, v)).times(stopping[particle]));
-                }
-                double needed = length(direction);
-                factor = share * needed <= factor ? share : factor / needed;
+            } else {                                    // about to move: against the force that will move it
+                along(force, v, direction);
+                factor = share * length(direction) <= factor ? share : factor / length(direction);
             }
         }
-        factor /= push;
-        return factor == 0 ? Vector3.ZERO : direction.times(factor);
+        return factor;
+    }
+
+    private double findStop(double most, double share, double[] force, int v) {
+        along(force, v, direction);
+        along(stepBegin, v, beginning);
+        for (int c = 0; c < 3; c++) {
+            direction[c] += stopping[v / Particles.STRIDE] * beginning[c];
+        }
+        double needed = length(direction);
+        return share * needed <= most ? share : most / needed;
     }
 
     /**
@@ -124,37 +151,43 @@ public final class SlidingDirection {
      * straight back this gives the initial direction, as if the sliding had not reversed; obliquely it keeps friction
      * continuous, so that implicit solvers converge. A velocity that is only round-off is replaced by the initial one.
      */
-    private Vector3 followBeginning(Vector3 velocity, int particle) {
-        int v = Particles.STRIDE * particle + 3;
+    private void followBeginning(int v) {
         if (stepBegin.length <= v) {
-            return velocity;
+            return;
         }
-        if (startsFromRest(particle)) {
-            return Vector3.ZERO;                        // a velocity that is mostly round-off at first
+        if (startsFromRest(v / Particles.STRIDE)) {
+            Arrays.fill(direction, 0);                  // a velocity that is mostly round-off at first
+            return;
         }
-        Vector3 beginning = along(Vector3.at(stepBegin, v));
+        along(stepBegin, v, beginning);
+        if (length(direction) < ALMOST_STOPPED * length(beginning)) {
+            System.arraycopy(beginning, 0, direction, 0, 3);
+            return;
+        }
+        double forward = direction[0] * beginning[0] + direction[1] * beginning[1] + direction[2] * beginning[2];
         double length = length(beginning);
-        if (length(velocity) < ALMOST_STOPPED * length) {
-            return beginning;
+        for (int c = 0; c < 3 && forward < 0; c++) {
+            direction[c] -= 2 * forward / length * (beginning[c] / length);
         }
-        double forward = velocity.dot(beginning);
-        return forward < 0 ? velocity.minus(over(beginning, length).times(2 * forward / length)) : velocity;
     }
 
     /** The part of a vector along all surfaces. */
-    private Vector3 along(Vector3 vector) {
-        Vector3 along = surfaces == axes.length ? Vector3.ZERO : vector;
-        for (int a = 0; a < surfaces; a++) {
-            along = along.minus(axes[a].times(axes[a].dot(along)));
+    private void along(double[] vectors, int place, double[] result) {
+        double x = vectors[place];
+        double y = vectors[place + 1];
+        double z = vectors[place + 2];
+        for (int a = 0; a < 3 * surfaces; a += 3) {
+            double across = axes[a] * x + axes[a + 1] * y + axes[a + 2] * z;
+            x -= across * axes[a];
+            y -= across * axes[a + 1];
+            z -= across * axes[a + 2];
         }
-        return along;
+        result[0] = surfaces == 3 ? 0 : x;
+        result[1] = surfaces == 3 ? 0 : y;
+        result[2] = surfaces == 3 ? 0 : z;
     }
 
-    private static Vector3 over(Vector3 vector, double divisor) {
-        return new Vector3(vector.x() / divisor, vector.y() / divisor, vector.z() / divisor);
-    }
-
-    private static double length(Vector3 vector) {
-        return Math.sqrt(vector.dot(vector));
+    private static double length(double[] vector) {
+        return Math.sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
     }
 }
