@@ -306,7 +306,10 @@ final class BlockForces {
      */
     void correct(Block block, double[] state, int place, int pairs) {
         solutions++;
-        block.take(state, modes::isSticking, Block.NONE, Block.NONE, pairs);
+        block.take(state, true);
+        if (pairs != Block.ALL && block.hasPairs()) {
+            block.take(state, modes::isSticking, Block.NONE, Block.NONE, pairs);
+        }
         correctTaken(block, state, place, false);
     }
 
