@@ -9,6 +9,7 @@ import deSolvers.linear.SolverWork;
 import deSolvers.problems.PlainSource;
 import deSolvers.problems.Steps;
 import java.util.Set;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -56,6 +57,7 @@ class RadauParticlesTest {
      * stiff and damped that the matrix is factorised; backwards in time, where damping adds energy; and a long
      * chain, mild and stiff, with a force without known derivatives, so that blocks are not the whole Jacobian.
      */
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"70, 1000, 0.4, false, 5, 1e-9", "8, 1e6, 200, false, 15, 1e-8", "8, 1e6, 200, false, -15, 1e-12",
         "101, 100, 0.4, true, 1, 1e-13", "101, 1e5, 60, true, 1, 1e-9"})
