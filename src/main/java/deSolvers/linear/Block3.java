@@ -53,8 +53,9 @@ final class Block3 {
                 determinant += i == 0 ? entry(a, at, s, i, j) * cofactor : 0;
             }
         }
+        double scale = s / determinant;                 // once: the page's compiler drops brackets in a (b / c)
         for (int e = to; e < to + 9; e++) {
-            inverse[e] *= s / determinant;
+            inverse[e] *= scale;
         }
         return Math.abs(determinant) > SINGULAR;
     }
