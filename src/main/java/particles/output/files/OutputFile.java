@@ -135,6 +135,8 @@ public final class OutputFile extends OutputStream {
         try {
             try {
                 stream.close();
+            } catch (IOException e) {                   // its last bytes
+                throw new OutputException(file, "write", e);
             } finally {
                 Files.deleteIfExists(part);
             }
