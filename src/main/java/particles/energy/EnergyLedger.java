@@ -64,6 +64,7 @@ public final class EnergyLedger implements Observer {
     private final List<Account> accounts = new ArrayList<>();
     private final Map<Effect, Account> undeclared = new LinkedHashMap<>();
     private final Map<String, Double> jumps = new LinkedHashMap<>();
+    private double[] middle = {};                       // the state in the middle of a step
     private double startEnergy;
     private double energy;
     private double largestKinetic;
@@ -121,8 +122,10 @@ public final class EnergyLedger implements Observer {
         double t0 = motion.getStartTime();
         double t1 = motion.getEndTime();
         double half = t0 + (t1 - t0) / 2;
-        double[] middle = new double[system.getStateSize()];
-        motion.interpolate(half, middle);
+        if (!accounts.isEmpty()) {
+            middle = middle.length == system.getStateSize() ? middle : new double[system.getStateSize()];
+            motion.interpolate(half, middle);
+        }
         largestKinetic = Math.max(largestKinetic, system.getKineticEnergy(motion.getStartState()));
         for (Account account : accounts) {
             double before = powersKnown && !account.changesBetweenSteps ? account.powerBefore
