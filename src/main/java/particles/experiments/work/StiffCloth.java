@@ -43,7 +43,9 @@ public final class StiffCloth {
                         bend: {stiffness: %2$s}}
             effects: [gravity]
             """;
-    private static final double RK4_LIMIT = 2.8284;
+    static final double RK4_LIMIT = 2.8284;
+    /** omega of the fastest vibration with springs of 1 N/m (1/s). */
+    private static final double FASTEST = fastest(1);
     /** The number of RK4 steps that are timed; all cost the same, some 1 ms. */
     private static final int TIMED = 400;
     /** The number of solvers whose first and further steps are timed; medians are used. */
@@ -81,19 +83,14 @@ public final class StiffCloth {
         return system;
     }
 
-    /** The steps that RK4 needs for a frame of a cloth with this stiffness. */
-    static long rk4Steps(double stiffness) {
-        return (long) StrictMath.ceil(FRAME * fastest(stiffness) / RK4_LIMIT);
-    }
-
-    /** The stiffness for which RK4 needs that many steps: omega grows with its root. */
+    /** The stiffness for which RK4 needs that many steps: the fastest vibration grows with its root. */
     static double stiffnessFor(long steps) {
-        double ratio = (steps - 0.01) * RK4_LIMIT / FRAME / fastest(1);
+        double ratio = (steps - 0.01) * RK4_LIMIT / FRAME / FASTEST;
         return ratio * ratio;
     }
 
     /** omega of the fastest vibration (1/s). */
-    private static double fastest(double stiffness) {
+    static double fastest(double stiffness) {
         return Spectrum.of(cloth(stiffness)).modes().get(0).size();
     }
 
@@ -105,8 +102,8 @@ public final class StiffCloth {
         return CpuClock.seconds() - before;
     }
 
-    private static Row measure(double stiffness) {
-        long steps = rk4Steps(stiffness);
+    private static Row measure(long steps) {
+        double stiffness = stiffnessFor(steps);
         double rk4 = seconds(new RK4Solver(), cloth(stiffness), FRAME / steps, TIMED) / TIMED * steps;
         List<Double> first = new ArrayList<>();
         List<Double> further = new ArrayList<>();
@@ -129,9 +126,9 @@ public final class StiffCloth {
      */
     public static List<Row> measure(List<Long> sweep, ProgressListener progress) {
         progress.reached(0, "warm-up");
-        measure(stiffnessFor(2));
-        measure(stiffnessFor(100));
-        return progress.each(sweep, steps -> "rk4 with " + steps + " steps", steps -> measure(stiffnessFor(steps)));
+        measure(2);
+        measure(100);
+        return progress.each(sweep, steps -> "rk4 with " + steps + " steps", StiffCloth::measure);
     }
 
     /**
