@@ -1,144 +1,112 @@
 package particles.teaching.contract;
 
 import deSolvers.DESolver;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.OptionalDouble;
+import java.util.Optional;
+import java.util.function.DoubleFunction;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.teaching.EndlessLoop;
 import particles.teaching.Finding;
-import particles.teaching.Finding.Kind;
-import particles.teaching.Formula;
 import particles.teaching.StudentFailure;
 import particles.teaching.sources.Probe;
+import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 
 /**
  * Checks the rules that hold for every solver, whatever its formula: each step begins at the source's own state, and
  * one solver may step any number of sources.
+ *
+ * @param maker makes a new solver
  */
-public final class SolverContract {
+public record SolverContract(Supplier<DESolver> maker) {
     private static final double H = 1.0 / 16;
     private static final double ALIKE = 1e-2;
-    private static final int MOST = 2000;
     private static final double TINY = 1e-12;
+    private static final int MOST = 2000;
     private static final int SOME = 40;
     private static final int MANY = 200;
-
-    private final Supplier<DESolver> maker;
-    private final List<Finding> findings = new ArrayList<>();
-
-    private SolverContract(Supplier<DESolver> maker) {
-        this.maker = maker;
-    }
 
     /**
      * @param memory its memory
      * @return its mistakes, and advice
      */
-    public static List<Finding> check(SolverMemory memory) {
-        SolverContract contract = new SolverContract(memory.maker());
-        memory.mistake().ifPresentOrElse(contract.findings::add, contract::checkMany);
-        if (contract.findings.isEmpty() && memory.ignoresTheClock()) {
-            contract.note("what is remembered of earlier steps is used although the clock was set from outside: compare"
-                    + " source.getTime() as well, since forces may depend on the time");
-        }
-        contract.checkNegative();
-        contract.checkZero();
-        if (isForParticles(memory.maker())) {
-            contract.note("it works on systems of positions and velocities only, such as particles,"
-                    + " and refuses others");
-        }
-        contract.checkFailure();
-        contract.checkNaN();
-        return contract.findings;
-    }
-
-    private void note(String text) {
-        findings.add(new Finding(Kind.STYLE, text));
-    }
-
-    private void wrong(String text) {
-        findings.add(new Finding(Kind.STATE, text));
+    public List<Finding> check(SolverMemory memory) {
+        Optional<Finding> mistake = memory.mistake().or(this::ofAnySize);
+        return Stream.of(mistake, Phrase.CLOCK_IGNORED.when(mistake.isEmpty() && memory.ignoresTheClock()),
+                moved(-H, Phrase.REFUSES_BACK, moved -> Phrase.NOTHING_BACK.when(moved == 0)),
+                moved(0, Phrase.REFUSES_ZERO, moved -> !Double.isFinite(moved) ? Phrase.NAN_AT_ZERO.when(true)
+                : Phrase.MOVES_AT_ZERO.when(moved > TINY, moved)), Phrase.FOR_PARTICLES.when(isForParticles()),
+                failing(0), failing(1), notFinite()).flatMap(Optional::stream).distinct()
+                .toList();
     }
 
     /**
-     * A source much larger than that of a first example, of equal particles; smaller where the work in a step grows
-     * with the square of the size.
+     * Steps a source much larger than that of a first example - smaller where the work in a step grows with the square
+     * of the size - and one in the plane. Their particles are equal, and so are the coordinates of each.
      */
-    private void checkMany() {
-        WindyOscillators small = new WindyOscillators(1);
-        WindyOscillators larger = new WindyOscillators(4);
-        maker.get().stepState(small, H);
-        maker.get().stepState(larger, H);
-        int particles = larger.getEvaluations() > 2 * small.getEvaluations() ? SOME : MANY;
-        WindyOscillators source = new WindyOscillators(particles);
-        String text = "with a source of " + particles + " particles, " + 6 * particles + " numbers, ";
-        String cause = ": an array or a loop has a fixed length; source.getStateSize() has to be asked in every step";
-        source.startRecord();
+    private Optional<Finding> ofAnySize() {
+        int particles = solvesWithMatrix() ? SOME : MANY;
+        return unlike(new WindyOscillators(particles), particles + " particles, " + 6 * particles, "an array or a loop"
+                + " has a fixed length; source.getStateSize() has to be asked in every step").or(() -> unlike(
+                WindyOscillators.inThePlane(2), "2 particles in the plane, 8", "three coordinates are taken for"
+                + " granted; ((SecondOrderStateSource) source).getDimension() says how many positions and then"
+                + " velocities each particle has"));
+    }
+
+    /** @return the number of evaluations in a step of nonlinear particles; -1 if it is too long for the solver */
+    public long evaluations(int particles, double deltaT) {
         try {
-            maker.get().stepState(source, H);
+            return StudentSource.after(WindyOscillators.nonlinear(particles), maker.get(), 1, deltaT).getEvaluations();
         } catch (RuntimeException e) {
-            wrong(text + "stepState ends in " + StudentFailure.describe(e) + cause);
-            return;
-        }
-        List<double[]> states = new ArrayList<>(source.evaluatedAt());
-        states.add(source.getState());
-        for (double[] state : states) {
-            for (int k = 0; k < state.length; k++) {
-                if (!(Math.abs(state[k] - state[k % 6]) <= ALIKE)) {    // differences for a Jacobian are smaller
-                    wrong(text + Formula.text("entry %s of a state is %s and entry %s is %s, though all particles are"
-                            + " alike", k, state[k], k % 6, state[k % 6]) + cause);
-                    return;
-                }
-            }
+            return -1;
         }
     }
 
-    /** @return how far a step moves the state; empty for a refusal, which is noted */
-    private OptionalDouble moved(double deltaT, String refused, String more) {
+    /** @return whether it evaluates the derivative once more for each entry, as for a matrix of differences */
+    public boolean solvesWithMatrix() {
+        return evaluations(2, H) >= evaluations(1, H) + 6;
+    }
+
+    private Optional<Finding> unlike(WindyOscillators source, String size, String cause) {
+        try {
+            maker.get().stepState(source, H);
+        } catch (RuntimeException e) {
+            return Phrase.SIZE_FAILS.when(source.getDimension() == 3 || !StudentFailure.isRefusal(e), size,
+                    StudentFailure.describe(e), cause);
+        }
+        int d = source.getDimension();
+        return Stream.concat(source.evaluatedAt().stream(), Stream.of(source.getState())).flatMap(state ->
+                IntStream.range(0, state.length).filter(k -> !(Math.abs(state[k] - state[k / d % 2 * d]) <= ALIKE))
+                .mapToObj(k -> Phrase.SIZE_UNLIKE.of(size, k, state[k], k / d % 2 * d, state[k / d % 2 * d], cause)))
+                .findFirst();                           // differences for a Jacobian are smaller
+    }
+
+    /** Judges how far a step of this length moves the state, or notes that it is refused. */
+    private Optional<Finding> moved(double deltaT, Phrase refusal, DoubleFunction<Optional<Finding>> judge) {
         WindyOscillators source = new WindyOscillators(1);
         double[] before = source.getState();
         try {
             maker.get().stepState(source, deltaT);
-            return OptionalDouble.of(distance(before, source.getState()));
+            return judge.apply(distance(before, source.getState()));
+        } catch (EndlessLoop e) {
+            return loops("a step of deltaT = " + deltaT + " s", "step backwards, or throw an exception that says why"
+                    + " not", e);
         } catch (RuntimeException e) {
             if (!StudentFailure.isRefusal(e)) {
                 throw e;
             }
-            note("it refuses " + refused + " (" + e.getMessage() + ")" + more);
-            return OptionalDouble.empty();
+            return Optional.of(refusal.of(e.getMessage()));
         }
     }
 
-    /** Whether it steps backwards, or says that it does not. */
-    private void checkNegative() {
-        String or = ": step backwards, or throw an exception that says why not";
-        try {
-            moved(-H, "a negative deltaT", "").ifPresent(distance -> {
-                if (distance == 0) {
-                    wrong("a step of negative deltaT does nothing, and says nothing" + or);
-                }
-            });
-        } catch (EndlessLoop e) {
-            findings.add(new Finding(Kind.FAILURE, "a step of negative deltaT does not come back, an endless loop" + or
-                    + StudentFailure.place(e.getStackTrace())));
-        }
-    }
-
-    private void checkZero() {
-        moved(0, "deltaT = 0", "; the built-in solvers change nothing then").ifPresent(distance -> {
-            if (!(distance <= TINY)) {
-                boolean finite = Double.isFinite(distance);
-                wrong("a step of deltaT = 0 " + (finite ? "moves the state by " + Formula.number(distance)
-                        : "makes the state NaN or infinite") + "; it has to change nothing"
-                        + (finite ? "" : ". Is something divided by deltaT?"));
-            }
-        });
+    private static Optional<Finding> loops(String step, String cure, EndlessLoop loop) {
+        return Optional.of(Phrase.LOOPS.of(step, cure + StudentFailure.place(loop.getStackTrace())));
     }
 
     /** @return whether a solver refuses sources without positions and velocities */
-    public static boolean isForParticles(Supplier<DESolver> maker) {
+    public boolean isForParticles() {
         try {
             maker.get().stepState(new Probe(new double[6], 0, (evaluation, dSdt) -> dSdt[0] = TINY, MOST), H);
             return false;
@@ -147,43 +115,32 @@ public final class SolverContract {
         }
     }
 
-    /** A source that fails has to be heard of. */
-    private void checkFailure() {
-        for (int evaluation = 0; evaluation < 2; evaluation++) {
-            WindyOscillators source = new WindyOscillators(1);
-            double[] before = source.getState();
-            source.failFromEvaluation(evaluation);
-            try {
-                maker.get().stepState(source, H);
-                if (source.hasFailed()) {
-                    wrong("the source threw an exception, and stepState returned as if nothing had happened: do not"
-                            + " catch it, so that the caller learns of it");
-                    return;
-                }
-            } catch (RuntimeException expected) {
-                if (evaluation > 0 && source.hasFailed()
-                        && (distance(before, source.getState()) != 0 || source.getTime() != 0)) {
-                    note("when the source fails within a step, state and time stay where they were then;"
-                            + " deSolvers.FixedStepSolver puts them back");
-                }
-            }
+    /** A source that fails from this evaluation on has to be heard of. */
+    private Optional<Finding> failing(int evaluation) {
+        WindyOscillators source = new WindyOscillators(1);
+        double[] before = source.getState();
+        source.failFromEvaluation(evaluation);
+        try {
+            maker.get().stepState(source, H);
+            return Phrase.SWALLOWS.when(source.hasFailed());
+        } catch (RuntimeException expected) {
+            return Phrase.LEFT_WITHIN.when(evaluation > 0 && source.hasFailed() && (distance(before, source.getState())
+                    != 0 || source.getTime() != 0));
         }
     }
 
-    /** The check puts a NaN in, and says so. */
-    private void checkNaN() {
+    /** The check makes the derivative NaN, and says so. */
+    private Optional<Finding> notFinite() {
         WindyOscillators source = new WindyOscillators(1);
-        source.spoilDerivative(MOST);
-        String from = "this check made the derivative NaN on purpose, and ";
+        source.spoilDerivative();
         try {
             maker.get().stepState(source, H);
-            note(from + "the NaN goes unnoticed into the state; deSolvers.FixedStepSolver reports it");
+            return Phrase.NAN_UNNOTICED.when(true);
         } catch (EndlessLoop e) {
-            note(from + "the step did not come back: end a loop that waits for a small error when the error is NaN");
+            return loops("this check made the derivative NaN on purpose, and the step", "end a loop that waits for a"
+                    + " small error when the error is NaN", e);
         } catch (RuntimeException e) {
-            if (String.valueOf(e.getMessage()).matches("\\s*|null")) {
-                note(from + "the exception that the solver throws says nothing");
-            }
+            return Phrase.NAN_UNSAID.when(String.valueOf(e.getMessage()).matches("\\s*|null"));
         }
     }
 

@@ -7,7 +7,6 @@ import java.util.function.BiConsumer;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import particles.teaching.Finding;
-import particles.teaching.Finding.Kind;
 import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 
@@ -25,8 +24,6 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
     private static final double SAME = 1e-9;
     private static final int STEPS = 6;
     private static final double LATER = 3;
-    private static final String FORGET = ". What is remembered of earlier steps may be used only while source, time, "
-            + "state and deltaT are what the last step left, and has to be forgotten in reset()";
 
     /** @return whether a later step differs from the one that a new solver makes from the same place */
     public static boolean isIn(Supplier<DESolver> maker) {
@@ -43,8 +40,7 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
             Arrays.setAll(moved, k -> moved[k] + 1);
             source.setState(moved);
         }).or(() -> after("reset() was called, as it is when the forces change,", (solver, source) -> solver.reset()))
-                .or(this::otherSources).or(this::objects).or(this::changedDeltaT)
-                .map(text -> new Finding(Kind.STATE, text));
+                .or(this::otherSources).or(this::objects).or(this::changedDeltaT);
     }
 
     /** @return whether a clock that was set from outside goes unnoticed, which matters only if the law depends on it */
@@ -61,56 +57,49 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
     }
 
     /** Makes steps and a change from outside; the next step has to be that of a new solver. */
-    private Optional<String> after(String changed, BiConsumer<DESolver, WindyOscillators> change) {
+    private Optional<Finding> after(String changed, BiConsumer<DESolver, WindyOscillators> change) {
         DESolver solver = maker.get();
         WindyOscillators source = StudentSource.after(new WindyOscillators(2), solver, STEPS, H);
         change.accept(solver, source);
         double[] start = source.getState();
         source.startRecord();
-        return isFresh(solver, source, H) ? Optional.empty() : Optional.of(changed + " and the step afterwards "
-                + (multistep ? "still uses the steps before it" + FORGET
-                : source.readStates() == 0 ? "does not start there: an array is kept from the step before. getState has"
-                + " to be called in every step, and the arrays filled anew"
-                : !source.hasEvaluated(start) ? "begins with a derivative that was kept from the step before, as none"
-                + " is asked for at the new state. It may be kept only while state and time are what the last step left"
-                : "is not the one that a new solver makes: something is kept from the step before" + FORGET));
+        boolean fresh = isFresh(solver, source, H);
+        return (multistep ? Phrase.USES_STEPS_BEFORE : source.readStates() == 0 ? Phrase.KEPT_ARRAY
+                : source.hasEvaluated(start) ? Phrase.KEPT_SOMETHING : Phrase.KEPT_DERIVATIVE).when(!fresh, changed);
     }
 
     /** Steps several sources with one solver, of the same size at first. */
-    private Optional<String> otherSources() {
+    private Optional<Finding> otherSources() {
         DESolver solver = maker.get();
-        int last = 3;
+        int last = 18;
         for (int pairs : new int[] {3, 3, 3, 3, 6, 3, 1}) {
             WindyOscillators source = new WindyOscillators(pairs);
             source.incTime(LATER * pairs);
             double[] start = source.getState();
             double time = source.getTime();
-            String text = "the solver stepped a source of " + 6 * last + " numbers and then one of "
-                    + 6 * pairs + ", and ";
-            String cause = last == pairs ? ": something is kept from the step before (an array that is not filled anew,"
-                    + " a derivative that is not asked for again, a count of steps)" : ": the size is cached from the"
-                    + " first source. source.getStateSize() has to be asked in every step";
-            boolean fresh;
+            String cause = last == 6 * pairs ? ": something is kept from the step before (an array that is not filled"
+                    + " anew, a derivative that is not asked for again, a count of steps)" : ": the size is cached from"
+                    + " the first source. source.getStateSize() has to be asked in every step";
+            String found = "";
             try {
-                fresh = isFresh(solver, source, H);
+                found = isFresh(solver, source, H) ? "" : Arrays.equals(start, source.getState()) && source.getTime()
+                        == time ? "the second one stays as it was: the first source is kept in a field. Each step has"
+                        + " to use the source that it is given" : "the second step is not what a new solver makes"
+                        + cause;
             } catch (IndexOutOfBoundsException | NegativeArraySizeException e) {
-                return Optional.of(text + "ended in " + e + cause);
+                found = "ended in " + e + cause;
             }
-            if (source.wrongLength().isPresent()) {
-                return Optional.of(text + "handed it an array of " + source.wrongLength().get() + cause);
+            found = source.wrongLength().map(length -> "handed it an array of " + length + cause).orElse(found);
+            if (!found.isEmpty()) {
+                return Optional.of(Phrase.OTHER_SOURCE.of(last, 6 * pairs, found));
             }
-            if (!fresh) {
-                return Optional.of(text + (Arrays.equals(start, source.getState()) && source.getTime() == time
-                        ? "the second one stays as it was: the first source is kept in a field. Each step has to use"
-                        + " the source that it is given" : "the second step is not what a new solver makes" + cause));
-            }
-            last = pairs;
+            last = 6 * pairs;
         }
         return Optional.empty();
     }
 
     /** A search for an impact steps with a solver of its own, in between. */
-    private Optional<String> objects() {
+    private Optional<Finding> objects() {
         WindyOscillators one = new WindyOscillators(1);
         WindyOscillators two = one.copy();
         two.incTime(LATER);
@@ -121,18 +110,14 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
             first.stepState(one, H);
             second.stepState(two, H);
         }
-        return SolverContract.distance(alone.getState(), one.getState()) <= SAME ? Optional.empty() : Optional.of(
-                "two solvers of this class step in turn, each its own source, and one disturbs the other: something is"
-                + " static, and shared by all of them");
+        return Phrase.STATIC.when(!(SolverContract.distance(alone.getState(), one.getState()) <= SAME));
     }
 
     /** The simulation shortens the last step before an event, so that deltaT changes from step to step. */
-    private Optional<String> changedDeltaT() {
+    private Optional<Finding> changedDeltaT() {
         DESolver solver = maker.get();
         WindyOscillators source = StudentSource.after(new WindyOscillators(1), solver, 2, H);
-        return isFresh(solver, source, H / 4) && isFresh(solver, source, H / 2) ? Optional.empty() : Optional.of(
-                "deltaT changes from one step to the next, and the step is not the one that a new solver makes with it"
-                + (remembers ? FORGET : ": deltaT of an earlier step is kept. It is an argument of each call, and may"
-                + " differ in each"));
+        return (remembers ? Phrase.DELTA_T_CHANGES : Phrase.DELTA_T_KEPT).when(!isFresh(solver, source, H / 4)
+                || !isFresh(solver, source, H / 2));
     }
 }

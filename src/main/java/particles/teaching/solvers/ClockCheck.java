@@ -6,6 +6,7 @@ import java.util.function.Supplier;
 import particles.teaching.EndlessLoop;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
+import particles.teaching.contract.Phrase;
 import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
+import particles.teaching.contract.Phrase;
 
 /** A step that was read, compared with a known method: what differs, each in a sentence. */
 final class Comparison {

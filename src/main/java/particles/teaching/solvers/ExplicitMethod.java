@@ -9,6 +9,7 @@ import java.util.stream.Stream;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
 import particles.teaching.StudentFailure;
+import particles.teaching.contract.Phrase;
 import particles.teaching.sources.Probe;
 import particles.teaching.sources.Springs;
 import particles.teaching.sources.StiffDecay;

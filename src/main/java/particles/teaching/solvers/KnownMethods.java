@@ -7,6 +7,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.Finding;
+import particles.teaching.contract.Phrase;
 
 /** The methods that the check knows by name, as data. */
 final class KnownMethods {

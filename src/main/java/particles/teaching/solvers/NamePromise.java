@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import particles.teaching.Finding;
+import particles.teaching.contract.Phrase;
 
 /**
  * The method that the name of a solver's class promises.

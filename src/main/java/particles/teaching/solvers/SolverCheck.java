@@ -11,6 +11,7 @@ import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import particles.teaching.Finding;
 import particles.teaching.StudentFailure;
+import particles.teaching.contract.Phrase;
 import particles.teaching.contract.SolverContract;
 import particles.teaching.contract.SolverMemory;
 import particles.teaching.sources.Springs;
@@ -38,6 +39,7 @@ public final class SolverCheck {
     private final Supplier<DESolver> maker;
     private final NamePromise promise;
     private final ExplicitMethod explicit;
+    private final SolverContract contract;
     private final UnreadMethod unread;
     private final List<Finding> findings = new ArrayList<>();
     private Optional<OrderMeasurement> measured = Optional.empty();
@@ -47,7 +49,8 @@ public final class SolverCheck {
         this.maker = maker;
         promise = NamePromise.of(className);
         explicit = new ExplicitMethod(maker, promise, this::measurement);
-        unread = new UnreadMethod(maker);
+        contract = new SolverContract(maker);
+        unread = new UnreadMethod(maker, contract);
     }
 
     /**
@@ -73,7 +76,7 @@ public final class SolverCheck {
             start().ifPresent(findings::add);
             if (findings.isEmpty()) {
                 boolean remembers = SolverMemory.isIn(maker);
-                multistep = remembers && unread.evaluations(1, SHORT) == unread.evaluations(1, LONG);
+                multistep = remembers && contract.evaluations(1, SHORT) == contract.evaluations(1, LONG);
                 identity = judge(remembers, multistep);
             }
         } catch (RuntimeException e) {
@@ -111,7 +114,7 @@ public final class SolverCheck {
         if (!isWrong()) {
             promised(diagnosis, remembers).ifPresent(findings::add);
         }
-        findings.addAll(SolverContract.check(new SolverMemory(maker, remembers, multistep)));
+        findings.addAll(contract.check(new SolverMemory(maker, remembers, multistep)));
         if (!isWrong()) {
             (remembers ? afterContract(multistep) : heldBy(diagnosis)).ifPresent(findings::add);
         }
@@ -126,7 +129,7 @@ public final class SolverCheck {
     /** Whether it is a method of the kind that its name says. */
     private Optional<Finding> promised(Diagnosis diagnosis, boolean remembers) {
         return !promise.isGiven() ? Phrase.OLD_VELOCITY.when(diagnosis.method().equals(KnownMethods.EULER)
-                && SolverContract.isForParticles(maker)) : Phrase.NOTHING_EARLIER.when(promise.kind().equals("earlier")
+                && contract.isForParticles()) : Phrase.NOTHING_EARLIER.when(promise.kind().equals("earlier")
                 && !remembers, promise.says()).or(() -> Phrase.NO_CONTROL.when(promise.adapts() && diagnosis.order()
                 > 0)).or(() -> promise.contradicted(diagnosis.method(), diagnosis.order()));
     }
@@ -167,7 +170,7 @@ public final class SolverCheck {
         return found.map(SolvedEquation::name).or(() -> promise.methods().stream().filter(name ->
                 promise.isImplicit()).findFirst()).or(() -> SolvedEquation.near(maker)).map(name -> new Diagnosis(
                 "This is " + name, Search.first(() -> found.flatMap(SolvedEquation::wrong), unread::unstable, () ->
-                SolvedEquation.loose(maker, name, unread.solvesWithMatrix() ? 0.5 : 3.0 / 32)).stream().toList(), 0,
+                SolvedEquation.loose(maker, name, contract.solvesWithMatrix() ? 0.5 : 3.0 / 32)).stream().toList(), 0,
                 found.isPresent() ? name : ""));
     }
 

@@ -13,6 +13,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
+import particles.teaching.contract.Phrase;
 import particles.teaching.contract.SolverContract;
 import particles.teaching.sources.Probe;
 

@@ -6,6 +6,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
+import particles.teaching.contract.Phrase;
 
 /**
  * The rules of every step with fixed weights, whatever its formula: that a new state is set, and that it follows

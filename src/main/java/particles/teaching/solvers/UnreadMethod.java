@@ -11,6 +11,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
+import particles.teaching.contract.Phrase;
 import particles.teaching.contract.SolverContract;
 import particles.teaching.sources.Probe;
 import particles.teaching.sources.Springs;
@@ -19,7 +20,7 @@ import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 
 /** Looks for mistakes of methods without fixed coefficients, in their evaluations and in the time that they reach. */
-record UnreadMethod(Supplier<DESolver> maker) {
+record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
     private static final double H = 1.0 / 16;
     /** Where nothing is symmetric in time (s). */
     private static final double START = 0.5;
@@ -86,7 +87,7 @@ record UnreadMethod(Supplier<DESolver> maker) {
     Optional<Finding> entryByEntry() {
         WindyOscillators source = after(windy(2), H);
         List<double[]> at = source.evaluatedAt();
-        return Phrase.ENTRY_BY_ENTRY.when(source.getEvaluations() == SIZE && evaluations(1, H) == SIZE / 2
+        return Phrase.ENTRY_BY_ENTRY.when(source.getEvaluations() == SIZE && contract.evaluations(1, H) == SIZE / 2
                 && !Arrays.equals(at.get(0), at.get(1)), SIZE);
     }
 
@@ -109,7 +110,7 @@ record UnreadMethod(Supplier<DESolver> maker) {
 
     /** @return the mistake of a method that solves with a matrix and is not stable; empty if it is stable */
     Optional<Finding> unstable() {
-        if (!solvesWithMatrix()) {
+        if (!contract.solvesWithMatrix()) {
             return Optional.empty();
         }
         double growth = 2 * StudentSource.after(new Springs(), maker.get(), 8, 4).energy();      // from 1
@@ -199,19 +200,5 @@ record UnreadMethod(Supplier<DESolver> maker) {
         springs.setState(state);
         double[] end = after(springs, SWING).getState();
         return new double[] {start * end[coordinate], start * end[coordinate + 3]};
-    }
-
-    /** @return the number of evaluations in a step; -1 if it is too long for the solver */
-    long evaluations(int particles, double deltaT) {
-        try {
-            return after(WindyOscillators.nonlinear(particles), deltaT).getEvaluations();
-        } catch (RuntimeException e) {
-            return -1;
-        }
-    }
-
-    /** Whether the derivative is evaluated once more for each entry, as for a matrix of differences. */
-    boolean solvesWithMatrix() {
-        return evaluations(2, H) >= evaluations(1, H) + SIZE / 2;
     }
 }

@@ -1,7 +1,6 @@
 package particles.teaching.sources;
 
 import java.util.Arrays;
-import particles.teaching.EndlessLoop;
 
 /**
  * Particles on springs in a field that changes with time: in each coordinate x'' = -4 x + f(t), so that a clock that is
@@ -14,30 +13,41 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
     private static final double COUPLING = 0.5;
 
     private final int bend;
+    private final int dimension;
     private int failFrom = Integer.MAX_VALUE;
     private boolean failed;
     private boolean spoilt;
-    private long endFrom;
 
     /** @param particles the number of particles; six numbers each */
     public WindyOscillators(int particles) {
-        this(particles, 0);
+        this(particles, 0, 3);
     }
 
     /** With 1 in place of 0, a nonlinear source. */
-    private WindyOscillators(int particles, int bend) {
-        super(exact(6 * particles, bend, 0));
+    private WindyOscillators(int particles, int bend, int dimension) {
+        super(exact(2 * dimension * particles, bend, dimension, 0));
         this.bend = bend;
+        this.dimension = dimension;
     }
 
     /** @return a nonlinear source of this number of particles */
     public static WindyOscillators nonlinear(int particles) {
-        return new WindyOscillators(particles, 1);
+        return new WindyOscillators(particles, 1, 3);
+    }
+
+    /** @return a source of this number of particles in the plane; four numbers each */
+    public static WindyOscillators inThePlane(int particles) {
+        return new WindyOscillators(particles, 0, 2);
+    }
+
+    @Override
+    public int getDimension() {
+        return dimension;
     }
 
     /** @return a copy in the same state and time */
     public WindyOscillators copy() {
-        WindyOscillators copy = new WindyOscillators(getStateSize() / 6, bend);
+        WindyOscillators copy = new WindyOscillators(getStateSize() / 2 / dimension, bend, dimension);
         copy.setState(getState());
         copy.incTime(getTime());
         return copy;
@@ -51,16 +61,16 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
         return StrictMath.cos(t) + 0.5 * StrictMath.cos(2 * t);
     }
 
-    private static double[] exact(int size, int bend, double t) {
+    private static double[] exact(int size, int bend, int dimension, double t) {
         double[] exact = new double[size];
         double v = -StrictMath.sin(t) - StrictMath.sin(2 * t);
-        Arrays.setAll(exact, k -> amplitude(k, bend) * (k % 6 < 3 ? shape(t) : v));
+        Arrays.setAll(exact, k -> amplitude(k, bend) * (k / dimension % 2 == 0 ? shape(t) : v));
         return exact;
     }
 
     @Override
     public double[] exactState(double t) {
-        return exact(getStateSize(), bend, t);
+        return exact(getStateSize(), bend, dimension, t);
     }
 
     /** @param evaluation the number of the first evaluation, from 0, that is to fail */
@@ -73,14 +83,9 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
         return failed;
     }
 
-    /**
-     * Makes the derivative NaN from now on.
-     *
-     * @param most the number of evaluations after which it throws {@link EndlessLoop}
-     */
-    public void spoilDerivative(long most) {
+    /** Makes the derivative NaN from now on. */
+    public void spoilDerivative() {
         spoilt = true;
-        endFrom = getEvaluations() + most;
     }
 
     @Override
@@ -89,18 +94,15 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
             failed = true;
             throw new IllegalStateException("the source fails, as it was told to");
         }
-        if (spoilt && getEvaluations() > endFrom) {
-            throw new EndlessLoop("the derivative was evaluated " + endFrom + " times");
-        }
         double shape = shape(t);
         double accelerated = -StrictMath.cos(t) - 2 * StrictMath.cos(2 * t);
         for (int k = 0; k < Math.min(s.length, dSdt.length); k++) {
-            if (k % 6 < 3) {
-                dSdt[k] = s[k + 3];
+            if (k / dimension % 2 == 0) {
+                dSdt[k] = s[k + dimension];
             } else {
                 double q = amplitude(k, bend);
-                double x = s[k - 3];
-                int next = (k + 3) % s.length;
+                double x = s[k - dimension];
+                int next = (k + dimension) % s.length;
                 double off = q * shape - x;
                 dSdt[k] = q * accelerated + 4 * off + bend * (q * q * q * shape * shape * shape - x * x * x
                         + COUPLING * (s[next] - amplitude(next, bend) * shape + off));

@@ -122,9 +122,9 @@ final class SolverSpecimens {
                 ; 0 0 0 0 1/2; 0 0 0 1/4 0 1/2; 0 0 0 0 1/2 0 1/2 \
                 -> -1/12 -1/6 -1/12 1/6 1/3 1/3 1/3 1/6 @ 0 1/2 1 0 1/4 1/2 3/4 1
                 DopriAdaptive | 1e-6 | | pair DOPRI DOPRI5 -> DOPRI4 : 1e-6 5
-                DormandPrince45 | 1e-3, loops at NaN | | pair DOPRI DOPRI5 -> DOPRI4 : 1e-3 5 loops-at-NaN
+                DormandPrince45 | 1e-3 | | pair DOPRI DOPRI5 -> DOPRI4 : 1e-3 5
                 AdaptiveFehlberg | 1e-8 | | pair FEHLBERG FEHLBERG4 -> FEHLBERG5 : 1e-8 5
-                CashKarp | 1e-5, loops at NaN | | pair CASH_KARP CASH_KARP5 -> CASH_KARP4 : 1e-5 5 loops-at-NaN
+                CashKarp | 1e-5 | | pair CASH_KARP CASH_KARP5 -> CASH_KARP4 : 1e-5 5
                 HeunEuler | pair of orders 2 and 1 | | pair HEUN -> 1 0 : 1e-4 2
                 SymplecticEulerSolver | kick, drift | | turns 0 1 -> 1
                 SemiImplicitEuler | drift, kick | | turns 1 0 -> 1
@@ -409,6 +409,8 @@ final class SolverSpecimens {
                 W83StepDoubling | error always 0 | name promises step-size control \
                 | rk 1/4; 0 1/2; 0 1/2 1/4 -> 0 1/2 0 1/2
                 W22AdaptiveHeunEuler | error always 0 | name promises step-size control | rk HEUN
+                CashKarp | loops at NaN | NaN on purpose, and the step does not come back, an endless loop: end a loop \
+                | pair CASH_KARP CASH_KARP5 -> CASH_KARP4 : 1e-5 5 loops-at-NaN
                 DormandPrince | sign of the exponent | endless loop | pair DOPRI DOPRI5 -> DOPRI4 : 1e-9 -5
                 AdaptiveRK | last sub-step not cut | last sub-step has to be cut \
                 | pair DOPRI DOPRI5 -> DOPRI4 : 1e-8 5 uncut

@@ -1,4 +1,4 @@
-package particles.teaching.solvers;
+package particles.teaching.contract;
 
 import java.util.Locale;
 import java.util.Map;
@@ -8,8 +8,8 @@ import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.Formula;
 
-/** The phrase book of the check: the sentences for mistakes, with the kind of each. */
-enum Phrase {
+/** The phrase book of the check: the sentences for mistakes and notes, with the kind of each. */
+public enum Phrase {
     NOTHING_YET, NOT_FINITE, EXCEPTION, NOT_REPEATABLE, CLOCK_STILL, CLOCK_FIXED, CLOCK_NEW_TIME, CLOCK_BACK,
     CLOCK_ENDS, STAGE_TIMES, TIME_OF_STAGE, REJECTED_CLOCK, STAGE_CLOCKS, NO_DERIVATIVE,
     ARRAY_LENGTH, ODD_SIZE, NEVER_SET, LEFT_AT_TRIAL, SET_TOO_EARLY, OLD_STATE,
@@ -17,7 +17,9 @@ enum Phrase {
     DIFFERS, CHANGED, PARTS, WEIGHTS_SUM, LOW_ORDER, OTHER_STEPS, CONTRADICTS, EXPLICIT, ROUNDS, OLD_VELOCITY,
     NEW_VELOCITY, NOTHING_EARLIER, NO_CONTROL, NAME_ORDER, EQUATION, EQUATION_TIME, LOOSE, STALE,
     TOO_OLD, ADAMS_START, UNSTABLE, UNCONTROLLED, LARGEST_ERROR, ABSOLUTE_ERROR, ELSEWHERE,
-    LAYOUT, ADDS, NO_CONVERGENCE, UNUSED;
+    LAYOUT, ADDS, NO_CONVERGENCE, UNUSED, USES_STEPS_BEFORE, KEPT_ARRAY, KEPT_DERIVATIVE, KEPT_SOMETHING, OTHER_SOURCE,
+    STATIC, DELTA_T_CHANGES, DELTA_T_KEPT, CLOCK_IGNORED, SIZE_FAILS, SIZE_UNLIKE, NOTHING_BACK, LOOPS, MOVES_AT_ZERO,
+    NAN_AT_ZERO, SWALLOWS, FOR_PARTICLES, REFUSES_BACK, REFUSES_ZERO, LEFT_WITHIN, NAN_UNNOTICED, NAN_UNSAID;
 
     private static final String BOOK = """
             # the class
@@ -135,19 +137,61 @@ enum Phrase {
                 source does not say. Forces, such as gravity, belong to the source
             method NO_CONVERGENCE: the error does not go to 0 with deltaT: it is still %s with deltaT \
                 = %s s. Check that each evaluation is at its own state and time, and that the weights add up to 1
+            # memory
+            state USES_STEPS_BEFORE: %s and the step afterwards still uses the steps before it. FORGET
+            state KEPT_ARRAY: %s and the step afterwards does not start there: an array is kept from the step before. \
+                getState has to be called in every step, and the arrays filled anew
+            state KEPT_DERIVATIVE: %s and the step afterwards begins with a derivative that was kept from the step \
+                before, as none is asked for at the new state. It may be kept only while state and time are what the \
+                last step left
+            state KEPT_SOMETHING: %s and the step afterwards is not the one that a new solver makes: something is \
+                kept from the step before. FORGET
+            state OTHER_SOURCE: the solver stepped a source of %s numbers and then one of %s, and %s
+            state STATIC: two solvers of this class step in turn, each its own source, and one disturbs the other: \
+                something is static, and shared by all of them
+            state DELTA_T_CHANGES: deltaT changes from one step to the next, and the step is not the one that a new \
+                solver makes with it. FORGET
+            state DELTA_T_KEPT: deltaT changes from one step to the next, and the step is not the one that a new \
+                solver makes with it: deltaT of an earlier step is kept. It is an argument of each call, and may \
+                differ in each
+            style CLOCK_IGNORED: what is remembered of earlier steps is used although the clock was set from outside: \
+                compare source.getTime() as well, since forces may depend on the time
+            # every source, every deltaT
+            state SIZE_FAILS: with a source of %s numbers, stepState ends in %s: %s
+            state SIZE_UNLIKE: with a source of %s numbers, entry %s of a state is %s and entry %s is %s, though all \
+                particles are alike: %s
+            state NOTHING_BACK: a step of negative deltaT does nothing, and says nothing: step backwards, or throw an \
+                exception that says why not
+            failure LOOPS: %s does not come back, an endless loop: %s
+            state MOVES_AT_ZERO: a step of deltaT = 0 moves the state by %s; it has to change nothing
+            state NAN_AT_ZERO: a step of deltaT = 0 makes the state NaN or infinite; it has to change nothing. Is \
+                something divided by deltaT?
+            state SWALLOWS: the source threw an exception, and stepState returned as if nothing had happened: do not \
+                catch it, so that the caller learns of it
             # style
             style UNUSED: an evaluation of the step enters nothing, and could be left out
-            """.replaceAll(" +", " ");
+            style FOR_PARTICLES: it works on systems of positions and velocities only, such as particles, and refuses \
+                others
+            style REFUSES_BACK: it refuses a negative deltaT (%s)
+            style REFUSES_ZERO: it refuses deltaT = 0 (%s); the built-in solvers change nothing then
+            style LEFT_WITHIN: when the source fails within a step, state and time stay where they were then; \
+                deSolvers.FixedStepSolver puts them back
+            style NAN_UNNOTICED: this check made the derivative NaN on purpose, and the NaN goes unnoticed into the \
+                state; deSolvers.FixedStepSolver reports it
+            style NAN_UNSAID: this check made the derivative NaN on purpose, and the exception that the solver throws \
+                says nothing
+            """.replaceAll(" +", " ").replace("FORGET", "What is remembered of earlier steps may be used only while"
+            + " source, time, state and deltaT are what the last step left, and has to be forgotten in reset()");
     private static final Map<String, String[]> TEXTS = BOOK.lines().filter(line -> !line.startsWith("#"))
             .map(line -> line.split(" ", 3)).collect(Collectors.toMap(parts -> parts[1], parts -> parts));
 
     /** @return the finding if something holds */
-    Optional<Finding> when(boolean holds, Object... values) {
+    public Optional<Finding> when(boolean holds, Object... values) {
         return holds ? Optional.of(of(values)) : Optional.empty();
     }
 
     /** @return the finding; numbers with a fraction are written as people do */
-    Finding of(Object... values) {
+    public Finding of(Object... values) {
         String[] parts = TEXTS.get(name() + ":");
         return new Finding(Kind.valueOf(parts[0].toUpperCase(Locale.ROOT)), Formula.text(parts[2], values));
     }
