@@ -129,7 +129,7 @@ class ArchitectureTest {
                                            particles.view java.awt
             particles.output.raster:       particles.law particles.output.text particles.view java.awt
             particles.output.report:       particles.output.charts particles.output.files particles.output.text
-                                           particles.view java.awt javax.imageio
+                                           particles.view java.awt javax.imageio com.samskivert
             particles.output.text:         deSolvers.text particles.output.files particles.view java.awt org.jfree
             particles.reactions:           deSolvers deSolvers.text particles particles.law
                                            particles.reactions.algebra particles.reactions.contact

@@ -10,7 +10,6 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.app.cli.ResultsCommand;
@@ -36,11 +35,14 @@ public final class SheetsCommand extends ResultsCommand {
     private static final int BYTES = 8;
     private static final String PAGE = """
             <!DOCTYPE html>
-            <html lang="en"><head><meta charset="utf-8"/><title>Exercises for %1$s</title>
+            <html lang="en"><head><meta charset="utf-8"/><title>Exercises for {{student}}</title>
             <style>body { max-width: 45em; margin: 2em auto; font: 12pt serif } p { white-space: pre-wrap }
-            section { break-inside: avoid }</style></head><body><h1>Exercises for %1$s</h1>
+            section { break-inside: avoid }</style></head><body><h1>Exercises for {{student}}</h1>
+            {{#parts}}
+            <section><h2>{{number}}. {{title}}</h2><p>{{text}}</p></section>
+            {{/parts}}
+            </body></html>
             """;
-    private static final String PART = "<section><h2>%s. %s</h2><p>%s</p></section>\n";
 
     @Option(names = "--students", paramLabel = "FILE", required = true,
             description = "A CSV file with a header; the first cell of each line is an id.")
@@ -67,9 +69,9 @@ public final class SheetsCommand extends ResultsCommand {
                         number)))).toList());
                 sheet++;
                 files.write("sheet-" + sheet + "-" + student.replaceAll("[^\\w-]", "_") + ".html",
-                        Html.fill(PAGE, student) + wanted.keySet().stream().map(number -> Html.fill(PART, number,
-                        Exercises.all().get(number - 1).title(), Exercises.all().get(number - 1).text(new Draw(
-                        secrets.get(number), number)))).collect(Collectors.joining()) + "</body></html>\n");
+                        Html.fill(PAGE, Map.of("student", student, "parts", wanted.keySet().stream().map(number ->
+                        Map.of("number", number, "title", Exercises.all().get(number - 1).title(), "text",
+                        Exercises.all().get(number - 1).text(new Draw(secrets.get(number), number)))).toList())));
             }
             List<String> lines = new ArrayList<>(List.of(HEAD));
             keys.values().forEach(cells -> lines.add(String.join(",", cells)));

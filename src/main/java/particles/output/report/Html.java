@@ -1,15 +1,29 @@
 package particles.output.report;
 
-import java.util.Arrays;
-import java.util.HashSet;
-import java.util.Set;
+import com.samskivert.mustache.DefaultCollector;
+import com.samskivert.mustache.Mustache;
+import java.util.Iterator;
+import java.util.Optional;
+import particles.output.files.Numbers;
 
-/** Escapes text for HTML that is well-formed XML too. */
+/**
+ * Fills templates of pages: {@code {{name}}} stands for a text, and what is between {@code {{#name}}} and {@code
+ * {{/name}}} is repeated for each item of a list, or left out. Texts are escaped for HTML that is well-formed XML too.
+ */
 public final class Html {
     /** What XML 1.0 does not allow. */
     private static final String NO_CHARACTER = "[^\\t\\n\\r\\u0020-\\uD7FF\\uE000-\\uFFFD\\x{10000}-\\x{10FFFF}]";
+    static final Mustache.Compiler TEMPLATES = Mustache.compiler().withEscaper(Html::escaped)
+            .withFormatter(value -> value instanceof Double number ? Numbers.shortest(number) : value.toString())
+            .withCollector(new DefaultCollector() {
+                @Override
+                public Iterator<?> toIterator(Object value) {
+                    return value instanceof Optional<?> one ? one.stream().iterator() : super.toIterator(value);
+                }
+            });
 
-    private final Set<String> ids = new HashSet<>();
+    private Html() {
+    }
 
     /** @return the text with all characters replaced that are special or not allowed in HTML */
     static String escaped(String text) {
@@ -17,18 +31,12 @@ public final class Html {
                 .replace("\"", "&quot;");
     }
 
-    /** @return the template with these texts, escaped, in place of each %s */
-    public static String fill(String template, Object... texts) {
-        return template.formatted(Arrays.stream(texts).map(text -> escaped(text.toString())).toArray());
-    }
-
-    /** @return a name for an element, made of this text, that no other element of this page has */
-    String id(String text) {
-        String plain = text.replaceAll("[^A-Za-z0-9]+", "-").replaceAll("^(?![A-Za-z])", "n");
-        String id = plain;
-        for (int k = 2; !ids.add(id); k++) {
-            id = plain + "-" + k;
-        }
-        return id;
+    /**
+     * @param template a template
+     * @param model    a map or a record; its entries or components are the names in the template
+     * @return the page
+     */
+    public static String fill(String template, Object model) {
+        return TEMPLATES.compile(template).execute(model);
     }
 }

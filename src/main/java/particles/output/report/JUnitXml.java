@@ -1,12 +1,24 @@
 package particles.output.report;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 
 /** Writes results as JUnit XML reports, which autograders read. */
 public final class JUnitXml {
+    private static final String REPORT = """
+            <?xml version="1.0" encoding="UTF-8"?>
+            <testsuite name="{{suite}}" tests="{{cases.size}}" failures="{{failures}}" errors="0" skipped="0" time="0">
+            {{#cases}}
+              <testcase classname="{{owner}}" name="{{name}}" time="0">\
+            {{#failure}}<failure type="mark" message="{{.}}">{{text}}</failure>{{/failure}}\
+            {{^failure}}<system-out>{{text}}</system-out>{{/failure}}</testcase>
+            {{/cases}}
+            </testsuite>
+            """;
+
     private JUnitXml() {
     }
 
@@ -18,6 +30,9 @@ public final class JUnitXml {
      * @param details further comments in either case, a line each
      */
     public record Case(String name, Optional<String> failure, List<String> details) {
+        String text() {
+            return String.join("\n", details);
+        }
     }
 
     /**
@@ -30,18 +45,8 @@ public final class JUnitXml {
      * @throws OutputException if it cannot be written
      */
     public static void write(OutputFolder folder, String suite, String owner, List<Case> cases) {
-        StringBuilder xml = new StringBuilder(Html.fill("""
-                <?xml version="1.0" encoding="UTF-8"?>
-                <testsuite name="%s" tests="%s" failures="%s" errors="0" skipped="0" time="0">
-                """, suite, cases.size(), cases.stream().filter(c -> c.failure().isPresent()).count()));
-        for (Case result : cases) {
-            String details = String.join("\n", result.details());
-            xml.append(Html.fill("  <testcase classname=\"%s\" name=\"%s\" time=\"0\">", owner, result.name()))
-                    .append(result.failure().map(why -> Html.fill(
-                            "<failure type=\"mark\" message=\"%s\">%s</failure>", why, details))
-                            .orElseGet(() -> Html.fill("<system-out>%s</system-out>", details)))
-                    .append("</testcase>\n");
-        }
-        folder.write("TEST-" + suite + ".xml", xml + "</testsuite>\n");
+        long failures = cases.stream().filter(one -> one.failure().isPresent()).count();
+        folder.write("TEST-" + suite + ".xml", Html.fill(REPORT,
+                Map.of("suite", suite, "owner", owner, "failures", failures, "cases", cases)));
     }
 }

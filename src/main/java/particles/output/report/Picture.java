@@ -106,6 +106,17 @@ public record Picture(String name, String caption, String title, List<Panel> pan
         return panels.isEmpty() && drawn.isEmpty() ? name : name + ChartWriter.PNG;
     }
 
+    /** @return its look on a page: as any chart, or as one that moves, or that has many parts */
+    Optional<String> look() {
+        return type().equals("gif") ? Optional.of("animation")
+                : panels.size() > 1 ? Optional.of("whole") : Optional.empty();
+    }
+
+    /** @return the type of its file, png or gif */
+    String type() {
+        return file().substring(file().lastIndexOf('.') + 1);
+    }
+
     List<ChartData> data() {
         return panels.stream().flatMap(panel -> panel.charts().stream()).toList();
     }

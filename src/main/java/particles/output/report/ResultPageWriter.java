@@ -1,7 +1,9 @@
 package particles.output.report;
 
+import com.samskivert.mustache.Template;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import particles.output.charts.ChartFormat;
@@ -20,6 +22,38 @@ import particles.view.DataTable;
 public final class ResultPageWriter {
     /** A table with more rows is only written as CSV. */
     private static final int MOST_ROWS = 100;
+    private static final String PAGE = """
+            # {{{title}}}
+            {{#text}}
+
+            {{{.}}}
+            {{/text}}
+            {{#pictures}}
+
+            ![{{{caption}}}]({{file}})
+
+            {{{caption}}}{{^data.isEmpty}} Its numbers: [{{name}}.csv]({{name}}.csv).{{/data.isEmpty}}
+            {{/pictures}}
+            {{#tables}}
+
+            ## {{{table.title}}}
+
+            {{#long}}
+            All {{rows.size}} rows: [{{table.name}}.csv]({{table.name}}.csv).
+            {{/long}}
+            {{^long}}
+            |{{#heads}} {{text}} |{{/heads}}
+            |{{#heads}} ---{{#number}}:{{/number}} |{{/heads}}
+            {{#rows}}
+            |{{#.}} {{text}} |{{/.}}
+            {{/rows}}
+
+            With all digits: [{{table.name}}.csv]({{table.name}}.csv).
+            {{/long}}
+            {{/tables}}
+            """;
+
+    private static final Template MARKDOWN = Html.TEMPLATES.withEscaper(text -> text.replace("|", "\\|")).compile(PAGE);
 
     private ResultPageWriter() {
     }
@@ -46,31 +80,10 @@ public final class ResultPageWriter {
         for (DataTable table : page.tables()) {
             writeLines(folder, table.name() + ".csv", TableText.csv(table));
         }
-        writeLines(folder, page.name() + ".md", markdown(laidOut));
+        folder.write(page.name() + ".md", MARKDOWN.execute(Map.of("title", page.title(), "text", page.text(),
+                "pictures", laidOut.pictures(), "tables", page.tables().stream()
+                .map(table -> new TableView(table, MOST_ROWS)).toList())));
         return laidOut;
-    }
-
-    private static List<String> markdown(ResultPage page) {
-        List<String> lines = new ArrayList<>(List.of("# " + page.title()));
-        for (String paragraph : page.text()) {
-            lines.addAll(List.of("", paragraph));
-        }
-        for (Picture picture : page.pictures()) {
-            lines.addAll(List.of("", "![" + picture.caption() + "](" + picture.file() + ")", "", picture.caption()
-                    + (picture.data().isEmpty() ? "" : " Its numbers: [%1$s.csv](%1$s.csv)."
-                            .formatted(picture.name()))));
-        }
-        for (DataTable table : page.tables()) {
-            lines.addAll(List.of("", "## " + table.title(), ""));
-            String link = "[" + table.name() + ".csv](" + table.name() + ".csv).";
-            if (table.rows().size() > MOST_ROWS) {
-                lines.add("All " + table.rows().size() + " rows: " + link);
-            } else {
-                lines.addAll(TableText.markdown(table));
-                lines.addAll(List.of("", "With all digits: " + link));
-            }
-        }
-        return lines;
     }
 
     /** The lines of a CSV file with the points of all series below each other. */

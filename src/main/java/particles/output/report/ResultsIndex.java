@@ -8,6 +8,9 @@ import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
@@ -16,16 +19,51 @@ import particles.output.files.OutputFolder;
 public final class ResultsIndex {
     /** The name of the page, in the folder that holds the others. */
     public static final String FILE = "index.html";
-    private static final String STYLE = """
+    private static final String PAGE = """
+            <!DOCTYPE html>
+            <html lang="en">
+            <head>
+            <meta charset="utf-8"/>
+            <meta name="viewport" content="width=device-width, initial-scale=1"/>
+            <title>Results</title>
+            <style>
             body { margin: 0 auto; padding: 1rem; max-width: 76rem; font: 1rem/1.5 system-ui, sans-serif; }
             main { display: grid; grid-template-columns: repeat(auto-fill, minmax(17rem, 1fr)); gap: 1.2rem; }
             figure { margin: 0; }
             img { width: 100%; height: 12rem; object-fit: contain; background: #f3f4f7; }
             figcaption { font-size: 0.9rem; overflow-wrap: anywhere; }
+            </style>
+            </head>
+            <body>
+            <h1>Results</h1>
+            <main>
+            {{#entries}}
+            <figure>{{#picture}}<a href="{{link}}"><img loading="lazy" alt="" src="{{link}}"/></a>{{/picture}}\
+            <figcaption><strong>{{folder}}</strong>{{#pages}} <a href="{{link}}">{{file}}</a>{{/pages}}\
+            </figcaption></figure>
+            {{/entries}}
+            </main>
+            </body>
+            </html>
             """;
 
     /** The results in a folder: its files, the most interesting first, and their time. */
     private record Entry(String folder, List<String> files, FileTime made) {
+        Optional<Link> picture() {
+            return links(ResultsIndex::isPicture).findFirst();
+        }
+
+        List<Link> pages() {
+            return links(file -> file.contains(".") && !file.contains("/") && !file.endsWith(".csv")).toList();
+        }
+
+        private Stream<Link> links(Predicate<String> which) {
+            return files.stream().filter(which).map(file -> new Link(file,
+                    Path.of("/").resolve(folder).resolve(file).toUri().getRawPath().substring(1)));
+        }
+    }
+
+    private record Link(String file, String link) {
     }
 
     private ResultsIndex() {
@@ -46,7 +84,7 @@ public final class ResultsIndex {
                 return;
             }
             Path part = Files.createTempFile(results, ".index", ".part");       // two programs may write at once
-            Files.writeString(part, html(entries));
+            Files.writeString(part, Html.fill(PAGE, Map.of("entries", entries)));
             Files.move(part, page, StandardCopyOption.ATOMIC_MOVE);
         } catch (IOException e) {
             throw new OutputException(page, "write", e);
@@ -83,36 +121,4 @@ public final class ResultsIndex {
         return file.endsWith(".gif") || file.endsWith(".png");
     }
 
-    private static String html(List<Entry> entries) {
-        StringBuilder html = new StringBuilder("""
-                <!DOCTYPE html>
-                <html lang="en">
-                <head>
-                <meta charset="utf-8"/>
-                <meta name="viewport" content="width=device-width, initial-scale=1"/>
-                <title>Results</title>
-                <style>
-                """ + STYLE + """
-                </style>
-                </head>
-                <body>
-                <h1>Results</h1>
-                <main>
-                """);
-        for (Entry entry : entries) {
-            html.append("<figure>");
-            entry.files().stream().filter(ResultsIndex::isPicture).findFirst().map(file -> link(entry, file))
-                    .ifPresent(link -> html.append(Html.fill(
-                            "<a href=\"%s\"><img loading=\"lazy\" alt=\"\" src=\"%s\"/></a>", link, link)));
-            html.append(Html.fill("<figcaption><strong>%s</strong>", entry.folder()));
-            entry.files().stream().filter(file -> file.contains(".") && !file.contains("/") && !file.endsWith(".csv"))
-                    .forEach(file -> html.append(Html.fill(" <a href=\"%s\">%s</a>", link(entry, file), file)));
-            html.append("</figcaption></figure>\n");
-        }
-        return html.append("</main>\n</body>\n</html>\n").toString();
-    }
-
-    private static String link(Entry entry, String file) {
-        return Path.of("/").resolve(entry.folder()).resolve(file).toUri().getRawPath().substring(1);
-    }
 }

@@ -4,9 +4,11 @@ import deSolvers.text.Digits;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import particles.output.files.Numbers;
 import particles.output.files.TrajectoryWriter;
 import particles.view.DataTable;
@@ -24,44 +26,18 @@ public final class TableText {
      * @return its lines: columns below each other, numbers to the right
      */
     public static List<String> plain(DataTable table) {
-        List<List<String>> cells = cells(table);
-        int[] widths = new int[table.columns().size()];
-        for (List<String> row : cells) {
-            for (int c = 0; c < widths.length; c++) {
-                widths[c] = Math.max(widths[c], row.get(c).length());
+        List<String> lines = new ArrayList<>(Collections.nCopies(table.rows().size() + 1, ""));
+        for (int c = 0; c < table.columns().size(); c++) {
+            int column = c;
+            List<String> cells = Stream.concat(Stream.of(table.columns().get(c).name()),
+                    table.rows().stream().map(row -> text(table, row, column))).toList();
+            int width = cells.stream().mapToInt(String::length).max().orElse(0);
+            String format = (c == 0 ? "%s" : "%s  ") + (isNumbers(table, c) ? "%" : "%-") + width + "s";
+            for (int r = 0; r < cells.size(); r++) {
+                lines.set(r, format.formatted(lines.get(r), cells.get(r)));
             }
         }
-        List<String> lines = new ArrayList<>();
-        for (int r = 0; r < cells.size(); r++) {
-            StringBuilder line = new StringBuilder();
-            for (int c = 0; c < widths.length; c++) {
-                String cell = cells.get(r).get(c);
-                String gap = " ".repeat(widths[c] - cell.length());
-                line.append(c == 0 ? "" : "  ").append(isNumbers(table, c) ? gap + cell : cell + gap);
-            }
-            lines.add(line.toString().stripTrailing());
-        }
-        return lines;
-    }
-
-    /**
-     * @param table a table
-     * @return its lines in Markdown
-     */
-    public static List<String> markdown(DataTable table) {
-        List<List<String>> cells = cells(table);
-        List<String> lines = new ArrayList<>();
-        for (List<String> row : cells) {
-            lines.add(row.stream().map(cell -> cell.replace("|", "\\|")).collect(Collectors.joining(" | ", "| ",
-                    " |")));
-            if (lines.size() == 1) {
-                StringBuilder rule = new StringBuilder("|");
-                for (int c = 0; c < row.size(); c++) {
-                    rule.append(isNumbers(table, c) ? " ---: |" : " --- |");
-                }
-                lines.add(rule.toString());
-            }
-        }
+        lines.replaceAll(String::stripTrailing);
         return lines;
     }
 
@@ -78,28 +54,15 @@ public final class TableText {
         return cells.stream().map(text).map(TrajectoryWriter::quoted).collect(Collectors.joining(","));
     }
 
-    /** @return the header, then the rows, as people read them */
-    public static List<List<String>> cells(DataTable table) {
-        List<List<String>> cells = new ArrayList<>();
-        cells.add(table.columns().stream().map(DataTable.Column::name).toList());
-        for (List<Object> row : table.rows()) {
-            List<String> texts = new ArrayList<>();
-            for (int c = 0; c < row.size(); c++) {
-                texts.add(text(row.get(c), table.columns().get(c).digits()));
-            }
-            cells.add(texts);
-        }
-        return cells;
-    }
-
     /** @return whether all cells of a column are numbers */
     public static boolean isNumbers(DataTable table, int column) {
         return table.rows().stream().anyMatch(row -> row.get(column) instanceof Number);
     }
 
-    private static String text(Object cell, int digits) {
-        if (!(cell instanceof Double value)) {
-            return cell.toString();
+    /** @return a row's cell in a column, as people read it */
+    public static String text(DataTable table, List<Object> row, int column) {
+        if (!(row.get(column) instanceof Double value)) {
+            return row.get(column).toString();
         }
         if (value.isNaN()) {
             return "\u2013";
@@ -107,6 +70,6 @@ public final class TableText {
         if (value.isInfinite()) {
             return value > 0 ? "\u221e" : "\u2212\u221e";
         }
-        return Digits.exact(BigDecimal.valueOf(value).round(new MathContext(digits)));
+        return Digits.exact(BigDecimal.valueOf(value).round(new MathContext(table.columns().get(column).digits())));
     }
 }

@@ -97,8 +97,9 @@ class HeadlineTest {
      * which a table needs to compare with theory, the headline has the first three or more.
      */
     private static List<String> otherDigits(ResultPage page) {
-        List<String> cells = page.tables().stream().flatMap(table -> TableText.cells(table).stream().skip(1))
-                .flatMap(List::stream).filter(cell -> cell.matches(NUMBER)).toList();
+        List<String> cells = page.tables().stream().flatMap(table -> table.rows().stream().flatMap(row ->
+                IntStream.range(0, row.size()).mapToObj(c -> TableText.text(table, row, c))))
+                .filter(cell -> cell.matches(NUMBER)).toList();
         return Stream.concat(Stream.of(page.title()), page.pictures().stream().map(Picture::title))
                 .flatMap(title -> Pattern.compile("(?<![\\w^.-])" + NUMBER + "(?![\\w^])").matcher(title).results())
                 .map(MatchResult::group).distinct().filter(said -> cells.stream().anyMatch(cell ->

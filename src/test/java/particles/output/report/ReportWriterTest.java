@@ -60,7 +60,7 @@ class ReportWriterTest {
     void write() throws IOException, SAXException, ParserConfigurationException {
         ChartData chart = new ChartData("falls", "time (s)", "height (m)", false, false,
                 List.of(new Series("ball", Mark.LINE, new double[] {0, 0.5}, new double[] {1, -0.25})));
-        DataTable many = new DataTable("cost", "All", List.of(DataTable.column("n")),
+        DataTable many = new DataTable("costs", "All", List.of(DataTable.column("n")),
                 Collections.nCopies(200, List.of((Object) 7)));
         ResultPage fall = new ResultPage("fall", NASTY, List.of("First.", NASTY),
                 List.of(Picture.of("height", NASTY, Panel.chart(chart)), Picture.made("animation.gif", "It moves.")),
@@ -220,7 +220,7 @@ class ReportWriterTest {
         assertEquals(2, all(section, "h3").size(), "the short table's stands alone");
         Element note = all(section, "p").stream().filter(p -> p.getAttribute("class").equals("printed")).findFirst()
                 .orElseThrow();
-        assertEquals("Not printed: All; 200 rows, in cost.csv.", note.getTextContent());
+        assertEquals("Not printed: All; 200 rows, in costs.csv.", note.getTextContent());
         String print = ReportStyle.CSS.substring(ReportStyle.CSS.indexOf("@media print"));
         assertHas(print, ".folded { display: none; }", ".printed { display: block; }");
     }

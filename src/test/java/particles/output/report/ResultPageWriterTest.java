@@ -36,9 +36,6 @@ class ResultPageWriterTest {
                 TableText.csv(TABLE));
         assertEquals(List.of("solver      error (m)  evaluations", "rk4, \"old\"   1.235e-7          400",
                 "a|b                 \u2013     12345678"), TableText.plain(TABLE));
-        assertEquals(List.of("| solver | error (m) | evaluations |", "| --- | ---: | ---: |",
-                "| rk4, \"old\" | 1.235e-7 | 400 |",
-                "| a\\|b | \u2013 | 12345678 |"), TableText.markdown(TABLE));
     }
 
     @Test
@@ -85,7 +82,12 @@ class ResultPageWriterTest {
         assertEquals(TableText.csv(TABLE), Files.readAllLines(made.resolve("cost.csv")));
         String text = Files.readString(made.resolve("fall.md"));
         assertStarts(text, "# It falls\n\nAs all does.\n\n![Height over time.](height.png)\n");
-        assertHas(text, "| rk4, \"old\" | 1.235e-7 | 400 |");
+        assertHas(text, """
+                | solver | error (m) | evaluations |
+                | --- | ---: | ---: |
+                | rk4, "old" | 1.235e-7 | 400 |
+                | a\\|b | \u2013 | 12345678 |
+                """);
         assertTrue(Files.size(made.resolve("height.png")) > 1000 && Files.size(made.resolve("both.png")) > 1000);
     }
 
