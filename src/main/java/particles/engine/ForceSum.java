@@ -56,9 +56,8 @@ public final class ForceSum {
         return others;
     }
 
-    /** Sets a parallel evaluation, used when it pays; closes the previous one. */
+    /** Sets a parallel evaluation, used when it pays. */
     public void setParallel(Optional<ParallelDerivative> other) {
-        parallel.ifPresent(ParallelDerivative::close);
         parallel = other;
     }
 

@@ -2,6 +2,9 @@ package particles.threads;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.RecursiveAction;
+import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.engine.ForceSum;
 import particles.engine.ParallelDerivative;
@@ -22,29 +25,47 @@ public final class ParallelForces implements ParallelDerivative {
     private final ForceSum forces;
     private final Particles particles;
     private final long paysFrom;
-    private final Workers workers;
+    private final int threads;
+    private final Part[] parts;                         // all but the caller's
     private double[] state;
     private double time;
     private double[] dSdt;
     private DivisibleEffect divisible;
     private int blocks;
-    private final Workers.Work beginning = this::beginRange;
-    private final Workers.Work beginningByBlocks = this::beginBlocks;
-    private final Workers.Work middle = this::addBlocks;
-    private final Workers.Work end = this::finishRange;
+    private final IntConsumer beginning = this::beginRange;
+    private final IntConsumer beginningByBlocks = this::beginBlocks;
+    private final IntConsumer middle = this::addBlocks;
+    private final IntConsumer end = this::finishRange;
+    private IntConsumer work;                           // one of these
+
+    /** A thread's part of the work, made once, since a step allocates nothing. */
+    private final class Part extends RecursiveAction {
+        private static final long serialVersionUID = 1L;
+        private final int part;
+
+        Part(int part) {
+            this.part = part;
+        }
+
+        @Override
+        protected void compute() {
+            work.accept(part);
+        }
+    }
 
     private ParallelForces(ForceSum forces, Particles particles, int threads, long paysFrom) {
         this.forces = forces;
         this.particles = particles;
         this.paysFrom = paysFrom;
-        workers = new Workers(threads);
+        this.threads = threads;
+        parts = IntStream.range(1, threads).mapToObj(Part::new).toArray(Part[]::new);
     }
 
     /**
      * Lets several threads evaluate the forces of a system if it has enough of them.
      *
      * @param system the system
-     * @param threads the number of threads, including the caller's; 1 ends all others
+     * @param threads the number of threads, including the caller's
      */
     public static void use(ParticleSystem system, int threads) {
         use(system, threads, PAYS_FROM);
@@ -76,24 +97,46 @@ public final class ParallelForces implements ParallelDerivative {
         this.dSdt = dSdt;
         List<Effect> others = forces.getOthers();
         int next = 0;
-        if (!others.isEmpty() && takeUp(others.get(0), workers.count())) {
-            workers.run(beginningByBlocks);             // saves one barrier
+        if (!others.isEmpty() && takeUp(others.get(0), threads)) {
+            run(beginningByBlocks);             // saves one barrier
             addJoints(NOBODY);
             next = 1;
         } else {
-            workers.run(beginning);
+            run(beginning);
         }
         for (int e = next; e < others.size(); e++) {
             Effect effect = others.get(e);
             if (takeUp(effect, 2)) {
-                workers.run(middle);
+                run(middle);
                 addJoints(NOBODY);
             } else {
                 effect.addForces(state, time, dSdt);
             }
         }
         forces.addReactions(state, time, dSdt);
-        workers.run(end);
+        run(end);
+    }
+
+    /**
+     * Runs all parts, part 0 in this thread, which also runs those that no other thread of the common pool has begun.
+     * An exception of any part is thrown when all have ended.
+     */
+    private void run(IntConsumer task) {
+        work = task;
+        for (Part part : parts) {
+            part.reinitialize();
+            part.fork();
+        }
+        try {
+            work.accept(0);
+        } finally {
+            for (int p = parts.length - 1; p >= 0; p--) {
+                parts[p].quietlyJoin();
+            }
+        }
+        for (Part part : parts) {
+            part.join();
+        }
     }
 
     /** Makes the effect the one whose blocks are evaluated next; returns false if it has too few blocks. */
@@ -107,20 +150,20 @@ public final class ParallelForces implements ParallelDerivative {
         return blocks >= fewest;
     }
 
-    private void beginRange(int part, int parts) {
+    private void beginRange(int part) {
         int n = particles.count();
-        forces.begin(state, time, dSdt, cut(n, part, parts), cut(n, part + 1, parts));
+        forces.begin(state, time, dSdt, cut(n, part), cut(n, part + 1));
     }
 
-    private void beginBlocks(int part, int parts) {
-        forces.begin(state, time, dSdt, divisible.getFirstParticle(cut(blocks, part, parts)),
-                divisible.getFirstParticle(cut(blocks, part + 1, parts)));
-        addBlocks(part, parts);
+    private void beginBlocks(int part) {
+        forces.begin(state, time, dSdt, divisible.getFirstParticle(cut(blocks, part)),
+                divisible.getFirstParticle(cut(blocks, part + 1)));
+        addBlocks(part);
     }
 
     /** Adds a thread's blocks and the joints between them. */
-    private void addBlocks(int part, int parts) {
-        for (int block = cut(blocks, part, parts); block < cut(blocks, part + 1, parts); block++) {
+    private void addBlocks(int part) {
+        for (int block = cut(blocks, part); block < cut(blocks, part + 1); block++) {
             divisible.addPart(block, state, time, dSdt);
         }
         addJoints(part);
@@ -142,21 +185,16 @@ public final class ParallelForces implements ParallelDerivative {
 
     /** The part that a block belongs to, the inverse of {@link #cut}. */
     private int partOf(int block) {
-        return ((block + 1) * workers.count() - 1) / blocks;
+        return ((block + 1) * threads - 1) / blocks;
     }
 
-    private void finishRange(int part, int parts) {
+    private void finishRange(int part) {
         int n = particles.count();
-        forces.finish(dSdt, cut(n, part, parts), cut(n, part + 1, parts));
+        forces.finish(dSdt, cut(n, part), cut(n, part + 1));
     }
 
     /** The first item of a part. */
-    private static int cut(int all, int part, int parts) {
-        return (int) ((long) all * part / parts);
-    }
-
-    @Override
-    public void close() {
-        workers.close();
+    private int cut(int all, int part) {
+        return (int) ((long) all * part / threads);
     }
 }

@@ -24,7 +24,7 @@ public final class ThreadWitness implements PerParticleEffect {
     @Override
     public void addForces(double[] state, double time, double[] force, int from, int to) {
         String thread = Thread.currentThread().getName();
-        if (thread.startsWith("forces-") && !said.getAndSet(true)) {
+        if (thread.startsWith("ForkJoinPool") && !said.getAndSet(true)) {
             System.out.println(HELPED + " " + thread);
         }
     }

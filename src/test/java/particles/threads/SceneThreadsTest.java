@@ -59,12 +59,8 @@ class SceneThreadsTest {
         Witness witness = new Witness();
         scene.system().addEffect(witness);
         ParallelForces.use(scene.system(), threads, 0);
-        try {
-            scene.simulation().run();
-        } finally {
-            ParallelForces.use(scene.system(), 1);
-        }
-        helpers[0] = (int) witness.threads.stream().filter(name -> name.startsWith("forces-")).count();
+        scene.simulation().run();
+        helpers[0] = (int) witness.threads.stream().filter(name -> name.startsWith("ForkJoinPool")).count();
         double[] state = Arrays.copyOf(scene.system().getOwnState(), scene.system().getStateSize() + 1);
         state[state.length - 1] = scene.system().getTime();
         return state;
@@ -82,7 +78,7 @@ class SceneThreadsTest {
             for (int threads = 2; threads <= 3; threads++) {
                 double[] together = run(description, threads, STEPS, helpers);
                 assertTrue(Arrays.equals(alone, together), file + " with " + threads + " threads");
-                shared += helpers[0] == threads - 1 ? 1 : 0;
+                shared += helpers[0] > 0 ? 1 : 0;
                 scenes++;
             }
             assertNotEquals(0, Arrays.compare(alone, run(description, 1, STEPS / 2, helpers)), file.toString());

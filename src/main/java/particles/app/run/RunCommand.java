@@ -229,8 +229,6 @@ public final class RunCommand extends ResultsCommand {
         } catch (StoppedException e) {
             return Optional.of(e.getMessage() + " at t = " + Digits.few(scene.system().getTime()) + " s of "
                     + Digits.few(description.duration()) + " s");
-        } finally {
-            ParallelForces.use(scene.system(), 1);
         }
     }
 }
