@@ -94,7 +94,7 @@ public final class ForceJacobian {
             Arrays.fill(force, 0);
             return;
         }
-        double delta = DenseJacobian.ROOT_EPSILON * size / length;
+        double delta = DenseSystem.ROOT_EPSILON * size / length;
         for (int i = 0; i < force.length; i++) {
             varied[place(i)] = base[place(i)] + delta * x[i];
             varied[place(i) + 3] = base[place(i) + 3] + delta * v[i];

@@ -13,9 +13,6 @@ final class NewtonUpdate {
     private static final double ROUND_OFF = 2 * Math.ulp(1.0);
     /** The round-off within f, beside that of the terms of its sums. */
     private static final double WITHIN = 100;
-    /** Of the largest unit. */
-    private static final double SMALLEST_UNIT = 1e-12;
-    private static final double SMALL_UNIT = 1e-3;
     private static final double SMALLEST_UNSCALED = 1e-100;
     private static final double LARGEST_UNSCALED = 1e100;
 
@@ -105,31 +102,6 @@ final class NewtonUpdate {
             }
         }
         return true;
-    }
-
-    /** The unit of each unknown: its size, plus the distance that it moves in h. */
-    static void units(double[] state, double[] slope, double h, double[] unit) {
-        double smallest = Double.MIN_NORMAL;
-        for (int i = 0; i < unit.length; i++) {
-            unit[i] = Math.abs(state[i]) + Math.abs(h * slope[i]);
-            smallest = Math.max(smallest, SMALLEST_UNIT * unit[i]);
-        }
-        for (int i = 0; i < unit.length; i++) {
-            unit[i] = Math.max(unit[i], smallest);
-        }
-    }
-
-    /**
-     * The scalar product of two vectors in such units, none of which counts as less than a thousandth of the largest.
-     */
-    static double product(double[] a, double[] b, double[] unit) {
-        double smallest = SMALL_UNIT * largest(unit);
-        double sum = 0;
-        for (int i = 0; i < unit.length; i++) {
-            double u = Math.max(unit[i], smallest);
-            sum += a[i] / u * (b[i] / u);
-        }
-        return sum;
     }
 
     /** The largest entry by its size; NaN if one is. */

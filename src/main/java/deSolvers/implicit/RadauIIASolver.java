@@ -114,10 +114,13 @@ public final class RadauIIASolver extends AdaptiveSolver {
         return ratio;
     }
 
-    /** (mu - h J) error = h f + e . z, divided by mu, in units of the tolerance. */
+    /**
+     * (mu - h J) error = h f - p'(0), divided by mu, in units of the tolerance: the derivative at the start against the
+     * slope of the collocation polynomial there.
+     */
     private double estimate(double[] state, double[] slope, double h, double[] newState) {
         for (int i = 0; i < state.length; i++) {
-            right[i] = (h * slope[i] + RadauTableau.error(z, i)) / RadauTableau.MU;
+            right[i] = (h * slope[i] - RadauTableau.polynomial(1, z, i)) / RadauTableau.MU;
         }
         boolean solved = jacobian.solve(right, error, RadauNewton.LINEAR_TOLERANCE);
         return solved ? getTolerance().ratio(error, state, newState) : Double.POSITIVE_INFINITY;

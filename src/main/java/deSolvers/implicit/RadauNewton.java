@@ -34,10 +34,9 @@ final class RadauNewton {
     private final double[][] split;                     // T^-1 f
     private final double[] trial;
     private final double[] right;
-    private final double[] correction;
-    private final double[] complexRight;
-    private final double[] complexCorrection;
-    private double[][] change;                          // of w: the last correction
+    private final double[][] complexRight;
+    private double[][] change;                          // of w: the last correction, one real and one complex vector
+    private final double[][] complexChange = new double[2][];
     private double[][] changeBefore;
     private final double[] magnitude;                   // how large each entry is within the sub-step
     private int iterations;
@@ -51,9 +50,7 @@ final class RadauNewton {
         split = new double[3][n];
         trial = new double[n];
         right = new double[n];
-        correction = new double[n];
-        complexRight = new double[2 * n];
-        complexCorrection = new double[2 * n];
+        complexRight = new double[2][n];
         change = new double[3][n];
         changeBefore = new double[3][n];
         magnitude = new double[n];
@@ -74,7 +71,11 @@ final class RadauNewton {
             if (!evaluate(source, state, offset, h, z) || !correct(source, jacobian, offset, h)) {
                 return false;
             }
-            take();
+            for (int i = 0; i < state.length; i++) {
+                for (int k = 0; k < 3; k++) {
+                    w[k][i] += change[k][i];
+                }
+            }
             RadauTableau.transform(false, w, z);
             measure(state, z);
             double size = size(change);
@@ -97,21 +98,6 @@ final class RadauNewton {
             }
         }
         return false;
-    }
-
-    /** Adds the correction to w. */
-    private void take() {
-        double[][] swap = changeBefore;
-        changeBefore = change;
-        change = swap;
-        for (int i = 0; i < correction.length; i++) {
-            change[0][i] = correction[i];
-            change[1][i] = complexCorrection[2 * i];
-            change[2][i] = complexCorrection[2 * i + 1];
-            for (int k = 0; k < 3; k++) {
-                w[k][i] += change[k][i];
-            }
-        }
     }
 
     /**
@@ -167,17 +153,22 @@ final class RadauNewton {
         return true;
     }
 
-    /** (mu - h J) correction = h (T^-1 f) - mu w, divided by mu, for the real and the complex variable. */
+    /** (mu - h J) change = h (T^-1 f) - mu w, divided by mu, for the real and the complex variable. */
     private boolean correct(StepTransaction source, ShiftedJacobian jacobian, double offset, double h) {
         RadauTableau.transform(true, f, split);
         source.setOffset(offset);                       // where the Jacobian is
         for (int i = 0; i < right.length; i++) {
             right[i] = h / MU * split[0][i] - w[0][i];
-            complexRight[2 * i] = h / MU_SQUARE * (MU_RE * split[1][i] + MU_IM * split[2][i]) - w[1][i];
-            complexRight[2 * i + 1] = h / MU_SQUARE * (MU_RE * split[2][i] - MU_IM * split[1][i]) - w[2][i];
+            complexRight[0][i] = h / MU_SQUARE * (MU_RE * split[1][i] + MU_IM * split[2][i]) - w[1][i];
+            complexRight[1][i] = h / MU_SQUARE * (MU_RE * split[2][i] - MU_IM * split[1][i]) - w[2][i];
         }
-        return jacobian.solve(right, correction, LINEAR_TOLERANCE)
-                && jacobian.solveComplex(complexRight, complexCorrection, LINEAR_TOLERANCE);
+        double[][] oldest = changeBefore;
+        changeBefore = change;
+        change = oldest;
+        complexChange[0] = change[1];
+        complexChange[1] = change[2];
+        return jacobian.solve(right, change[0], LINEAR_TOLERANCE)
+                && jacobian.solveComplex(complexRight, complexChange, LINEAR_TOLERANCE);
     }
 
     /** The number of iterations of the last solution. */

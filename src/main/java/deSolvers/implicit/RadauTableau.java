@@ -25,8 +25,6 @@ final class RadauTableau {
         {-4.17871859155190428, -0.32768282076106237, 0.47662355450055044},
         {0.50287263494578682, -2.57192694985560522, 0.59603920482822492}};
 
-    /** The weights of the stages in the error estimate. */
-    private static final double[] ERROR = {(-13 - 7 * S6) / 3, (-13 + 7 * S6) / 3, -1.0 / 3};
 
     /**
      * The collocation polynomial: the weight of each stage in the coefficients of u, u<sup>2</sup> and u<sup>3</sup>.
@@ -52,11 +50,6 @@ final class RadauTableau {
                 y[k][i] = matrix[k][0] * x[0][i] + matrix[k][1] * x[1][i] + matrix[k][2] * x[2][i];
             }
         }
-    }
-
-    /** The stages' part of the error estimate, for one entry. */
-    static double error(double[][] z, int i) {
-        return ERROR[0] * z[0][i] + ERROR[1] * z[1][i] + ERROR[2] * z[2][i];
     }
 
     /** The coefficient of u<sup>power</sup> of the collocation polynomial, power = 1, 2 or 3, for one entry. */

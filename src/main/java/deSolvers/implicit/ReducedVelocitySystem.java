@@ -27,22 +27,16 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
     private final ForceJacobian jacobian;
     private final ForceBlocks blocks;
     private final BlockSolver solver;
-    private final LinearOperator products = this::applyReal;
-    private final LinearOperator complex = this::applyComplex;
+    private final Shift real;
+    private final Shift complex;
+    private final double[][] realRight = new double[1][];
+    private final double[][] realSolution = new double[1][];
     private BlockMatrix matrix;
     private final int m;                                // 3 per particle
-    private final double[] realRight;
-    private final double[] realVelocities;
-    private final double[] right;                       // real parts first, then imaginary ones
-    private final double[] velocities;
-    private final double[] imaginaryForces;
     private final double[] partPositions;
     private final double[] partVelocities;
     private final double[] partForces;
     private StepTransaction source;
-    private double g;
-    private double gRe;
-    private double gIm;
 
     /** @param n the state's size */
     ReducedVelocitySystem(SolverWork work, int n) {
@@ -52,11 +46,8 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         solver = new BlockSolver(work);
         matrix = new BlockMatrix(blocks.getPattern(), work);
         m = n / 2;
-        realRight = new double[m];
-        realVelocities = new double[m];
-        right = new double[n];
-        velocities = new double[n];
-        imaginaryForces = new double[m];
+        real = new Shift(1);
+        complex = new Shift(2);
         partPositions = new double[m];
         partVelocities = new double[m];
         partForces = new double[m];
@@ -92,91 +83,101 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
 
     @Override
     public boolean prepare(double g) {
-        this.g = g;
-        return solver.prepare(matrix, jacobian.isExact() ? matrix : products, blocks.combine(g, matrix));
+        real.re = g;
+        return solver.prepare(matrix, jacobian.isExact() ? matrix : real, blocks.combine(g, matrix));
     }
 
     @Override
     public boolean prepareComplex(double gRe, double gIm) {
-        this.gRe = gRe;
-        this.gIm = gIm;
+        complex.re = gRe;
+        complex.im = gIm;
         return true;
     }
 
     @Override
     public boolean solve(double[] b, double[] x, double tolerance) {
-        stiffnessTimes(b, 1, 0, partForces);
-        for (int i = 0; i < m; i++) {
-            realRight[i] = blocks.mass(i / 3) * b[place(i) + 3] + g * partForces[i];
-        }
-        if (!solver.solve(realRight, realVelocities, tolerance)) {
-            return false;
-        }
-        for (int i = 0; i < m; i++) {
-            x[place(i)] = b[place(i)] + g * realVelocities[i];
-            x[place(i) + 3] = realVelocities[i];
-        }
-        return true;
+        realRight[0] = b;
+        realSolution[0] = x;
+        real.reduce(realRight);
+        return solver.solve(real.right, real.velocities, tolerance) && real.expand(realRight, realSolution);
     }
 
     @Override
-    public boolean solveComplex(double[] b, double[] x, double tolerance) {
-        stiffnessTimes(b, 2, 0, partForces);
-        stiffnessTimes(b, 2, 1, imaginaryForces);
-        for (int i = 0; i < m; i++) {
-            double mass = blocks.mass(i / 3);
-            right[i] = mass * b[2 * place(i) + 6] + gRe * partForces[i] - gIm * imaginaryForces[i];
-            right[m + i] = mass * b[2 * place(i) + 7] + gRe * imaginaryForces[i] + gIm * partForces[i];
-        }
-        if (!solver.solveComplex(complex, right, velocities, tolerance)) {
-            return false;
-        }
-        for (int i = 0; i < m; i++) {
-            int at = 2 * place(i);
-            x[at] = b[at] + gRe * velocities[i] - gIm * velocities[m + i];
-            x[at + 1] = b[at + 1] + gRe * velocities[m + i] + gIm * velocities[i];
-            x[at + 6] = velocities[i];
-            x[at + 7] = velocities[m + i];
-        }
-        return true;
+    public boolean solveComplex(double[][] b, double[][] x, double tolerance) {
+        complex.reduce(b);
+        return solver.solveComplex(complex, complex.right, complex.velocities, tolerance) && complex.expand(b, x);
     }
 
-    /** y = M v - g C v - g^2 K v, where the blocks are not the whole Jacobian. */
-    private void applyReal(double[] v, double[] y) {
-        for (int i = 0; i < m; i++) {
-            partVelocities[i] = g * v[i];
-            partPositions[i] = g * partVelocities[i];
-        }
-        jacobian.multiply(partPositions, partVelocities, y);
-        for (int i = 0; i < m; i++) {
-            y[i] = blocks.mass(i / 3) * v[i] - y[i];
-        }
-    }
+    /** The system for one g. A complex vector has all real parts first, then all imaginary ones. */
+    private final class Shift implements LinearOperator {
+        private double re;                              // of g
+        private double im;
+        private final double[] right;
+        private final double[] velocities;
+        private final double[][] forces;                // K b_x, for each part of b
 
-    /** The same with the complex g: K and C are real, and g makes real and imaginary parts act on each other. */
-    private void applyComplex(double[] v, double[] y) {
-        double squareRe = gRe * gRe - gIm * gIm;
-        double squareIm = 2 * gRe * gIm;
-        for (int half = 0; half < 2; half++) {
-            int other = half == 0 ? m : 0;
-            double sign = half == 0 ? -1 : 1;
-            for (int i = 0; i < m; i++) {
-                partVelocities[i] = gRe * v[half * m + i] + sign * gIm * v[other + i];
-                partPositions[i] = squareRe * v[half * m + i] + sign * squareIm * v[other + i];
+        /** @param parts 1 for a real g, 2 for a complex one */
+        Shift(int parts) {
+            right = new double[parts * m];
+            velocities = new double[parts * m];
+            forces = new double[parts][m];
+        }
+
+        /** right = M b_v + g K b_x. */
+        void reduce(double[][] b) {
+            for (int part = 0; part < b.length; part++) {
+                for (int i = 0; i < m; i++) {
+                    partPositions[i] = b[part][place(i)];
+                }
+                jacobian.multiply(partPositions, forces[part]);
             }
-            jacobian.multiply(partPositions, partVelocities, partForces);
-            for (int i = 0; i < m; i++) {
-                y[half * m + i] = blocks.mass(i / 3) * v[half * m + i] - partForces[i];
+            for (int part = 0; part < b.length; part++) {
+                for (int i = 0; i < m; i++) {
+                    right[part * m + i] = blocks.mass(i / 3) * b[part][place(i) + 3] + re * forces[part][i]
+                            + turned(part) * forces[b.length - 1 - part][i];
+                }
             }
         }
-    }
 
-    /** K times positions that stand in a state of one part, or of a real and an imaginary part in turn. */
-    private void stiffnessTimes(double[] b, int parts, int part, double[] force) {
-        for (int i = 0; i < m; i++) {
-            partPositions[i] = b[parts * place(i) + part];
+        /** x_x = b_x + g v and x_v = v; true. */
+        boolean expand(double[][] b, double[][] x) {
+            for (int part = 0; part < b.length; part++) {
+                for (int i = 0; i < m; i++) {
+                    double v = velocities[part * m + i];
+                    x[part][place(i)] = b[part][place(i)] + re * v + turned(part) * velocities[other(part) + i];
+                    x[part][place(i) + 3] = v;
+                }
+            }
+            return true;
         }
-        jacobian.multiply(partPositions, force);
+
+        /** i g_im times an imaginary number is real and negative, times a real one imaginary and positive. */
+        private double turned(int part) {
+            return part == 0 ? -im : im;
+        }
+
+        /** Where the other part of a vector begins; a real one has no other, and g_im is 0. */
+        private int other(int part) {
+            return part == 0 ? velocities.length - m : 0;
+        }
+
+        /** y = (M - g C - g<sup>2</sup> K) v; with a real g where the blocks are not the whole Jacobian. */
+        @Override
+        public void apply(double[] v, double[] y) {
+            double squareRe = re * re - im * im;
+            for (int part = 0; part * m < v.length; part++) {
+                double squareIm = 2 * re * turned(part);
+                for (int i = 0; i < m; i++) {
+                    double other = v[other(part) + i];
+                    partVelocities[i] = re * v[part * m + i] + turned(part) * other;
+                    partPositions[i] = squareRe * v[part * m + i] + squareIm * other;
+                }
+                jacobian.multiply(partPositions, partVelocities, partForces);
+                for (int i = 0; i < m; i++) {
+                    y[part * m + i] = blocks.mass(i / 3) * v[part * m + i] - partForces[i];
+                }
+            }
+        }
     }
 
     /**

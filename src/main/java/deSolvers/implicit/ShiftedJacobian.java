@@ -70,8 +70,8 @@ interface ShiftedJacobian {
      */
     boolean solve(double[] b, double[] x, double tolerance);
 
-    /** Solves with the complex g; real and imaginary parts in turn, in arrays of 2n. */
-    boolean solveComplex(double[] b, double[] x, double tolerance);
+    /** Solves with the complex g; a vector has an array of real parts and one of imaginary parts. */
+    boolean solveComplex(double[][] b, double[][] x, double tolerance);
 
     /** Makes the start of a step the guess with which Newton's method begins. */
     default void guess(DEStateSource client, double[] m) {

@@ -27,46 +27,36 @@ class ShiftedJacobianTest {
         double[] slope = new double[n];
         source.getState(state);
         source.getStateDerivative(slope);
-        double[] b = new Random(n).doubles(3 * n, -1, 1).toArray();
+        double[] random = new Random(n).doubles(3 * n, -1, 1).toArray();
+        double[][] b = new double[3][n];                // real, real part, imaginary part
         for (int part = 0; part < 3; part++) {
-            Arrays.fill(b, place(part, 9, n), place(part, 9, n) + 1, 0);
-            Arrays.fill(b, place(part, 10, n), place(part, 10, n) + 1, 0);
-            Arrays.fill(b, place(part, 11, n), place(part, 11, n) + 1, 0);
+            for (int i = 0; i < n; i++) {
+                b[part][i] = random[part == 0 ? i : n + 2 * i + part - 1];
+            }
+            Arrays.fill(b[part], 9, 12, 0);
         }
-        double[] real = new double[n];
-        double[] complex = new double[2 * n];
+        double[][] x = new double[3][n];
         try (StepTransaction step = new StepTransaction(EulerSolver.class).begin(source, g)) {
             jacobian.setJacobian(step, state, slope, g, ShiftedJacobian.Kind.EXACT);
             assertTrue(jacobian.prepare(g) && jacobian.prepareComplex(0.6 * g, 0.8 * g));
-            assertTrue(jacobian.solve(Arrays.copyOf(b, n), real, tolerance)
-                    && jacobian.solveComplex(Arrays.copyOfRange(b, n, 3 * n), complex, tolerance));
+            assertTrue(jacobian.solve(b[0], x[0], tolerance)
+                    && jacobian.solveComplex(new double[][] {b[1], b[2]}, new double[][] {x[1], x[2]}, tolerance));
             step.setState(state);
         }
-        double[] x = Arrays.copyOf(real, 3 * n);
-        System.arraycopy(complex, 0, x, n, 2 * n);
         double[][] image = new double[3][n];
         for (int part = 0; part < 3; part++) {
-            double[] direction = new double[n];
-            for (int i = 0; i < n; i++) {
-                direction[i] = x[place(part, i, n)];
-            }
-            source.multiply(direction, image[part]);
+            source.multiply(x[part], image[part]);
         }
         double largest = 0;
         for (int i = 0; i < n; i++) {
             double[] jx = {g * image[0][i], 0.6 * g * image[1][i] - 0.8 * g * image[2][i],
                 0.6 * g * image[2][i] + 0.8 * g * image[1][i]};
             for (int part = 0; part < 3; part++) {
-                int at = place(part, i, n);
-                largest = Math.max(largest, Math.abs(x[at] - jx[part] - b[at]) / (1 + Math.abs(jx[part])));
+                double left = x[part][i] - jx[part] - b[part][i];
+                largest = Math.max(largest, Math.abs(left) / (1 + Math.abs(jx[part])));
             }
         }
         return largest;
-    }
-
-    /** Entry i of a real vector, or of the real or imaginary part of the complex one behind it. */
-    private static int place(int part, int i, int n) {
-        return part == 0 ? i : n + 2 * i + part - 1;
     }
 
     /**
