@@ -119,7 +119,7 @@ class ArchitectureTest {
             particles.output.charts:       deSolvers.text particles.output.files particles.output.text particles.view
                                            java.awt javax.xml com.lowagie org.apache.batik org.jfree
                                            org.w3c.dom
-            particles.output.files:        particles particles.law com.fasterxml.jackson
+            particles.output.files:        particles particles.law ar.com.hjg.pngj com.fasterxml.jackson
             particles.output.frames:       deSolvers.text particles particles.law particles.output.files
                                            particles.output.painters particles.output.raster
                                            particles.output.text particles.view java.awt

@@ -35,7 +35,7 @@ record SourceFile(Path path, String packageName, int codeLines, List<Integer> wi
         List<String> bareAccessors) {
     /** A name that starts with packages: deSolvers.catalog.SolverCatalog, java.awt.Color, particles.effects.*. */
     private static final Pattern QUALIFIED = Pattern.compile(
-            "((?:deSolvers|particles|exercises|java|javax|com|org|info|picocli|net|io)"
+            "((?:deSolvers|particles|exercises|java|javax|ar|com|org|info|picocli|net|io)"
             + "(?:\\.[a-z]\\w*)*)\\.(?:[A-Z*].*)");
     private static final Pattern TEXT_OR_COMMENT = Pattern.compile(
             "\"\"\".*?\"\"\"|\"(?:\\\\.|[^\"\\\\\n])*\"|'(?:\\\\.|[^'\\\\\n])+'|/[*].*?[*]/|//[^\n]*", Pattern.DOTALL);

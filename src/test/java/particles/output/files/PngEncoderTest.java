@@ -26,7 +26,7 @@ class PngEncoderTest {
         }
     }
 
-    /** The top byte, which text drawn by Java sets, is left out. The smooth pictures use both filters. */
+    /** The top byte, which text drawn by Java sets, is left out. */
     @Test
     void everyPixelReadsBack() throws IOException {
         Random random = new Random(715);
