@@ -15,6 +15,8 @@ import org.jcodec.common.model.Picture;
 import org.jcodec.common.model.Size;
 import org.jcodec.containers.mp4.Brand;
 import org.jcodec.containers.mp4.muxer.MP4Muxer;
+import org.jcodec.scale.RgbToYuv420p;
+import org.jcodec.scale.Transform;
 import particles.output.files.OutputFile;
 import particles.output.files.OutputFolder;
 import particles.output.frames.FrameSink;
@@ -32,6 +34,7 @@ public final class Film implements FrameSink {
     private static final int KEY_FRAMES_SECONDS = 2;
     /** The distance over which the encoder searches for motion (pixels); its default, 16, takes twice the time. */
     private static final int SEARCH_RANGE = 4;
+    private static final Transform RGB_TO_YUV = new RgbToYuv420p();
 
     private final OutputFolder folder;
     private final double fps;
@@ -69,10 +72,23 @@ public final class Film implements FrameSink {
         return Math.round(ticksPerSecond * ((index - first) / fps));
     }
 
+    /** The frame as the library reads it: a byte each of red, green and blue, less 128. */
+    private Picture picture(int[] rgb) {
+        Picture picture = Picture.create(width, height, ColorSpace.RGB);
+        byte[] bytes = picture.getPlaneData(0);
+        for (int p = 0, k = 0; k < bytes.length; p++) {
+            int pixel = rgb[p / width * rowLength + p % width];
+            for (int shift = 16; shift >= 0; shift -= 8) {
+                bytes[k++] = (byte) ((pixel >> shift & 255) - 128);
+            }
+        }
+        return picture;
+    }
+
     @Override
     public Runnable prepare(int index, int[] rgb) {
         Picture picture = Picture.create(width, height, ColorSpace.YUV420J);
-        FilmColours.convert(rgb, rowLength, picture);
+        RGB_TO_YUV.transform(picture(rgb), picture);
         return () -> add(index, picture);
     }
 

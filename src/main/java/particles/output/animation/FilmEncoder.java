@@ -14,8 +14,9 @@ final class FilmEncoder extends H264Encoder {
      * none.
      */
     private static final int QUANTISER = 12;
-    /** The number of the BT.709 standard in H.264's tables of primaries, transfer curves and matrices (Annex E). */
+    /** Numbers in H.264's tables of primaries, transfer curves and matrices (Annex E): BT.709, and BT.601's matrix. */
     private static final int BT709 = 1;
+    private static final int BT601 = 6;
     private static final int UNSPECIFIED_FORMAT = 5;
 
     FilmEncoder() {
@@ -35,7 +36,7 @@ final class FilmEncoder extends H264Encoder {
         usability.colourDescriptionPresentFlag = true;
         usability.colourPrimaries = BT709;
         usability.transferCharacteristics = BT709;
-        usability.matrixCoefficients = BT709;
+        usability.matrixCoefficients = BT601;
         parameters.vuiParams = usability;
         return parameters;
     }
