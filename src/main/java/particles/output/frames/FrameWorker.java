@@ -36,7 +36,7 @@ final class FrameWorker implements AutoCloseable {
                     prepare(index + k, rgb).forEach(Runnable::run);
                 }
             };
-        }).thenRun(() -> now.complete(false));          // after a failure, so that nobody waits for this frame
+        }).whenComplete((done, failure) -> now.complete(false));     // so that nobody waits for a frame that failed
     }
 
     private List<Runnable> prepare(int index, int[] rgb) {

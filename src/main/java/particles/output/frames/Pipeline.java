@@ -1,13 +1,12 @@
 package particles.output.frames;
 
-import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Semaphore;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
 import java.util.function.Supplier;
 
@@ -28,8 +27,6 @@ public final class Pipeline<T> implements AutoCloseable {
     private final ExecutorService threads;
     private final Semaphore room;
     private CompletableFuture<Void> last = CompletableFuture.completedFuture(null);
-    private volatile Throwable failure;
-    private boolean reported;
 
     /**
      * @param threads the number of threads
@@ -59,73 +56,51 @@ public final class Pipeline<T> implements AutoCloseable {
      * Adds a task, when there is room for it.
      *
      * @param task does the first part with a tool, and returns the rest; the tool is the task's until both are done
-     * @return is complete when the task is done, or will not be after a failure
+     * @return is complete when the task is done; it fails with it, or with an earlier one
      */
     public CompletableFuture<Void> add(Function<T, Runnable> task) {
-        reportFailure();
-        try {
-            room.acquire();
-        } catch (InterruptedException e) {
-            throw interrupted(e);
+        if (last.isCompletedExceptionally()) {
+            awaitLast();
         }
+        room.acquireUninterruptibly();
         CompletableFuture<Void> earlier = last;
-        CompletableFuture<Void> done = new CompletableFuture<>();
-        last = done;
-        threads.execute(() -> {
-            try {
-                run(task, earlier);
-            } finally {
-                room.release();
-                done.complete(null);
-            }
-        });
-        return done;
+        last = CompletableFuture.runAsync(() -> run(task, earlier), threads);
+        return last.whenComplete((done, failure) -> room.release());
     }
 
     private void run(Function<T, Runnable> task, CompletableFuture<Void> earlier) {
+        T tool = idle.poll();
+        Runnable rest;
         try {
-            if (failure == null) {
-                T tool = Optional.ofNullable(idle.poll()).orElseGet(tools);
-                Runnable rest = task.apply(tool);
-                earlier.join();
-                if (failure == null) {
-                    rest.run();
-                }
-                idle.add(tool);
-            }
-        } catch (RuntimeException | Error e) {      // out of memory included: kept for the thread that can end the run
-            earlier.join();                         // whose failure comes first
-            failure = failure == null ? e : failure;
+            tool = tool == null ? tools.get() : tool;
+            rest = task.apply(tool);
+        } catch (RuntimeException | Error e) {
+            rest = () -> {
+                throw e;                // in its turn: the failure of an earlier task comes first
+            };
         }
         earlier.join();
+        rest.run();
+        idle.add(tool);
     }
 
     /** Waits until all tasks are done, and ends the threads. */
     @Override
     public void close() {
         threads.shutdown();
+        awaitLast();
+    }
+
+    /** Waits for the last task, and throws a failure, once only: the close that follows must not throw it again. */
+    private void awaitLast() {
         try {
-            threads.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
-        } catch (InterruptedException e) {
-            throw interrupted(e);
+            last.join();
+        } catch (CompletionException e) {
+            last = CompletableFuture.completedFuture(null);
+            if (e.getCause() instanceof Error error) {
+                throw error;
+            }
+            throw (RuntimeException) e.getCause();      // nothing here throws a checked one
         }
-        reportFailure();
-    }
-
-    private static IllegalStateException interrupted(InterruptedException e) {
-        Thread.currentThread().interrupt();
-        return new IllegalStateException("interrupted while frames were being drawn", e);
-    }
-
-    /** Throws a failure, once only: the close that follows must not throw it again. */
-    private void reportFailure() {
-        if (failure == null || reported) {
-            return;
-        }
-        reported = true;
-        if (failure instanceof Error error) {
-            throw error;
-        }
-        throw (RuntimeException) failure;       // nothing here throws a checked one
     }
 }
