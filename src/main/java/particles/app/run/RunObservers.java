@@ -120,7 +120,8 @@ final class RunObservers implements AutoCloseable {
         FrameRenderer renderer = new FrameRenderer(stage, format.width(), format.height(), decimals);
         List<FrameSink> sinks = new ArrayList<>(List.of(new PngFrames(folder, format.width(), format.height())));
         if (format.animation() > 0) {
-            sinks.add(new GifAnimation(folder, renderer, format.animation(), format.playbackRate()));
+            sinks.add(new GifAnimation(folder, format.width(), format.height(), format.animation(),
+                    format.playbackRate()));
         }
         if (format.film()) {
             sinks.add(new Film(folder, format.width(), format.height(), format.playbackRate()));

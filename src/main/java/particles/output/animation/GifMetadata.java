@@ -20,13 +20,13 @@ final class GifMetadata {
      * @param place where it is (pixels)
      * @param delay the delay in hundredths of a second
      */
-    static void describeFrame(IIOMetadata metadata, Rectangle place, int transparent, int delay, boolean first)
+    static void describeFrame(IIOMetadata metadata, Rectangle place, int delay, boolean first)
             throws IIOInvalidTreeException {
         IIOMetadataNode root = new IIOMetadataNode(IMAGE);
         add(root, "ImageDescriptor", "imageLeftPosition", place.x, "imageTopPosition", place.y, "imageWidth",
-                place.width, "imageHeight", place.height, "interlaceFlag", "TRUE");
+                place.width, "imageHeight", place.height, "interlaceFlag", "FALSE");
         add(root, "GraphicControlExtension", "disposalMethod", "doNotDispose", "userInputFlag", "FALSE",
-                "transparentColorFlag", "TRUE", "transparentColorIndex", transparent, "delayTime", delay);
+                "transparentColorFlag", "FALSE", "transparentColorIndex", 0, "delayTime", delay);
         if (first) {
             IIOMetadataNode extensions = add(root, "ApplicationExtensions");
             add(extensions, "ApplicationExtension", "applicationID", "NETSCAPE", "authenticationCode", "2.0")

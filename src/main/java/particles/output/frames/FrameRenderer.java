@@ -4,8 +4,6 @@ import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.util.Optional;
-import java.util.OptionalInt;
-import java.util.stream.IntStream;
 import particles.output.painters.BlobPainter;
 import particles.output.painters.DrawnSizes;
 import particles.output.painters.FrameState;
@@ -23,7 +21,6 @@ import particles.output.raster.Lighting;
 import particles.output.raster.Raster;
 import particles.output.raster.RoundShapes;
 import particles.output.raster.Sky;
-import particles.view.ParticleMark;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 
@@ -115,30 +112,6 @@ public final class FrameRenderer {
     /** @return the height of the pictures (pixels) */
     public int getHeight() {
         return image.getHeight();
-    }
-
-    /**
-     * @return colours that later frames may have: those of the render options and of strain, in light and shade
-     */
-    public int[] importantColours() {
-        RenderOptions.Colours own = stage.look().colours();
-        Sky sky = Sky.of(style().night());
-        IntStream.Builder important = IntStream.builder();
-        IntStream.concat(IntStream.of(own.particle(), own.fixed(), own.front(), own.back(), Colours.COMPRESSED,
-                Colours.AT_REST, Colours.STRETCHED, sky.ground),
-                style().marks().stream().map(ParticleMark::colour).distinct().flatMapToInt(OptionalInt::stream))
-                .forEach(base -> IntStream.range(0, 8).forEach(shade ->
-                        important.add(Colours.lit(base, 0.46f + 0.09f * shade, 0))));
-        important.add(sky.text.warning().getRGB() & 0xffffff);
-        for (int k = 0; k < 12; k++) {
-            for (int layers = 1; glow.isPresent() && layers <= 8; layers *= 2) {
-                important.add(GlowPainter.over(sky.horizon, style().ageColours(), k / 12.0, layers));
-            }
-            if (trails.isPresent()) {
-                important.add(Colours.mix(sky.horizon, own.particle(), (k + 1) / 12.0));
-            }
-        }
-        return important.build().toArray();
     }
 
     /** @return the drawing style of particles */

@@ -28,17 +28,6 @@ public record GlowPainter(List<Integer> colours, LightLayer layer) {
         return Colours.mix(colours.get(k), colours.get(Math.min(colours.size() - 1, k + 1)), at - k);
     }
 
-    /** @return a colour seen through this number of spots of this age, in their middles */
-    public static int over(int behind, List<Integer> colours, double age, int spots) {
-        int rgb = colour(colours, age);
-        int mixed = 0;
-        for (int shift = 0; shift < 24; shift += 8) {
-            double light = spots * BRIGHTNESS * (1 - age) * (rgb >> shift & 255) / 255;
-            mixed |= (int) (255 - (255 - (behind >> shift & 255)) * Math.exp(-light)) << shift;
-        }
-        return mixed;
-    }
-
     /** Adds the particles' light to a layer. */
     public void paint(FrameState state, CameraProjection view, VisibilityFilter shown, double radius,
             Foreground foreground, int[] pixels) {

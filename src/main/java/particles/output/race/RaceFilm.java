@@ -4,7 +4,6 @@ import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.DoubleConsumer;
@@ -109,9 +108,7 @@ public final class RaceFilm implements AutoCloseable {
         close();
         PanelFilm ghost = films.get(0);
         int[] backdrop = ghost.getRenderer().renderBackdrop();
-        int[] colours = films.stream().flatMapToInt(film -> Arrays.stream(film.getRenderer().importantColours()))
-                .distinct().toArray();
-        try (GifAnimation gif = new GifAnimation(folder, page.width(), page.height(), colours, page.width(), playback);
+        try (GifAnimation gif = new GifAnimation(folder, page.width(), page.height(), page.width(), playback);
                 Pipeline<Canvas> pipeline = new Pipeline<>(Pipeline.threads(BYTES_PER_PIXEL * page.width()
                         * page.height()), () -> new Canvas(page, strip))) {
             for (int k = 0; k < ghost.count(); k++) {

@@ -57,8 +57,8 @@ class ThreadsTest {
         Path path = top.resolve(name + "-" + threads);
         try (OutputFolder folder = OutputFolder.open(path, OutputFolder.FRAMES);
                 FrameObserver frames = new FrameObserver(renderer, RATE, List.of(new PngFrames(folder, WIDTH, HEIGHT),
-                        new GifAnimation(folder, renderer, WIDTH / 2, RATE), new Film(folder, WIDTH, HEIGHT, RATE)),
-                        threads)) {
+                        new GifAnimation(folder, WIDTH, HEIGHT, WIDTH / 2, RATE),
+                        new Film(folder, WIDTH, HEIGHT, RATE)), threads)) {
             scene.simulation().addObserver(frames);
             scene.simulation().run();
         }
