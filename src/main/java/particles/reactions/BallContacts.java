@@ -1,12 +1,13 @@
 package particles.reactions;
 
-import java.util.Arrays;
 import java.util.BitSet;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
+import particles.reactions.Rows.Kind;
+import particles.reactions.contact.ContactModes;
 import particles.reactions.contact.ContactModes.Mode;
 
 /**
@@ -14,44 +15,46 @@ import particles.reactions.contact.ContactModes.Mode;
  * theory}. The rule {@code particles.rules.Collisions} decides when they begin and end.
  */
 public final class BallContacts {
-    private final RigidConstraints constraints;
-    private final ConstraintRows rows;
+    private final Blocks blocks;
+    private final BlockImpacts impacts;
+    private final ContactModes modes;
+    private final Rows rows;
 
-    BallContacts(RigidConstraints constraints, ConstraintRows rows) {
-        this.constraints = constraints;
-        this.rows = rows;
+    BallContacts(Blocks blocks, RestingContacts contacts) {
+        this.blocks = blocks;
+        impacts = contacts.getImpacts();
+        modes = contacts.getModes();
+        rows = blocks.getRows();
     }
 
     /** Adds a contact of two balls, whose centres are this far apart (m); its number is the next one. */
     public void touch(int i, int j, double distance) {
-        rows.addContact(i, j, distance);
-        constraints.noteChange();
+        rows.addLink(Kind.BALLS, i, j, distance);
     }
 
     /** @return the first ball of a contact */
     public int first(int contact) {
-        return rows.first(contact);
+        return rows.first[contact];
     }
 
     /** @return its second ball */
     public int second(int contact) {
-        return rows.second(contact);
+        return rows.second[contact];
     }
 
     /** Ends the contact with this number. */
     public void part(int contact) {
-        rows.removeContact(contact);
-        constraints.noteChange();
+        rows.remove(contact);
     }
 
     /** @return the number of the first contact; later ones change theirs when one ends */
     public int begin() {
-        return rows.getRods();
+        return rows.begin(Kind.BALLS);
     }
 
     /** @return one more than the number of the last contact */
     public int end() {
-        return rows.getBeadRows();
+        return rows.begin(Kind.WIRE);
     }
 
     /** @return whether any balls touch */
@@ -62,7 +65,7 @@ public final class BallContacts {
     /** @return the pairs that are in contact or joined by a rod, each in both orders */
     public Set<List<Integer>> findLinks() {
         Set<List<Integer>> links = new HashSet<>();
-        for (int r = 0; r < end(); r++) {
+        for (int r = end() - 1; r >= 0; r--) {
             links.add(List.of(first(r), second(r)));
             links.add(List.of(second(r), first(r)));
         }
@@ -78,15 +81,12 @@ public final class BallContacts {
      * @param state    the state, in which velocities are changed
      */
     public void strike(int contact, double leaving, double friction, double[] state) {
-        int i = rows.first(contact);
-        Block block = constraints.block(i).or(() -> constraints.block(rows.second(contact))).orElseThrow();
-        constraints.getBlocks().impacts().strikePair(block, contact, leaving, friction, state);
+        impacts.strikePair(contact, leaving, friction, state);
     }
 
     /** Moves balls in contact, and all that is connected to them, by the small error of a step. */
     public void putTogether(double[] state) {
-        rows.evaluate(state);
-        forEach(block -> constraints.getBlocks().correct(block, state, 0, Block.ALL));
+        forEach(block -> blocks.correct(block, state, 0, false, Block.ALL));
         stop(state, false);
     }
 
@@ -96,14 +96,13 @@ public final class BallContacts {
      * @param mayPart whether balls may separate; if not, they stop too
      */
     public void stop(double[] state, boolean mayPart) {
-        forEach(block -> constraints.getBlocks().settle(block, state, mayPart, Block.ALL));
+        forEach(block -> blocks.correct(block, state, 3, mayPart, Block.ALL));
     }
 
     /** Calls something for each block in which balls touch. */
     private void forEach(Consumer<Block> action) {
         if (hasContacts()) {
-            constraints.getJoined().stream()
-                    .filter(block -> Arrays.stream(block.members).anyMatch(rows::isContact)).forEach(action);
+            blocks.joined().stream().filter(Block::hasPairs).forEach(action);
         }
     }
 
@@ -113,12 +112,11 @@ public final class BallContacts {
      *         round-off
      */
     public double leastPush(double[] state, double time, double[] force) {
-        BlockForces blocks = constraints.getBlocks();
         double[] least = {Double.POSITIVE_INFINITY};
         blocks.prepare(state, time);
         forEach(block -> {
             blocks.solve(block, state, time, force);
-            IntStream.range(0, block.size()).filter(block::isPair)
+            IntStream.range(0, block.rows.count).filter(r -> block.rows.kind[r] == Kind.BALLS)
                     .forEach(r -> least[0] = Math.min(least[0], blocks.push(block, r, force)));
         });
         return least[0];
@@ -126,18 +124,16 @@ public final class BallContacts {
 
     /** Ends all contacts of balls, and theirs with surfaces, that separate, but for round-off. */
     public void partWhereFree(double[] state, double time, double[] force) {
-        BlockForces blocks = constraints.getBlocks();
         BitSet ending = new BitSet();
         blocks.prepare(state, time);
         forEach(block -> {
             blocks.solve(block, state, time, force);
-            for (int r = 0; r < block.size(); r++) {
+            for (int r = 0; r < block.rows.count; r++) {
                 boolean free = block.isContact(r) && blocks.push(block, r, force) < 0;
-                if (free && block.isPair(r)) {
-                    ending.set(block.member(r));
+                if (free && block.rows.kind[r] == Kind.BALLS) {
+                    ending.set(block.rows.number[r]);
                 } else if (free) {
-                    int k = block.contact(r);
-                    constraints.getModes().set(block.touching.surface[k], block.touching.particle[k], Mode.FREE);
+                    modes.set(block.rows.number[r], block.rows.first[r], Mode.FREE);
                 }
             }
         });

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.function.IntPredicate;
 import particles.law.Particles;
+import particles.reactions.Rows.Kind;
 import particles.reactions.algebra.ActiveSetMethod;
 import particles.reactions.algebra.EnvelopeMatrix;
 import particles.reactions.contact.ContactModes.Mode;
@@ -14,236 +15,194 @@ import particles.reactions.contact.ContactModes.Mode;
  * balls in contact have the row of a rod that may only push. Column c of the matrix is the acceleration of all rows if
  * row c has a force of 1 N. The force of a sliding contact includes friction, -S<sup>T</sup> lambda, so the matrix A =
  * J W (J - S)<sup>T</sup> is not symmetric. It has entries only where two rows share a movable particle. A particle's
- * contacts come right after its first rod, so the envelope of a chain is narrow. A single particle on one surface has
- * the 1 x 1 matrix 1. The set of rows changes only with the contact modes.
+ * contacts come right after its first rod, so the envelope of a chain is narrow. A held particle has no contacts, since
+ * it does not move at all. A single particle on one surface has the 1 x 1 matrix 1. The set of rows changes only with
+ * the contact modes.
  */
 final class Block {
     private static final int STRIDE = Particles.STRIDE;
-    /** No row, surface or particle. */
+    /** No row or pair of balls. */
     static final int NONE = -1;
     /** For {@link #solve} and {@link #take}: all rows. */
     static final int ALL = -2;
 
     final int[] members;                                // rows of rods, wires and balls, neighbours near each other
     final int[] particles;                              // that can move
-    private final ConstraintRows rows;
-    private final Particles all;
+    final Rows rows = new Rows();
+    final BitSet held = new BitSet();                   // particles that do not move
+    private final Rows all;
+    private final Particles system;
     private final RestingContacts contacts;
+    private final IntPredicate usuallyHeld;
     private final ActiveSetMethod activeSet;
     private final EnvelopeMatrix matrix = new EnvelopeMatrix();
-    final BitSet held = new BitSet();                   // particles that do not move
-    final ContactRows touching;
+    private final boolean hasPairs;
+    private final BitSet placed = new BitSet();         // particles whose contacts have rows
     double[] right = {};
     private double[] solution = {};
     private double[] separation = {};
-    private int[] row = {};                             // a member, or -1 - k for contact k with a surface
-    private int[] who = {};                             // two movable particles a row, -1 for none
-    private double[] gradient = {};                     // 6 doubles a row
-    private double[] pull = {};                         // the force on both particles per 1 N of a row
+    private int[] movable = {};                         // two particles a row, NONE for those that do not move
     private boolean[] mayOpen = {};
     private boolean[] active = {};
-    private final int[] firstRow;                       // by place in particles; -1 for none yet
-    private int size;
-    private boolean pairs;
     private boolean assembled;                          // for the present gradients
-    private int gatheredAt = NONE;                     // the modes' count of changes
+    private int gatheredAt = NONE;                      // the modes' count of changes
 
-    Block(int[] members, int[] particles, ConstraintRows rows, Particles all, RestingContacts contacts,
-            ActiveSetMethod activeSet) {
+    /**
+     * @param members     rows of a list
+     * @param particles   the particles that they move, in ascending order
+     * @param usuallyHeld the particles that are held in most uses; their number changes only with the modes
+     */
+    Block(int[] members, int[] particles, Rows all, Particles system, RestingContacts contacts,
+            IntPredicate usuallyHeld, ActiveSetMethod activeSet) {
         this.members = members;
         this.particles = particles;
-        this.rows = rows;
         this.all = all;
+        this.system = system;
         this.contacts = contacts;
+        this.usuallyHeld = usuallyHeld;
         this.activeSet = activeSet;
-        firstRow = new int[particles.length];
-        touching = new ContactRows(contacts);
+        hasPairs = Arrays.stream(members).anyMatch(r -> all.kind[r] == Kind.BALLS);
     }
 
     boolean isJoined() {
         return members.length > 0;
     }
 
-    /**
-     * Evaluates the rows at a state. The set of rows is found again only if a contact mode has changed since.
-     *
-     * @param held whether sticking particles are held: they do not move, and have no contacts; the same in each call
-     */
-    void take(double[] state, boolean held) {
-        if (gatheredAt != contacts.getModes().getChanges()) {
-            gather(held ? contacts.getModes()::isSticking : i -> false, NONE, NONE, ALL);
-            gatheredAt = contacts.getModes().getChanges();
-        }
-        update(state);
+    /** Whether some row is that of two balls in contact. */
+    boolean hasPairs() {
+        return hasPairs;
     }
 
     /**
-     * Takes a state in which given particles are held.
+     * Evaluates the rows at a state. Their set is found again only if a contact mode has changed since.
      *
-     * @param surface the surface that a particle strikes, which gets a row too; {@link #NONE} for no impact
-     * @param struck  that particle
-     * @param pair    the two balls in contact that get a row; {@link #ALL} or {@link #NONE}
+     * @param pairs the pairs of balls in contact that get a row: {@link #ALL} or {@link #NONE}
      */
-    void take(double[] state, IntPredicate isHeld, int surface, int struck, int pair) {
-        gather(isHeld, surface, struck, pair);
-        update(state);
+    void take(double[] state, int pairs) {
+        if (hasPairs && pairs == NONE) {
+            take(state, usuallyHeld, NONE);
+            return;
+        }
+        if (gatheredAt != contacts.getModes().getChanges()) {
+            gather(usuallyHeld, ALL);
+            gatheredAt = contacts.getModes().getChanges();
+        }
+        evaluate(state);
+    }
+
+    /**
+     * Evaluates the rows while given particles are held.
+     *
+     * @param pair the two balls in contact that get a row; {@link #ALL} or {@link #NONE}
+     */
+    void take(double[] state, IntPredicate isHeld, int pair) {
+        gather(isHeld, pair);
+        evaluate(state);
     }
 
     /** Finds the rows. */
-    private void gather(IntPredicate isHeld, int surface, int struck, int pair) {
+    private void gather(IntPredicate isHeld, int pair) {
         gatheredAt = NONE;
         assembled = false;
-        size = 0;
-        pairs = false;
-        matrix.clear();
-        touching.clear();
+        rows.clear();
         held.clear();
-        Arrays.fill(firstRow, -1);
+        placed.clear();
         Arrays.stream(particles).filter(isHeld).forEach(held::set);
-        for (int member : Arrays.stream(members).filter(m -> pair == ALL || pair == m || !rows.isContact(m))
-                .toArray()) {
-            int from = rows.first(member);
-            int to = rows.second(member);
-            boolean isFromNew = isNew(from);
-            boolean isToNew = isNew(to);
-            add(member, from, to);
-            addContacts(isFromNew ? from : -1, surface, struck);
-            addContacts(isToNew ? to : -1, surface, struck);
+        for (int member : members) {
+            if (pair == ALL || pair == member || all.kind[member] != Kind.BALLS) {
+                rows.add(all, member);
+                addContacts(all.first[member]);
+                addContacts(all.second[member]);
+            }
         }
         for (int i : particles) {
-            addContacts(isNew(i) ? i : -1, surface, struck);
+            addContacts(i);
+        }
+        if (right.length < rows.count) {
+            int most = rows.kind.length;
+            right = new double[most];
+            solution = new double[most];
+            separation = new double[most];
+            movable = new int[2 * most];
+            mayOpen = new boolean[most];
+            active = new boolean[most];
         }
         Arrays.fill(active, true);
+        layOut();
     }
 
-    private boolean isNew(int i) {
-        return canMove(i) && firstRow[Arrays.binarySearch(particles, i)] < 0;
+    /** Adds a row for each surface that a movable particle touches, the first time. */
+    private void addContacts(int i) {
+        if (canMove(i) && !placed.get(i)) {
+            placed.set(i);
+            for (int p = 0; p < contacts.getSurfaces().size(); p++) {
+                if (contacts.getModes().get(p, i) != Mode.FREE) {
+                    rows.addContact(i, p, contacts.getSurfaces().get(p));
+                }
+            }
+        }
     }
 
     private boolean canMove(int i) {
-        return i >= 0 && all.getInverseMasses()[i] != 0 && !held.get(i);
+        return i >= 0 && system.getInverseMasses()[i] != 0 && !held.get(i);
     }
 
-    private void add(int index, int first, int second) {
-        if (size == row.length) {
-            int more = 2 * size + 1;
-            row = Arrays.copyOf(row, more);
-            who = Arrays.copyOf(who, 2 * more);
-            gradient = new double[6 * more];
-            pull = new double[6 * more];
-            mayOpen = new boolean[more];
-            active = new boolean[more];
-            right = new double[more];
-            solution = new double[more];
-            separation = new double[more];
-        }
-        row[size] = index;
-        pairs |= isPair(size);
-        matrix.add(Math.min(join(0, first), join(1, second)));
-        size++;
-    }
-
-    /** Makes a movable particle the k-th of the new row; returns the first row that moves it too. */
-    private int join(int k, int i) {
-        who[2 * size + k] = canMove(i) ? i : -1;
-        int place = Arrays.binarySearch(particles, i);
-        if (canMove(i) && firstRow[place] < 0) {
-            firstRow[place] = size;
-        }
-        return canMove(i) ? firstRow[place] : size;
-    }
-
-    /** Adds a row for each surface that a movable particle touches, and for the one that it strikes. */
-    private void addContacts(int i, int surface, int struck) {
-        for (int p = 0; canMove(i) && p < contacts.getSurfaces().size(); p++) {
-            if (p == surface && i == struck || contacts.getModes().get(p, i) != Mode.FREE) {
-                add(-1 - touching.add(p, i), i, -1);
+    /** Finds the envelope of the matrix: a row's begins with the first row that moves one of its particles. */
+    private void layOut() {
+        int[] firstRow = new int[particles.length];
+        Arrays.fill(firstRow, rows.count);
+        matrix.clear();
+        for (int r = 0; r < rows.count; r++) {
+            int begin = r;
+            for (int k = 0; k < 2; k++) {
+                int i = (k == 0 ? rows.first : rows.second)[r];
+                movable[2 * r + k] = canMove(i) ? i : NONE;
+                if (canMove(i)) {
+                    int place = Arrays.binarySearch(particles, i);
+                    firstRow[place] = Math.min(firstRow[place], r);
+                    begin = Math.min(begin, firstRow[place]);
+                }
             }
+            matrix.add(begin);
         }
     }
 
-    /** Evaluates the rows; those of rods, wires and balls have been evaluated already. */
-    private void update(double[] state) {
-        assembled &= size == 1 && !isJoined();          // then the matrix is 1
-        for (int r = 0; r < size; r++) {
-            if (isMember(r)) {
-                System.arraycopy(rows.gradient, 6 * row[r], gradient, 6 * r, 6);
-            } else {
-                touching.update(contact(r), state, isJoined());
-                System.arraycopy(touching.normal, 3 * contact(r), gradient, 6 * r, 3);
-            }
+    /** A single particle needs no distances, and its matrix stays 1 on one surface. */
+    private void evaluate(double[] state) {
+        assembled &= rows.count == 1 && !isJoined();
+        rows.evaluate(state, isJoined());
+        for (int r = 0; r < rows.count && !isJoined(); r++) {
+            rows.bend[r] *= system.mass(particles[0]);
         }
-    }
-
-    int size() {
-        return size;
-    }
-
-    /** Whether a row is that of a rod, a wire or two balls, and not of a surface. */
-    boolean isMember(int r) {
-        return row[r] >= 0;
-    }
-
-    /** Whether a row is that of two balls in contact. */
-    boolean isPair(int r) {
-        return row[r] >= 0 && rows.isContact(row[r]);
     }
 
     /** Whether a row may only push: that of a surface or of two balls. */
     boolean isContact(int r) {
-        return row[r] < 0 || isPair(r);
-    }
-
-    /** Whether some row is that of two balls in contact. */
-    boolean hasPairs() {
-        return pairs;
-    }
-
-    /** The row of a rod, a wire or two balls among all. */
-    int member(int r) {
-        return row[r];
-    }
-
-    /** The contact of a row. */
-    int contact(int r) {
-        return -1 - row[r];
+        return rows.kind[r] == Kind.SURFACE || rows.kind[r] == Kind.BALLS;
     }
 
     /** Assembles the matrix. */
     private void assemble() {
-        System.arraycopy(gradient, 0, pull, 0, 6 * size);
-        for (int r = 0; r < size; r++) {
-            if (row[r] < 0 && isJoined()) {
-                pull[6 * r] -= touching.slip[3 * contact(r)];
-                pull[6 * r + 1] -= touching.slip[3 * contact(r) + 1];
-                pull[6 * r + 2] -= touching.slip[3 * contact(r) + 2];
-            }
+        for (int r = 0; r < rows.count; r++) {
             for (int c = matrix.first(r); c <= r; c++) {
-                matrix.set(r, c, c == r && row[r] < 0 ? weight(who[2 * r]) : entry(r, c), c == r ? 0 : entry(c, r));
+                matrix.set(r, c, c == r && rows.kind[r] == Kind.SURFACE ? weight(rows.first[r]) : entry(r, c),
+                        c == r ? 0 : entry(c, r));
             }
         }
     }
 
     /** W: 1/m, but 1 for a single particle, whose mass cancels, so that its rows are forces and not accelerations. */
     double weight(int i) {
-        return isJoined() ? all.getInverseMasses()[i] : 1;
-    }
-
-    /** J' v of a contact, times its particle's mass if that is single. */
-    double bend(int k) {
-        return isJoined() ? touching.bend[k] : all.mass(touching.particle[k]) * touching.bend[k];
+        return isJoined() ? system.getInverseMasses()[i] : 1;
     }
 
     private double entry(int r, int c) {
         double sum = 0;
         for (int k = 0; k < 2; k++) {
-            int i = who[2 * r + k];
+            int i = movable[2 * r + k];
             for (int l = 0; l < 2 && i >= 0; l++) {
-                if (i == who[2 * c + l]) {
-                    int g = 6 * r + 3 * k;
-                    int p = 6 * c + 3 * l;
-                    sum += weight(i) * (gradient[g] * pull[p] + gradient[g + 1] * pull[p + 1]
-                            + gradient[g + 2] * pull[p + 2]);
+                if (i == movable[2 * c + l]) {
+                    sum += weight(i) * Rows.dot(rows.gradient, 6 * r + 3 * k, rows.pull, 6 * c + 3 * l);
                 }
             }
         }
@@ -252,7 +211,7 @@ final class Block {
 
     /** Whether no particle of a row can move, so that it is left out. */
     boolean isIdle(int r) {
-        return who[2 * r] < 0 && who[2 * r + 1] < 0;
+        return movable[2 * r] < 0 && movable[2 * r + 1] < 0;
     }
 
     /**
@@ -264,12 +223,12 @@ final class Block {
     boolean solve(int holding, boolean signed) {
         if (!assembled) {
             assemble();
-            assembled = size == 1;
+            assembled = rows.count == 1;
         }
-        if (!pairs || gatheredAt == NONE) {
+        if (!hasPairs || gatheredAt == NONE) {
             Arrays.fill(active, true);                  // balls in contact push as they did before
         }
-        for (int r = 0; r < size; r++) {
+        for (int r = 0; r < rows.count; r++) {
             mayOpen[r] = isContact(r) && r != holding && holding != ALL;
         }
         return activeSet.solve(matrix, right, mayOpen, signed, active, solution, separation);
@@ -285,24 +244,19 @@ final class Block {
         return separation[r];
     }
 
-    /** The row of a contact; -1 if there is none. */
-    int find(int surface, int particle) {
-        for (int r = 0; r < size; r++) {
-            if (row[r] < 0 && touching.surface[contact(r)] == surface && touching.particle[contact(r)] == particle) {
-                return r;
-            }
+    /** The row of a kind with a number and a first particle; -1 if there is none. */
+    int find(Kind kind, int number, int particle) {
+        int r = rows.count - 1;
+        while (r >= 0 && (rows.kind[r] != kind || rows.number[r] != number || rows.first[r] != particle)) {
+            r--;
         }
-        return -1;
+        return r;
     }
 
     /** Adds the forces of all rows, with friction. */
     void addForces(double[] force) {
-        for (int r = 0; r < size; r++) {
-            if (row[r] >= 0) {
-                rows.addForce(row[r], solution[r], force);
-            } else {
-                touching.addForce(contact(r), solution[r], force);
-            }
+        for (int r = 0; r < rows.count; r++) {
+            rows.addForce(r, solution[r], force);
         }
     }
 
@@ -312,11 +266,11 @@ final class Block {
      * @param place 0 to move positions, 3 to change velocities
      */
     void move(double[] state, int place) {
-        for (int r = 0; r < size; r++) {
+        for (int r = 0; r < rows.count; r++) {
             for (int k = 0; k < 2; k++) {
-                int i = who[2 * r + k];
+                int i = movable[2 * r + k];
                 for (int c = 0; c < 3 && i >= 0; c++) {
-                    state[STRIDE * i + place + c] += weight(i) * solution[r] * gradient[6 * r + 3 * k + c];
+                    state[STRIDE * i + place + c] += weight(i) * solution[r] * rows.gradient[6 * r + 3 * k + c];
                 }
             }
         }

@@ -1,7 +1,6 @@
 package particles.reactions;
 
 import deSolvers.text.Digits;
-import java.util.List;
 import java.util.stream.IntStream;
 import particles.SimulationException;
 import particles.law.Particles;
@@ -13,33 +12,31 @@ import particles.law.Vector3;
  * J<sup>T</sup> mu = -C; velocities by one such system for C'.
  */
 final class ConstraintCorrection {
-    /** Target error, relative to a row's scale plus its particle's distance from the origin; less is round-off. */
+    /** Target error, relative to a row's length plus its particle's distance from the origin; less is round-off. */
     private static final double FINE = 1e-15;
     /** Accepted error of nearly singular configurations, where round-off is larger. */
     private static final double ENOUGH = 1e-9;
     private static final int MOST_ITERATIONS = 30;
 
-    private final ConstraintRows rows;
-    private final List<Block> joined;
+    private final Blocks blocks;
+    private final Rows rows;
     private final int[] all;
-    private final BlockForces blocks;
 
-    ConstraintCorrection(ConstraintRows rows, List<Block> joined, BlockForces blocks) {
-        this.rows = rows;
-        this.joined = joined;
-        all = IntStream.range(0, rows.count()).filter(r -> !rows.isContact(r)).toArray();
+    ConstraintCorrection(Blocks blocks) {
         this.blocks = blocks;
+        rows = blocks.getRows();
+        all = IntStream.range(0, rows.count).filter(r -> rows.kind[r] != Rows.Kind.BALLS).toArray();
     }
 
     /** @return whether anything was moved */
     boolean positions(double[] state, double time) {
         double before = Double.POSITIVE_INFINITY;
         for (int iteration = 0;; iteration++) {
-            rows.evaluate(state);
+            rows.evaluate(state, true);
             double error = 0;
             for (int r : all) {
-                double place = Vector3.at(state, Particles.STRIDE * rows.first(r)).norm1();
-                error = Math.max(error, Math.abs(rows.value[r]) / (rows.scale(r) + place));
+                double place = Vector3.at(state, Particles.STRIDE * rows.first[r]).norm1();
+                error = Math.max(error, Math.abs(rows.value[r]) / (rows.length[r] + place));
             }
             if (!(error <= Double.MAX_VALUE)) {
                 throw new SimulationException(time, -1, "a step ends with positions too large to compute with", null);
@@ -59,10 +56,10 @@ final class ConstraintCorrection {
 
     /** @return whether anything was changed */
     boolean velocities(double[] state) {
-        rows.evaluate(state);
+        rows.evaluate(state, true);
         boolean changed = false;
         for (int r : all) {
-            double speed = Vector3.at(state, Particles.STRIDE * rows.first(r) + 3).norm1();
+            double speed = Vector3.at(state, Particles.STRIDE * rows.first[r] + 3).norm1();
             changed |= Math.abs(rows.rate[r]) > FINE * (1 + speed);
         }
         if (changed) {
@@ -72,8 +69,8 @@ final class ConstraintCorrection {
     }
 
     private void correct(double[] state, int place) {
-        for (Block block : joined) {
-            blocks.correct(block, state, place, Block.NONE);
+        for (Block block : blocks.joined()) {
+            blocks.correct(block, state, place, false, Block.NONE);
         }
     }
 }

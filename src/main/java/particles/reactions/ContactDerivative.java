@@ -20,7 +20,7 @@ final class ContactDerivative {
     private static final double[] STEPS = {-2, -1, 1, 2};
     private static final double[] WEIGHTS = {1 / 12.0, -2 / 3.0, 2 / 3.0, -1 / 12.0};
 
-    private final BlockForces blocks;
+    private final Blocks blocks;
     private final double time;
     private final double[] total = new double[3];
     private final double[] byForce = new double[9];
@@ -28,7 +28,7 @@ final class ContactDerivative {
     private final double[] byVelocity = new double[9];
 
     /** @param time t (s), for messages */
-    ContactDerivative(BlockForces blocks, double time) {
+    ContactDerivative(Blocks blocks, double time) {
         this.blocks = blocks;
         this.time = time;
     }
@@ -40,8 +40,8 @@ final class ContactDerivative {
      */
     void add(Block block, double[] state, double[] force, ForceDerivatives derivatives) {
         int i = block.particles[0];
-        block.take(state, true);
-        double curvature = block.touching.curvature(state);
+        block.take(state, Block.ALL);
+        double curvature = block.rows.curvature(state);
         vary(block, force, STRIDE * i + 3, size(force, STRIDE * i + 3), state, force, byForce);
         vary(block, state, STRIDE * i, curvature > 0 ? 1 / curvature : 0, state, force, byPosition);
         vary(block, state, STRIDE * i + 3, size(state, STRIDE * i + 3), state, force, byVelocity);

@@ -7,17 +7,16 @@ import java.util.function.IntPredicate;
 import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.law.Vector3;
+import particles.reactions.Rows.Kind;
 import particles.reactions.contact.ContactModes;
 
 /** Answers questions of rules between steps: how large a normal force is, and whether static friction can hold. */
 final class ContactQueries {
     private final ParticleSystem system;
-    private final ConstraintRows rows;
     private final RestingContacts contacts;
     private final ContactModes modes;
-    private final BlockForces blocks;
-    private final BlockForces singles;                  // each particle under a known force
-    private final StaticFrictionFeasibility holdSearch;
+    private final Blocks blocks;
+    private final Blocks singles;                  // each particle under a known force
     private double pushed;                              // sum of the normal forces of the last holdSlack (N)
     private Optional<Block> asked = Optional.empty();   // the last question, of which the rest is kept
     private Optional<String> failure = Optional.empty();
@@ -28,14 +27,12 @@ final class ContactQueries {
     private int askedChanges;
     private int askedSolution;
 
-    ContactQueries(ParticleSystem system, ConstraintRows rows, RestingContacts contacts, BlockForces blocks) {
+    ContactQueries(ParticleSystem system, RestingContacts contacts, Blocks blocks) {
         this.system = system;
-        this.rows = rows;
         this.contacts = contacts;
         this.modes = contacts.getModes();
         this.blocks = blocks;
-        singles = new BlockForces(system, rows, contacts, 0);
-        holdSearch = new StaticFrictionFeasibility(rows, this);
+        singles = new Blocks(system, new Rows(), 0, contacts, i -> false);
     }
 
     /** Finds the forces of a block at rules' request; the last answer is kept, as rules ask for each particle. */
@@ -49,7 +46,8 @@ final class ContactQueries {
                 && Arrays.equals(askedForce, force)) {
             return;
         }
-        failure = blocks.solve(block, state, force, isHeld);
+        block.take(state, isHeld, Block.ALL);
+        failure = blocks.solve(block, state, force);
         loads = Optional.empty();
         asked = Optional.of(block);
         askedSolution = blocks.getSolutions();
@@ -63,59 +61,53 @@ final class ContactQueries {
     private double[] forcesAtRest(Block block, double[] state, double[] force) {
         if (loads.isEmpty()) {
             loads = Optional.of(blocks.addUp(block, force));
-            holdSearch.run(block, state, loads.get());
+            new StaticFrictionFeasibility(this, block, state, loads.get()).run();
         }
         return loads.get();
     }
 
     /** As {@link RestingContacts#pressure}. */
-    double pressure(Block block, int surface, int particle, double[] state, double[] force) {
-        Block answer = block;
+    double pressure(int surface, int particle, double[] state, double[] force) {
+        Block block = blocks.of(particle);
         if (block.isJoined()) {
             blocks.prepare(state, system.getTime());
             ask(block, state, force, modes::isSticking);
             if (failure.isPresent() && block.held.isEmpty()) {
                 throw blocks.failure(block, system.getTime(), failure.get());
             }
-            if (modes.isSticking(particle)) {
-                answer = push(particle, state, forcesAtRest(block, state, force));
-            }
-        } else {
-            answer = push(particle, state, force);
         }
-        int r = answer.find(surface, particle);
-        double push = r < 0 ? 0 : blocks.push(answer, r, force);
-        return r < 0 || push == answer.force(r) ? push : push / answer.weight(particle);
+        if (!block.isJoined() || modes.isSticking(particle)) {
+            block = push(particle, state, block.isJoined() ? forcesAtRest(block, state, force) : force);
+        }
+        int r = block.find(Kind.SURFACE, surface, particle);
+        double push = r < 0 ? 0 : blocks.push(block, r, force);
+        return r < 0 || push == block.force(r) ? push : push / block.weight(particle);
     }
 
     /** Finds the normal forces on one particle under a known force, without friction. */
     private Block push(int i, double[] state, double[] force) {
-        Block alone = singles.single(i);
-        alone.take(state, false);
-        for (int r = 0; r < alone.size(); r++) {
-            int k = alone.contact(r);
-            alone.right[r] = -alone.touching.times(k, force, 3) - alone.bend(k);
-        }
+        Block alone = singles.of(i);
+        alone.take(state, Block.ALL);
+        singles.putRight(alone, force);
         alone.solve(Block.NONE, true);
         return alone;
     }
 
     /** Whether a moving anchor drives a rod, so that friction cannot hold its other end; -1 for any end. */
     private boolean isDriven(Block block, int end, double[] state) {
-        for (int row : block.members) {
-            if ((end < 0 || rows.first(row) == end || rows.second(row) == end) && rows.isDraggedByAnchor(row, state,
-                    blocks.getAccelerations(), system.getParticles().getInverseMasses())) {
-                return true;
-            }
-        }
-        return false;
+        Rows rows = blocks.getRows();
+        return Arrays.stream(block.members).anyMatch(r -> (end < 0 || rows.first[r] == end || rows.second[r] == end)
+                && rows.isDraggedByAnchor(r, state, blocks.getAccelerations(),
+                        system.getParticles().getInverseMasses()));
     }
 
     /** As {@link RestingContacts#holdMargin}. */
-    double holdMargin(Block block, int particle, double[] state, double[] force) {
+    double holdMargin(int particle, double[] state, double[] force) {
+        Block block = blocks.of(particle);
         double[] atRest = force;
         if (block.isJoined()) {
             blocks.prepare(state, system.getTime());
+            blocks.getRows().evaluate(state, false);
             if (isDriven(block, particle, state)) {
                 return -1;
             }
@@ -139,12 +131,11 @@ final class ContactQueries {
         Vector3 rest = Vector3.at(force, Particles.STRIDE * i + 3);
         double withstood = 0;
         pushed = 0;
-        for (int r = 0; r < alone.size(); r++) {
-            int k = alone.contact(r);
+        for (int r = 0; r < alone.rows.count; r++) {
             double push = alone.force(r);
             pushed += push;
-            withstood += push * alone.touching.friction[k].staticCoefficient();
-            rest = rest.plus(Vector3.at(alone.touching.normal, 3 * k).times(push));
+            withstood += push * alone.rows.friction(r).staticCoefficient();
+            rest = rest.plus(Vector3.at(alone.rows.gradient, 6 * r).times(push));
         }
         return withstood - Math.sqrt(rest.dot(rest));
     }

@@ -2,9 +2,7 @@ package particles.reactions;
 
 import deSolvers.ForceDerivatives;
 import deSolvers.text.Digits;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import particles.ParticleSystem;
@@ -44,14 +42,13 @@ public final class RestingContacts implements Reaction {
     /** Relative to the speed before: less than this is left where the forces change a little in the step of a stop. */
     private static final double ALMOST_STOPPED = 0.01;
 
+    private final ParticleSystem system;
     private final Particles particles;
     private final List<ContactSurface> surfaces;
     private final ContactModes modes;
     private final SlidingDirection sliding = new SlidingDirection();
-    private final List<Block> touching = new ArrayList<>();
-    private int touchingAt = -1;                        // the modes' count of changes
-    private Optional<RigidConstraints> joints = Optional.empty();
-    private BlockForces blocks;
+    private Blocks blocks;
+    private BlockImpacts impacts;
     private ContactQueries queries;
     private boolean holding;
 
@@ -60,12 +57,11 @@ public final class RestingContacts implements Reaction {
      * @param surfaces the surfaces
      */
     public RestingContacts(ParticleSystem system, List<ContactSurface> surfaces) {
+        this.system = system;
         this.particles = system.getParticles();
         this.surfaces = List.copyOf(surfaces);
         modes = new ContactModes(particles, surfaces.size());
-        ConstraintRows none = new ConstraintRows();
-        blocks = new BlockForces(system, none, this, 0);
-        queries = new ContactQueries(system, none, this, blocks);
+        join(new Rows(), 0);
     }
 
     /** @return the surfaces, in the order of their indices in {@link #getModes} */
@@ -107,11 +103,16 @@ public final class RestingContacts implements Reaction {
         return sliding;
     }
 
-    void joinTo(RigidConstraints constraints, BlockForces blocks, ContactQueries queries) {
-        this.queries = queries;
-        touchingAt = -1;
-        joints = Optional.of(constraints);
-        this.blocks = blocks;
+    /** Solves rows of rods, wires and balls together with these contacts. */
+    Blocks join(Rows rows, double feedback) {
+        blocks = new Blocks(system, rows, feedback, this, modes::isSticking);
+        impacts = new BlockImpacts(system, this, blocks);
+        queries = new ContactQueries(system, this, blocks);
+        return blocks;
+    }
+
+    BlockImpacts getImpacts() {
+        return impacts;
     }
 
     /**
@@ -119,25 +120,7 @@ public final class RestingContacts implements Reaction {
      * @return whether it is coupled to others, which then feel an impulse on it
      */
     public boolean isCoupled(int particle) {
-        return joints.isPresent() && joints.get().block(particle).isPresent();
-    }
-
-    private Block block(int particle) {
-        return isCoupled(particle) ? joints.get().block(particle).get() : blocks.single(particle);
-    }
-
-    /** The blocks of the particles that touch a surface and are not coupled. */
-    private List<Block> touching() {
-        if (touchingAt != modes.getChanges()) {
-            touchingAt = modes.getChanges();
-            touching.clear();
-            for (int i = 0; i < modes.end(); i++) {
-                if (modes.isTouching(i) && !particles.isFixed(i) && !isCoupled(i)) {
-                    touching.add(blocks.single(i));
-                }
-            }
-        }
-        return touching;
+        return blocks.isCoupled(particle);
     }
 
     /**
@@ -151,7 +134,7 @@ public final class RestingContacts implements Reaction {
      * @param state    the state, in which velocities are changed
      */
     public void strike(int surface, int particle, double leaving, double[] state) {
-        blocks.impacts().strike(block(particle), surface, particle, leaving, state);
+        impacts.strike(surface, particle, leaving, state);
     }
 
     /**
@@ -165,7 +148,7 @@ public final class RestingContacts implements Reaction {
      * @return true for every particle that is not coupled
      */
     public boolean canPush(int surface, int particle, double[] state) {
-        return !isCoupled(particle) || blocks.impacts().canPush(block(particle), surface, particle, state);
+        return !isCoupled(particle) || impacts.canPush(surface, particle, state);
     }
 
     /**
@@ -178,7 +161,7 @@ public final class RestingContacts implements Reaction {
      */
     public void settle(int particle, boolean balls, double[] state) {
         if (isCoupled(particle)) {
-            blocks.settle(block(particle), state, false, balls ? Block.ALL : Block.NONE);
+            blocks.correct(blocks.of(particle), state, 3, false, balls ? Block.ALL : Block.NONE);
         }
     }
 
@@ -189,7 +172,9 @@ public final class RestingContacts implements Reaction {
      * @param time  t (s), for messages
      */
     public void putBack(double[] state, double time) {
-        joints.orElseThrow().project(state, time);
+        ConstraintCorrection correction = new ConstraintCorrection(blocks);
+        correction.positions(state, time);
+        correction.velocities(state);
     }
 
     /**
@@ -310,28 +295,20 @@ public final class RestingContacts implements Reaction {
     @Override
     public void addForceDerivatives(double[] state, double time, double[] force, ForceDerivatives derivatives) {
         ContactDerivative derivative = new ContactDerivative(blocks, time);
-        for (Block block : touching()) {
+        for (Block block : blocks.touching()) {
             derivative.add(block, state, force, derivatives);
         }
     }
 
     @Override
     public void addForces(double[] state, double time, double[] force) {
-        List<Block> touching = touching();
-        for (int b = 0; b < touching.size(); b++) {
-            blocks.solve(touching.get(b), state, time, force);
-            blocks.addForces(touching.get(b), force);
-        }
+        blocks.addForces(blocks.touching(), state, time, force);
     }
 
     @Override
     public double getPower(double[] state, double time, double[] force) {
-        double power = joints.isPresent() ? joints.get().contactPower(state, time, force) : 0;
-        for (Block block : touching()) {
-            blocks.solve(block, state, time, force);
-            power += blocks.frictionPower(block, state);
-        }
-        return power;
+        return blocks.power(blocks.joined(), state, time, force, Blocks::frictionPower)
+                + blocks.power(blocks.touching(), state, time, force, Blocks::frictionPower);
     }
 
     @Override
@@ -369,7 +346,7 @@ public final class RestingContacts implements Reaction {
      *         nothing presses it on
      */
     public double holdMargin(int particle, double[] state, double[] force) {
-        return queries.holdMargin(block(particle), particle, state, force);
+        return queries.holdMargin(particle, state, force);
     }
 
     /**
@@ -382,7 +359,7 @@ public final class RestingContacts implements Reaction {
      * @return the normal force (N); if it is 0, minus the force that pulls the particle off
      */
     public double pressure(int surface, int particle, double[] state, double[] force) {
-        return queries.pressure(block(particle), surface, particle, state, force);
+        return queries.pressure(surface, particle, state, force);
     }
 
     /**
@@ -393,6 +370,6 @@ public final class RestingContacts implements Reaction {
      * @param state    the state, in which its velocity is changed
      */
     public void stopEntering(int particle, double[] state) {
-        blocks.settle(blocks.single(particle), state, true, Block.NONE);
+        blocks.correct(blocks.of(particle), state, 3, true, Block.NONE);
     }
 }

@@ -1,17 +1,14 @@
 package particles.reactions;
 
 import deSolvers.text.Digits;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
-import java.util.function.ToDoubleBiFunction;
 import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.law.Particles;
 import particles.law.Reaction;
 import particles.law.Require;
 import particles.law.Violation;
-import particles.reactions.contact.ContactModes;
+import particles.reactions.Rows.Kind;
 import particles.reactions.wires.Curve;
 import particles.view.SpringView;
 
@@ -47,15 +44,11 @@ public final class RigidConstraints implements Reaction, SpringView {
     /** The default feedback rate alpha (1/s). */
     public static final double USUAL_FEEDBACK = 5;
 
-    private final ParticleSystem system;
     private final Particles particles;
     private final double feedback;
-    private final ConstraintRows rows = new ConstraintRows();
-    private final List<Block> joined = new ArrayList<>();
+    private final Rows rows = new Rows();
     private RestingContacts contacts;
-    private BlockForces blocks;
-    private Block[] blockOf = {};                       // by particle; null for none
-    private boolean arranged;
+    private Blocks blocks;
 
     /**
      * @param system   the system of the particles
@@ -63,11 +56,9 @@ public final class RigidConstraints implements Reaction, SpringView {
      * @throws IllegalArgumentException if the rate is out of range
      */
     public RigidConstraints(ParticleSystem system, double feedback) {
-        this.system = system;
         this.particles = system.getParticles();
         this.feedback = Require.notNegative("the feedback rate", feedback);
-        contacts = new RestingContacts(system, List.of());
-        blocks = new BlockForces(system, rows, contacts, feedback);
+        solveWith(new RestingContacts(system, List.of()));
     }
 
     /**
@@ -83,8 +74,7 @@ public final class RigidConstraints implements Reaction, SpringView {
             throw new IllegalArgumentException("a rod from '" + particles.id(from) + "' to '" + particles.id(to)
                     + "'; its ends have to be two particles, and one of them free");
         }
-        rows.addRod(from, to, Require.positive("the length of a rod", length));
-        arranged = false;
+        rows.addLink(Kind.ROD, from, to, Require.positive("the length of a rod", length));
     }
 
     /**
@@ -100,36 +90,19 @@ public final class RigidConstraints implements Reaction, SpringView {
                     + " be free to move");
         }
         rows.addBead(particle, wire);
-        arranged = false;
-    }
-
-    /** Finds the blocks, once and after particles were removed. */
-    private void arrange() {
-        if (!arranged) {
-            joined.clear();
-            blockOf = new Block[particles.count()];
-            for (int[] part : new RowGraph(rows, particles).parts()) {
-                Block block = blocks.block(part);
-                joined.add(block);
-                for (int i : block.particles) {
-                    blockOf[i] = block;
-                }
-            }
-            arranged = true;
-        }
     }
 
     @Override
     public String getName() {
-        if (rows.getBeads() == 0) {
-            return rows.getRods() == 0 ? "collisions" : "rods";
+        if (rows.begin(Kind.WIRE) == rows.count) {
+            return springCount() == 0 ? "collisions" : "rods";
         }
-        return rows.getRods() == 0 ? "wires" : "rods and wires";
+        return springCount() == 0 ? "wires" : "rods and wires";
     }
 
     @Override
     public boolean isActive() {
-        return rows.count() > 0;
+        return rows.count > 0;
     }
 
     @Override
@@ -144,34 +117,13 @@ public final class RigidConstraints implements Reaction, SpringView {
 
     @Override
     public void addForces(double[] state, double time, double[] force) {
-        arrange();
-        blocks.prepare(state, time);
-        for (int l = 0; l < joined.size(); l++) {
-            blocks.solve(joined.get(l), state, time, force);
-            blocks.addForces(joined.get(l), force);
-        }
+        blocks.addForces(blocks.joined(), state, time, force);
     }
 
     /** {@inheritDoc} Only moving anchors do work; energy changed by errors of the lengths counts as error. */
     @Override
     public double getPower(double[] state, double time, double[] force) {
-        return sum(state, time, force, blocks::anchorPower);
-    }
-
-    /** The power of the contact forces of surfaces on connected particles (W). */
-    double contactPower(double[] state, double time, double[] force) {
-        return sum(state, time, force, blocks::frictionPower);
-    }
-
-    private double sum(double[] state, double time, double[] force, ToDoubleBiFunction<Block, double[]> power) {
-        arrange();
-        blocks.prepare(state, time);
-        double sum = 0;
-        for (Block block : joined) {
-            blocks.solve(block, state, time, force);
-            sum += power.applyAsDouble(block, state);
-        }
-        return sum;
+        return blocks.power(blocks.joined(), state, time, force, blocks::anchorPower);
     }
 
     /**
@@ -182,39 +134,12 @@ public final class RigidConstraints implements Reaction, SpringView {
      */
     public void solveWith(RestingContacts contacts) {
         this.contacts = contacts;
-        blocks = new BlockForces(system, rows, contacts, feedback);
-        arranged = false;
-        contacts.joinTo(this, blocks, new ContactQueries(system, rows, contacts, blocks));
+        blocks = contacts.join(rows, feedback);
     }
 
     /** The contacts of balls, solved together with these constraints. */
     public BallContacts balls() {
-        return new BallContacts(this, rows);
-    }
-
-    /** Finds the blocks again after a contact of balls began or ended. */
-    void noteChange() {
-        arranged = false;
-        contacts.getModes().noteChange();
-    }
-
-    ContactModes getModes() {
-        return contacts.getModes();
-    }
-
-    BlockForces getBlocks() {
-        return blocks;
-    }
-
-    List<Block> getJoined() {
-        arrange();
-        return joined;
-    }
-
-    /** The block of a particle on a rod or wire, or in contact with a ball; none for others. */
-    Optional<Block> block(int particle) {
-        arrange();
-        return particle < blockOf.length ? Optional.ofNullable(blockOf[particle]) : Optional.empty();
+        return new BallContacts(blocks, contacts);
     }
 
     /**
@@ -226,30 +151,27 @@ public final class RigidConstraints implements Reaction, SpringView {
      * @throws SimulationException if no nearby positions satisfy the constraints
      */
     public boolean project(double[] state, double time) {
-        arrange();
-        ConstraintCorrection correction = new ConstraintCorrection(rows, joined, blocks);
+        ConstraintCorrection correction = new ConstraintCorrection(blocks);
         boolean moved = correction.positions(state, time);
         return correction.velocities(state) | moved;
     }
 
+    /** {@inheritDoc} Errors of rods and contacts are relative to their lengths, those of wires to 1 m. */
     @Override
     public Violation getViolation(double[] state, double since) {
         Violation worst = Violation.NONE;
-        for (int r = 0; r < rows.getBeadRows(); r++) {
-            double more = rows.distance(r, state) - rows.length(r);
-            double part = Math.abs(more) / rows.length(r);
-            if (part > worst.part()) {
-                worst = new Violation(part, (rows.isContact(r) ? "the contact" : "the rod") + " from '"
-                        + particles.id(rows.first(r)) + "' to '" + particles.id(rows.second(r)) + "' is "
-                        + Digits.few(Math.abs(more)) + " m too " + (more > 0 ? "long" : "short"));
-            }
-        }
-        rows.evaluate(state);
-        for (int r = rows.getBeadRows(); r < rows.count(); r++) {
-            double off = Math.abs(rows.value[r]);
-            if (off > worst.part()) {
-                worst = new Violation(off,
-                        "'" + particles.id(rows.first(r)) + "' is " + Digits.few(off) + " m off its wire");
+        rows.evaluate(state, true);
+        for (int r = 0; r < rows.count; r++) {
+            String from = "'" + particles.id(rows.first[r]) + "'";
+            if (rows.kind[r] == Kind.WIRE) {
+                double off = Math.abs(rows.value[r]);
+                worst = worst.or(new Violation(off, from + " is " + Digits.few(off) + " m off its wire"));
+            } else {
+                double more = rows.distance(r, state) - rows.length[r];
+                worst = worst.or(new Violation(Math.abs(more) / rows.length[r],
+                        (rows.kind[r] == Kind.BALLS ? "the contact" : "the rod") + " from " + from + " to '"
+                                + particles.id(rows.second[r]) + "' is " + Digits.few(Math.abs(more)) + " m too "
+                                + (more > 0 ? "long" : "short")));
             }
         }
         return worst;
@@ -258,27 +180,26 @@ public final class RigidConstraints implements Reaction, SpringView {
     @Override
     public void reindex(int[] newIndex) {
         rows.reindex(newIndex);
-        arranged = false;
     }
 
     @Override
     public int springCount() {
-        return rows.getRods();
+        return rows.begin(Kind.BALLS);
     }
 
     @Override
     public int from(int s) {
-        return rows.first(s);
+        return rows.first[s];
     }
 
     @Override
     public int to(int s) {
-        return rows.second(s);
+        return rows.second[s];
     }
 
     @Override
     public double restLength(int s) {
-        return rows.length(s);
+        return rows.length[s];
     }
 
     /** {@inheritDoc} A rod's is infinite. */

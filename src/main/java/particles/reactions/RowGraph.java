@@ -13,16 +13,16 @@ import particles.law.Particles;
  * matrix has a small bandwidth.
  */
 final class RowGraph {
-    private final ConstraintRows rows;
+    private final Rows rows;
     private final Map<Integer, List<Integer>> rowsOf = new HashMap<>();     // by movable particle
     private final Particles particles;
 
-    RowGraph(ConstraintRows rows, Particles particles) {
+    RowGraph(Rows rows, Particles particles) {
         this.rows = rows;
         this.particles = particles;
-        for (int r = 0; r < rows.count(); r++) {
-            join(r, rows.first(r));
-            join(r, rows.second(r));
+        for (int r = 0; r < rows.count; r++) {
+            join(r, rows.first[r]);
+            join(r, rows.second[r]);
         }
     }
 
@@ -38,7 +38,7 @@ final class RowGraph {
      */
     List<int[]> parts() {
         List<int[]> parts = new ArrayList<>();
-        boolean[] placed = new boolean[rows.count()];
+        boolean[] placed = new boolean[rows.count];
         Comparator<Integer> byDegree = Comparator.comparingInt(this::degree);
         List<Integer> all = new ArrayList<>();
         for (int r = 0; r < placed.length; r++) {
@@ -70,8 +70,8 @@ final class RowGraph {
     }
 
     private List<Integer> neighbours(int row) {
-        List<Integer> all = new ArrayList<>(rowsOf.getOrDefault(rows.first(row), List.of()));
-        all.addAll(rowsOf.getOrDefault(rows.second(row), List.of()));
+        List<Integer> all = new ArrayList<>(rowsOf.getOrDefault(rows.first[row], List.of()));
+        all.addAll(rowsOf.getOrDefault(rows.second[row], List.of()));
         return all;
     }
 }

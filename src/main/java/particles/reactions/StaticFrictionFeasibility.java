@@ -1,8 +1,8 @@
 package particles.reactions;
 
-import java.util.BitSet;
 import particles.law.Particles;
 import particles.law.Vector3;
+import particles.reactions.Rows.Kind;
 
 /**
  * Decides whether static friction can hold a statically indeterminate linkage. The load of a rod between two sticking
@@ -19,34 +19,36 @@ final class StaticFrictionFeasibility {
     /** The largest load that is tried, relative to the forces on the ends. */
     private static final double MOST = 100;
 
-    private final ConstraintRows rows;
     private final ContactQueries queries;
-    private BitSet ends = new BitSet();
-
-    StaticFrictionFeasibility(ConstraintRows rows, ContactQueries queries) {
-        this.rows = rows;
-        this.queries = queries;
-    }
+    private final Block block;
+    private final double[] state;
+    private final double[] total;
 
     /**
-     * Adds loads of the rods and wires of a block that cannot move.
-     *
-     * @param total the forces without these loads (N); the loads are added
+     * @param block the rods and wires of particles that cannot move
+     * @param total the forces without these loads (N); {@link #run} adds the loads
      */
-    void run(Block joint, double[] state, double[] total) {
-        ends = joint.held;
+    StaticFrictionFeasibility(ContactQueries queries, Block block, double[] state, double[] total) {
+        this.queries = queries;
+        this.block = block;
+        this.state = state;
+        this.total = total;
+    }
+
+    /** Adds the loads. */
+    void run() {
         double size = 0;
-        for (int i = ends.nextSetBit(0); i >= 0; i = ends.nextSetBit(i + 1)) {
+        for (int i = block.held.nextSetBit(0); i >= 0; i = block.held.nextSetBit(i + 1)) {
             size += Vector3.at(total, Particles.STRIDE * i + 3).norm1();
         }
-        double least = leastMargin(-1, state, total);
+        double least = leastMargin(-1);
         for (int sweep = 0; sweep < SWEEPS && least <= 0; sweep++) {
             double before = least;
             int idle = 0;
-            for (int r = 0; r < joint.size() && least <= 0; r++) {
-                if (joint.isMember(r) && joint.isIdle(r)) {
-                    load(joint.member(r), MOST * size, state, total);
-                    least = leastMargin(-1, state, total);
+            for (int r = 0; r < block.rows.count && least <= 0; r++) {
+                if (block.isIdle(r)) {
+                    load(r, MOST * size);
+                    least = leastMargin(-1);
                     idle++;
                 }
             }
@@ -57,54 +59,53 @@ final class StaticFrictionFeasibility {
     }
 
     /** Adds the load of a row that is best for the smallest margin: that of its own ends, as others do not feel it. */
-    private void load(int row, double most, double[] state, double[] total) {
-        double others = leastMargin(row, state, total);
-        double low = rows.isContact(row) ? 0 : -most;
+    private void load(int row, double most) {
+        double others = leastMargin(row);
+        double low = block.rows.kind[row] == Kind.BALLS ? 0 : -most;
         double high = most;
         double x = high - GOLDEN * (high - low);
         double y = low + GOLDEN * (high - low);
-        double atX = marginWith(row, x, state, total);
-        double atY = marginWith(row, y, state, total);
+        double atX = marginWith(row, x);
+        double atY = marginWith(row, y);
         for (int section = 0; section < SECTIONS; section++) {
             if (atX >= atY) {
                 high = y;
                 y = x;
                 atY = atX;
                 x = high - GOLDEN * (high - low);
-                atX = marginWith(row, x, state, total);
+                atX = marginWith(row, x);
             } else {
                 low = x;
                 x = y;
                 atX = atY;
                 y = low + GOLDEN * (high - low);
-                atY = marginWith(row, y, state, total);
+                atY = marginWith(row, y);
             }
         }
         double best = low + (high - low) / 2;
-        double without = Math.min(others, marginWith(row, 0, state, total));
-        if (without < Math.min(others, marginWith(row, best, state, total))) {
-            rows.addForce(row, best, total);
+        if (Math.min(others, marginWith(row, 0)) < Math.min(others, marginWith(row, best))) {
+            block.rows.addForce(row, best, total);
         }
     }
 
     /** The smaller margin of a row's ends under an additional load. */
-    private double marginWith(int row, double load, double[] state, double[] total) {
-        rows.addForce(row, load, total);
-        double least = Math.min(margin(rows.first(row), state, total), margin(rows.second(row), state, total));
-        rows.addForce(row, -load, total);
+    private double marginWith(int row, double load) {
+        block.rows.addForce(row, load, total);
+        double least = Math.min(margin(block.rows.first[row]), margin(block.rows.second[row]));
+        block.rows.addForce(row, -load, total);
         return least;
     }
 
-    private double margin(int i, double[] state, double[] total) {
-        return i >= 0 && ends.get(i) ? queries.holdSlack(i, state, total) : Double.POSITIVE_INFINITY;
+    private double margin(int i) {
+        return i >= 0 && block.held.get(i) ? queries.holdSlack(i, state, total) : Double.POSITIVE_INFINITY;
     }
 
     /** The smallest margin of all ends but those of a row. */
-    private double leastMargin(int row, double[] state, double[] total) {
+    private double leastMargin(int row) {
         double least = Double.POSITIVE_INFINITY;
-        for (int i = ends.nextSetBit(0); i >= 0; i = ends.nextSetBit(i + 1)) {
-            least = row >= 0 && (i == rows.first(row) || i == rows.second(row)) ? least
-                    : Math.min(least, queries.holdSlack(i, state, total));
+        for (int i = block.held.nextSetBit(0); i >= 0; i = block.held.nextSetBit(i + 1)) {
+            least = row >= 0 && (i == block.rows.first[row] || i == block.rows.second[row]) ? least
+                    : Math.min(least, margin(i));
         }
         return least;
     }

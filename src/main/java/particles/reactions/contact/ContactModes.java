@@ -93,11 +93,6 @@ public final class ContactModes {
         }
     }
 
-    /** Counts a change of other contacts, which couple particles. */
-    public void noteChange() {
-        changes++;
-    }
-
     /** The number of changes so far. */
     public int getChanges() {
         return changes;

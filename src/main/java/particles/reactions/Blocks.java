@@ -5,21 +5,21 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntPredicate;
+import java.util.function.ToDoubleBiFunction;
 import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.law.Particles;
-import particles.law.Vector3;
+import particles.reactions.Rows.Kind;
 import particles.reactions.algebra.ActiveSetMethod;
 import particles.reactions.contact.ContactModes;
-import particles.reactions.contact.ContactModes.Mode;
 
 /**
- * The reaction forces of one block at a time, see the {@linkplain particles.reactions theory}: normal forces, friction
- * and the forces of rods, wires and balls in contact, which depend on each other. A sticking particle does not move;
- * its contact force balances all others.
+ * The blocks of a system and their reaction forces, one block at a time, see the {@linkplain particles.reactions
+ * theory}: normal forces, friction and the forces of rods, wires and balls in contact, which depend on each other. A
+ * sticking particle does not move; its contact force balances all others.
  */
-final class BlockForces {
+final class Blocks {
     private static final int STRIDE = Particles.STRIDE;
     /**
      * Rods contradict each other if the residual is above this fraction of the largest acceleration; the drift of
@@ -35,50 +35,125 @@ final class BlockForces {
 
     private final ParticleSystem system;
     private final Particles particles;
-    private final ConstraintRows rows;
+    private final Rows rows;
     private final RestingContacts contacts;
     private final ContactModes modes;
     private final double feedback;
+    private final IntPredicate usuallyHeld;
     private final ActiveSetMethod activeSet = new ActiveSetMethod();
     private final List<Block> singles = new ArrayList<>();
+    private final List<Block> joined = new ArrayList<>();
+    private final List<Block> touching = new ArrayList<>();
+    private Block[] blockOf = {};                       // by particle; null for one that is not coupled
+    private int joinedAt = -1;                          // the rows' count of changes
+    private int touchingAt = -1;                        // the modes', and the rows'
     private double[] accelerations = {};
     private double[] total = {};                        // forces including those of rods, wires and contacts
     private int solutions;
     private double left;                                // the residual of the last solution, relative to accelerations
 
-    BlockForces(ParticleSystem system, ConstraintRows rows, RestingContacts contacts, double feedback) {
+    /**
+     * @param rows        the rods, wires and contacts of balls
+     * @param feedback    the rate at which their errors decay (1/s)
+     * @param usuallyHeld the particles that are held while forces act
+     */
+    Blocks(ParticleSystem system, Rows rows, double feedback, RestingContacts contacts, IntPredicate usuallyHeld) {
         this.system = system;
         this.particles = system.getParticles();
         this.rows = rows;
         this.contacts = contacts;
         this.modes = contacts.getModes();
         this.feedback = feedback;
+        this.usuallyHeld = usuallyHeld;
     }
 
-    /** Makes a block of connected rows. */
-    Block block(int[] members) {
-        return new Block(members, Arrays.stream(members).flatMap(r -> IntStream.of(rows.first(r), rows.second(r)))
-                .filter(i -> i >= 0 && !particles.isFixed(i)).distinct().sorted().toArray(), rows, particles, contacts,
-                activeSet);
+    Rows getRows() {
+        return rows;
     }
 
-    /** The block of a particle that is not coupled. */
-    Block single(int particle) {
+    /** The blocks of coupled particles. */
+    List<Block> joined() {
+        if (joinedAt != rows.getChanges()) {
+            joinedAt = rows.getChanges();
+            joined.clear();
+            blockOf = new Block[particles.count()];
+            for (int[] part : new RowGraph(rows, particles).parts()) {
+                Block block = block(part, Arrays.stream(part).flatMap(r -> IntStream.of(rows.first[r], rows.second[r]))
+                        .filter(i -> i >= 0 && !particles.isFixed(i)).distinct().sorted().toArray());
+                joined.add(block);
+                for (int i : block.particles) {
+                    blockOf[i] = block;
+                }
+            }
+        }
+        return joined;
+    }
+
+    private Block block(int[] members, int... movable) {
+        return new Block(members, movable, rows, particles, contacts, usuallyHeld, activeSet);
+    }
+
+    /** The blocks of the particles that touch a surface and are not coupled. */
+    List<Block> touching() {
+        int changes = modes.getChanges() + rows.getChanges();
+        if (touchingAt != changes) {
+            touchingAt = changes;
+            touching.clear();
+            for (int i = 0; i < modes.end(); i++) {
+                if (modes.isTouching(i) && !particles.isFixed(i) && !isCoupled(i)) {
+                    touching.add(of(i));
+                }
+            }
+        }
+        return touching;
+    }
+
+    /** Whether a particle is on a rod or wire, or in contact with a ball. */
+    boolean isCoupled(int particle) {
+        joined();
+        return particle < blockOf.length && blockOf[particle] != null;
+    }
+
+    /** The block of a particle. */
+    Block of(int particle) {
+        if (isCoupled(particle)) {
+            return blockOf[particle];
+        }
         while (singles.size() <= particle) {
-            singles.add(new Block(new int[0], new int[] {singles.size()}, rows, particles, contacts, activeSet));
+            singles.add(block(new int[0], singles.size()));
         }
         return singles.get(particle);
     }
 
     /** Prepares for a state, once for all blocks. */
     void prepare(double[] state, double time) {
-        rows.evaluate(state);
         fit(state);
         system.putAnchorAccelerations(time, accelerations);
     }
 
     private void fit(double[] state) {
         accelerations = accelerations.length < state.length ? new double[state.length] : accelerations;
+    }
+
+    /** Adds the forces of some blocks. @param force the forces of all effects (N) */
+    void addForces(List<Block> some, double[] state, double time, double[] force) {
+        prepare(state, time);
+        for (int b = 0; b < some.size(); b++) {
+            solve(some.get(b), state, time, force);
+            addForces(some.get(b), force);
+        }
+    }
+
+    /** The sum of a power over some blocks (W). */
+    double power(List<Block> some, double[] state, double time, double[] force,
+            ToDoubleBiFunction<Block, double[]> power) {
+        prepare(state, time);
+        double sum = 0;
+        for (Block block : some) {
+            solve(block, state, time, force);
+            sum += power.applyAsDouble(block, state);
+        }
+        return sum;
     }
 
     /**
@@ -89,21 +164,11 @@ final class BlockForces {
      *         sticks, rods that contradict each other are no error: a rule releases it at the end of the motion
      */
     void solve(Block block, double[] state, double time, double[] force) {
-        block.take(state, true);
+        block.take(state, Block.ALL);
         Optional<String> failure = solve(block, state, force);
         if (failure.isPresent() && !(failure.get().equals(CONTRADICTORY) && !block.held.isEmpty())) {
             throw failure(block, time, failure.get());
         }
-    }
-
-    /**
-     * Finds the forces of a block, after {@link #prepare}, with given particles held.
-     *
-     * @return the reason if there are none
-     */
-    Optional<String> solve(Block block, double[] state, double[] force, IntPredicate isHeld) {
-        block.take(state, isHeld, Block.NONE, Block.NONE, Block.ALL);
-        return solve(block, state, force);
     }
 
     /** Counts solutions: the last one is still at hand if the number has not changed. */
@@ -116,15 +181,15 @@ final class BlockForces {
         return left;
     }
 
-    /** Finds all forces for the rows taken; returns the reason if there are none. */
-    private Optional<String> solve(Block block, double[] state, double[] force) {
+    /** Finds all forces for the rows taken, after {@link #prepare}; returns the reason if there are none. */
+    Optional<String> solve(Block block, double[] state, double[] force) {
         solutions++;
         left = 0;
-        if (block.size() == 0) {
+        Rows rows = block.rows;
+        if (rows.count == 0) {
             return Optional.empty();
         }
-        ContactRows touching = block.touching;
-        boolean isIndirect = touching.isFrictionIndirect(state);
+        boolean isIndirect = rows.isFrictionIndirect(state, contacts.getSliding());
         if (isIndirect || !block.isJoined()) {
             Optional<String> failure = solveOnce(block, force);
             if (failure.isPresent()) {
@@ -132,15 +197,13 @@ final class BlockForces {
             }
         }
         if (isIndirect) {
-            for (int r = 0; r < block.size(); r++) {
-                if (!block.isMember(r)) {
-                    touching.push[block.contact(r)] = block.force(r);
-                }
+            for (int r = 0; r < rows.count; r++) {
+                rows.push[r] = block.force(r);
             }
             addUp(block, force);
         }
-        for (int k = 0; k < touching.count; k++) {
-            touching.findSlip(k, isIndirect, isIndirect ? total : force, state);
+        for (int r = 0; r < rows.count; r++) {
+            rows.findSlip(r, isIndirect, isIndirect ? total : force, state, contacts.getSliding());
         }
         // friction acts along all surfaces of a particle: it does not change how hard they push a single one
         return block.isJoined() ? solveOnce(block, force) : Optional.empty();
@@ -158,10 +221,10 @@ final class BlockForces {
     SimulationException failure(Block block, double time, String reason) {
         int particle = block.particles[0];
         List<String> what = new ArrayList<>();
-        if (Arrays.stream(block.members).anyMatch(row -> !rows.isContact(row))) {
+        if (Arrays.stream(block.members).anyMatch(row -> rows.kind[row] != Kind.BALLS)) {
             what.add("rods and wires");
         }
-        if (block.hasPairs() || block.touching.count > 0) {
+        if (IntStream.range(0, block.rows.count).anyMatch(block::isContact)) {
             what.add("contacts");
         }
         return new SimulationException(time, particle, "the " + String.join(" and ", what)
@@ -172,19 +235,13 @@ final class BlockForces {
      * b = -(J W F + J' v) - k_s C - k_d C', with C the distance for contacts. Where balls touch, contacts have no
      * feedback: in a dense packing, the errors of many could not decay at the same time.
      */
-    private void putRight(Block block, double[] force) {
-        if (block.isJoined()) {
-            findAccelerations(block, force);
-        }
-        for (int r = 0; r < block.size(); r++) {
-            int row = block.member(r);
-            int k = block.contact(r);
+    void putRight(Block block, double[] force) {
+        findAccelerations(block, force);
+        Rows rows = block.rows;
+        for (int r = 0; r < rows.count; r++) {
             double decay = !block.isJoined() || block.isContact(r) && block.hasPairs() ? 0 : feedback;
-            block.right[r] = block.isIdle(r) ? 0 : block.isMember(r)
-                    ? -(rows.times(row, accelerations, 3) + rows.bend[row]) - decay * decay * rows.value[row]
-                            - 2 * decay * rows.rate[row]
-                    : -(block.weight(block.touching.particle[k]) * block.touching.times(k, force, 3) + block.bend(k))
-                            - decay * decay * block.touching.value[k] - 2 * decay * block.touching.rate[k];
+            block.right[r] = block.isIdle(r) ? 0 : -(rows.times(r, accelerations, 3) + rows.bend[r])
+                    - decay * decay * rows.value[r] - 2 * decay * rows.rate[r];
         }
     }
 
@@ -218,7 +275,7 @@ final class BlockForces {
                 scale = Math.max(scale, Math.abs(accelerations[f]));
             }
         }
-        for (int r = 0; r < block.size(); r++) {
+        for (int r = 0; r < block.rows.count; r++) {
             scale = Math.max(scale, Math.abs(block.right[r]));
         }
         return scale;
@@ -233,10 +290,10 @@ final class BlockForces {
     }
 
     /** The power of the friction found by {@link #solve} (W); surfaces at rest do no other work. */
-    double frictionPower(Block block, double[] state) {
+    static double frictionPower(Block block, double[] state) {
         double power = 0;
-        for (int r = 0; r < block.size(); r++) {
-            power -= block.isMember(r) ? 0 : block.force(r) * block.touching.slipTimes(block.contact(r), state);
+        for (int r = 0; r < block.rows.count; r++) {
+            power += block.force(r) * block.rows.frictionPower(r, state);
         }
         return power;
     }
@@ -244,9 +301,8 @@ final class BlockForces {
     /** The power with which moving anchors drive the rods found by {@link #solve} (W). */
     double anchorPower(Block block, double[] state) {
         double power = 0;
-        for (int r = 0; r < block.size(); r++) {
-            power -= block.isMember(r) ? block.force(r) * rows.rateOfAnchors(block.member(r), state,
-                    particles.getInverseMasses()) : 0;
+        for (int r = 0; r < block.rows.count; r++) {
+            power -= block.force(r) * block.rows.rateOfAnchors(r, state, particles.getInverseMasses());
         }
         return power;
     }
@@ -268,55 +324,30 @@ final class BlockForces {
         return accelerations;
     }
 
-    BlockImpacts impacts() {
-        return new BlockImpacts(system, rows, contacts, this);
-    }
-
-    /** Evaluates all rows for another use of a block: the last solution is no longer at hand. */
-    void evaluate(double[] state) {
-        solutions++;
-        rows.evaluate(state);
-    }
-
-    /** b = -C, or -C' for velocities. */
-    void putRates(Block block, double[] state, int place) {
-        for (int r = 0; r < block.size(); r++) {
-            block.right[r] = block.isIdle(r) ? 0 : block.isMember(r)
-                    ? -(place == 0 ? rows.value : rows.rate)[block.member(r)]
-                    : -(place == 0 ? block.touching.value : block.touching.rate)[block.contact(r)];
-        }
-    }
-
     /**
-     * Stops the velocities of a block that violate its rows; with mayOpen, particles may leave surfaces.
+     * Corrects positions or velocities by C or C': on rods, wires, touched surfaces and, if they are meant, balls.
      *
-     * @param pairs the pairs of balls in contact that are meant: {@link Block#ALL} or {@link Block#NONE}
+     * @param place   0 for positions, 3 for velocities
+     * @param mayOpen whether particles may leave contacts
+     * @param pairs   the pairs of balls in contact that are meant: {@link Block#ALL} or {@link Block#NONE}
      */
-    void settle(Block block, double[] state, boolean mayOpen, int pairs) {
-        evaluate(state);
-        block.take(state, modes::isSticking, Block.NONE, Block.NONE, pairs);
-        correctTaken(block, state, 3, mayOpen);
-    }
-
-    /**
-     * Projects positions or velocities onto rods, wires and touched surfaces. The rows must have been evaluated.
-     *
-     * @param place 0 for positions, 3 for velocities
-     * @param pairs as for {@link #settle}
-     */
-    void correct(Block block, double[] state, int place, int pairs) {
-        solutions++;
-        block.take(state, true);
-        if (pairs != Block.ALL && block.hasPairs()) {
-            block.take(state, modes::isSticking, Block.NONE, Block.NONE, pairs);
-        }
-        correctTaken(block, state, place, false);
+    void correct(Block block, double[] state, int place, boolean mayOpen, int pairs) {
+        block.take(state, pairs);
+        correctTaken(block, state, place, mayOpen);
     }
 
     /** As {@link #correct}, for the rows that were taken. */
     void correctTaken(Block block, double[] state, int place, boolean mayOpen) {
-        putRates(block, state, place);
+        putErrors(block, place);
         block.solve(mayOpen ? Block.NONE : Block.ALL, mayOpen);
         block.move(state, place);
+    }
+
+    /** b = -C, or -C' for velocities. The last solution is no longer at hand. */
+    void putErrors(Block block, int place) {
+        solutions++;
+        for (int r = 0; r < block.rows.count; r++) {
+            block.right[r] = block.isIdle(r) ? 0 : -(place == 0 ? block.rows.value : block.rows.rate)[r];
+        }
     }
 }

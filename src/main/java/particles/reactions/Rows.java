@@ -1,0 +1,345 @@
+package particles.reactions;
+
+import java.util.Arrays;
+import particles.law.Obstacle;
+import particles.law.Particles;
+import particles.law.Vector3;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
+import particles.reactions.contact.SlidingDirection;
+import particles.reactions.wires.Curve;
+
+/**
+ * Constraint rows C_r(x) in flat arrays: rods, balls in contact, wires and contacts with surfaces fill them, all else
+ * reads them. At a state, a row has its value C, its rate C' = J v, its bend J' v (the second derivative of C along the
+ * velocity), and its gradients, which make up J. It involves one particle or two.
+ *
+ * <p>For a rod C = (|d|&sup2; - l&sup2;) / (2 l) with d = x_to - x_from: like |d| - l to first order, and smooth at d =
+ * 0. Two balls that touch have the row of a rod between their centres, but it may only push. For a contact with a
+ * surface, C is the distance, and its gradient is the normal N.
+ */
+final class Rows {
+    /** What a row belongs to. */
+    enum Kind { ROD, BALLS, WIRE, SURFACE }
+
+    private static final int STRIDE = Particles.STRIDE;
+
+    int count;
+    Kind[] kind = {};
+    int[] first = {};                                   // particle
+    int[] second = {};                                  // particle, or -1 for none
+    int[] number = {};                                  // of its surface, or in the list from which it was copied
+    double[] length = {};                               // of a rod; errors are relative to it (m)
+    private Curve[] curve = {};
+    private int[] function = {};                        // which of its curve's
+    private ContactSurface[] surface = {};
+    double[] value = {};
+    double[] rate = {};
+    double[] bend = {};
+    double[] gradient = {};                             // 6 a row: for the first and second particle
+    double[] pull = {};                                 // the force on both per 1 N of the row, with sliding friction
+    double[] push = {};                                 // of a contact without friction (N), for findSlip
+    private int changes;
+    private final double[] values = new double[Curve.ROWS];
+    private final double[] gradients = new double[3 * Curve.ROWS];
+    private final double[] bends = new double[Curve.ROWS];
+
+    void clear() {
+        count = 0;
+    }
+
+    /** Counts changes of the list. */
+    int getChanges() {
+        return changes;
+    }
+
+    /** Adds the row of a rod or of two balls, in the order of kinds; it keeps this distance (m). */
+    void addLink(Kind link, int from, int to, double distance) {
+        int r = append();
+        for (; r > 0 && kind[r - 1].compareTo(link) > 0; r--) {
+            copy(this, r - 1, r);
+        }
+        set(r, link, from, to, distance);
+    }
+
+    /** Adds the rows of a bead. */
+    void addBead(int particle, Curve wire) {
+        for (int k = 0; k < Curve.ROWS; k++) {
+            int r = append();
+            set(r, Kind.WIRE, particle, -1, 1);
+            curve[r] = wire;
+            function[r] = k;
+        }
+    }
+
+    /** Adds the row of a particle and the surface with an index, whether it touches or not. */
+    void addContact(int particle, int index, ContactSurface on) {
+        int r = append();
+        set(r, Kind.SURFACE, particle, -1, 1);
+        number[r] = index;
+        surface[r] = on;
+        bend[r] = 0;
+    }
+
+    /** Adds a row of another list. */
+    void add(Rows from, int row) {
+        int r = append();
+        copy(from, row, r);
+        number[r] = row;
+    }
+
+    private void set(int r, Kind kind, int first, int second, double length) {
+        this.kind[r] = kind;
+        this.first[r] = first;
+        this.second[r] = second;
+        this.length[r] = length;
+    }
+
+    private int append() {
+        if (count == kind.length) {
+            int more = 2 * count + 1;
+            kind = Arrays.copyOf(kind, more);
+            first = Arrays.copyOf(first, more);
+            second = Arrays.copyOf(second, more);
+            number = Arrays.copyOf(number, more);
+            length = Arrays.copyOf(length, more);
+            curve = Arrays.copyOf(curve, more);
+            function = Arrays.copyOf(function, more);
+            surface = Arrays.copyOf(surface, more);
+            value = new double[more];
+            rate = new double[more];
+            bend = new double[more];
+            gradient = new double[6 * more];
+            pull = new double[6 * more];
+            push = new double[more];
+        }
+        changes++;
+        return count++;
+    }
+
+    private void copy(Rows from, int row, int r) {
+        set(r, from.kind[row], from.first[row], from.second[row], from.length[row]);
+        curve[r] = from.curve[row];
+        function[r] = from.function[row];
+    }
+
+    /** Removes the row of two balls. */
+    void remove(int row) {
+        changes++;
+        count--;
+        for (int r = row; r < count; r++) {
+            copy(this, r + 1, r);
+        }
+    }
+
+    /** Updates indices after particles were removed; their rows are removed too. */
+    void reindex(int[] newIndex) {
+        changes++;
+        for (int r = count - 1; r >= 0; r--) {
+            first[r] = newIndex[first[r]];
+            second[r] = second[r] < 0 ? -1 : newIndex[second[r]];
+            if (first[r] < 0 || second[r] < 0 && kind[r] != Kind.WIRE) {
+                remove(r);
+            }
+        }
+    }
+
+    /** The index of the first row of a kind, or of a later one; rows must be in the order of kinds. */
+    int begin(Kind from) {
+        int r = 0;
+        while (r < count && kind[r].compareTo(from) < 0) {
+            r++;
+        }
+        return r;
+    }
+
+    /** The distance of a rod's ends (m). */
+    double distance(int rod, double[] state) {
+        return Vector3.at(state, STRIDE * second[rod]).minus(Vector3.at(state, STRIDE * first[rod])).length();
+    }
+
+    /**
+     * Evaluates all rows, without friction yet.
+     *
+     * @param withDistance whether the values of contacts with surfaces are needed
+     */
+    void evaluate(double[] state, boolean withDistance) {
+        for (int r = 0; r < count; r++) {
+            int x = STRIDE * first[r];
+            if (kind[r] == Kind.SURFACE) {
+                evaluateContact(r, state, x, withDistance);
+            } else if (kind[r] == Kind.WIRE) {
+                curve[r].evaluate(state, x, values, gradients, bends);
+                value[r] = values[function[r]];
+                bend[r] = bends[function[r]];
+                System.arraycopy(gradients, 3 * function[r], gradient, 6 * r, 3);
+                rate[r] = dot(gradient, 6 * r, state, x + 3);
+            } else {
+                evaluateLink(r, state, x, STRIDE * second[r]);
+            }
+        }
+        System.arraycopy(gradient, 0, pull, 0, 6 * count);
+    }
+
+    private void evaluateLink(int r, double[] state, int a, int b) {
+        double dx = state[b] - state[a];
+        double dy = state[b + 1] - state[a + 1];
+        double dz = state[b + 2] - state[a + 2];
+        double u = state[b + 3] - state[a + 3];
+        double v = state[b + 4] - state[a + 4];
+        double w = state[b + 5] - state[a + 5];
+        double l = length[r];
+        value[r] = (dx * dx + dy * dy + dz * dz - l * l) / (2 * l);
+        rate[r] = (dx * u + dy * v + dz * w) / l;
+        bend[r] = (u * u + v * v + w * w) / l;
+        int g = 6 * r;
+        gradient[g + 3] = dx / l;
+        gradient[g + 4] = dy / l;
+        gradient[g + 5] = dz / l;
+        gradient[g] = -gradient[g + 3];
+        gradient[g + 1] = -gradient[g + 4];
+        gradient[g + 2] = -gradient[g + 5];
+    }
+
+    private void evaluateContact(int r, double[] state, int x, boolean withDistance) {
+        Obstacle obstacle = surface[r].obstacle();
+        obstacle.normal(state[x], state[x + 1], state[x + 2]).put(gradient, 6 * r);
+        rate[r] = dot(gradient, 6 * r, state, x + 3);
+        if (withDistance) {
+            value[r] = surface[r].distance(state, first[r]);
+        }
+        if (!obstacle.isFlat()) {
+            bend[r] = obstacle.curvature(state[x], state[x + 1], state[x + 2])
+                    * (dot(state, x + 3, state, x + 3) - rate[r] * rate[r]);
+        }
+    }
+
+    static double dot(double[] a, int i, double[] b, int j) {
+        return a[i] * b[j] + a[i + 1] * b[j + 1] + a[i + 2] * b[j + 2];
+    }
+
+    /** A row's gradients times a vector of each particle, which begins at {@code place} + 6 i. */
+    double times(int row, double[] vectors, int place) {
+        return dot(gradient, 6 * row, vectors, STRIDE * first[row] + place) + (second[row] < 0 ? 0
+                : dot(gradient, 6 * row + 3, vectors, STRIDE * second[row] + place));
+    }
+
+    /** Adds a row's force on its particles, with friction. */
+    void addForce(int row, double lambda, double[] force) {
+        for (int k = 0; k < (second[row] < 0 ? 1 : 2); k++) {
+            int f = STRIDE * (k == 0 ? first : second)[row] + 3;
+            for (int c = 0; c < 3; c++) {
+                force[f + c] += lambda * pull[6 * row + 3 * k + c];
+            }
+        }
+    }
+
+    /** The power of friction per 1 N of a row that keeps its particle on a surface at rest (W/N). */
+    double frictionPower(int row, double[] state) {
+        return kind[row] == Kind.SURFACE ? dot(pull, 6 * row, state, STRIDE * first[row] + 3) - rate[row] : 0;
+    }
+
+    /** The contribution of moving anchors to the rate of a row: gradients times the anchors' velocities. */
+    double rateOfAnchors(int row, double[] state, double[] inverseMasses) {
+        double sum = 0;
+        for (int k = 0; k < (second[row] < 0 ? 1 : 2); k++) {
+            int i = (k == 0 ? first : second)[row];
+            sum += inverseMasses[i] == 0 ? dot(gradient, 6 * row + 3 * k, state, STRIDE * i + 3) : 0;
+        }
+        return sum;
+    }
+
+    /**
+     * Whether the anchor of a rod pulls or pushes its other end, at rest, along the rod; then nothing can hold that
+     * end.
+     *
+     * @param accelerations the accelerations of moving anchors (m/s&sup2;), in the entries of their velocities
+     */
+    boolean isDraggedByAnchor(int row, double[] state, double[] accelerations, double[] inverseMasses) {
+        if (second[row] < 0 || inverseMasses[first[row]] != 0 && inverseMasses[second[row]] != 0) {
+            return false;
+        }
+        int k = inverseMasses[first[row]] == 0 ? 0 : 1;
+        int v = STRIDE * (k == 0 ? first : second)[row] + 3;
+        double bend = dot(state, v, state, v) / length[row];
+        double along = bend + dot(gradient, 6 * row + 3 * k, accelerations, v);
+        double most = bend + Vector3.at(accelerations, v).norm1();
+        return Math.abs(rateOfAnchors(row, state, inverseMasses)) > RestingContacts.ROUNDING
+                || Math.abs(along) > RestingContacts.ROUNDING * (1 + most);
+    }
+
+    /** The largest curvature of the surfaces (1/m), 0 for planes. */
+    double curvature(double[] state) {
+        double most = 0;
+        for (int r = 0; r < count; r++) {
+            most = Math.max(most, surface[r].curvature(state, first[r]));
+        }
+        return most;
+    }
+
+    Friction friction(int row) {
+        return surface[row].friction();
+    }
+
+    /** Whether two rows are contacts of one particle with surfaces. */
+    private boolean areTogether(int j, int k) {
+        return j >= 0 && j < count && kind[j] == Kind.SURFACE && kind[k] == Kind.SURFACE && first[j] == first[k];
+    }
+
+    /**
+     * Whether the friction of some contact is not a known vector times its own normal force, so that the forces have to
+     * be solved without friction first: for a particle on several surfaces, or one that starts from rest or may stop.
+     */
+    boolean isFrictionIndirect(double[] state, SlidingDirection sliding) {
+        for (int r = 0; r < count; r++) {
+            if (kind[r] == Kind.SURFACE && friction(r).law() != Friction.Law.NONE
+                    && (areTogether(r - 1, r) || areTogether(r + 1, r) || friction(r).law() == Friction.Law.COULOMB
+                    && (sliding.mayStop(first[r]) || sliding.startsFromRest(first[r]) || isAtRest(r, state)))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether a particle on a surface does not move along it. */
+    private boolean isAtRest(int r, double[] state) {
+        boolean rests = true;
+        for (int c = 0; c < 3; c++) {
+            rests &= state[STRIDE * first[r] + 3 + c] - rate[r] * gradient[6 * r + c] == 0;
+        }
+        return rests;
+    }
+
+    /**
+     * Finds the sliding friction of a contact: along all surfaces that push its particle.
+     *
+     * @param r         the row
+     * @param pushKnown whether {@link #push} holds the normal forces without friction
+     * @param force     the force that will move the particle, without friction (N), from entry 6 i + 3 on
+     */
+    void findSlip(int r, boolean pushKnown, double[] force, double[] state, SlidingDirection sliding) {
+        if (kind[r] != Kind.SURFACE || friction(r).law() == Friction.Law.NONE) {
+            return;
+        }
+        sliding.release();
+        sliding.keepAlong(Vector3.at(gradient, 6 * r));
+        double all = 0;                                 // the particle's Coulomb friction
+        for (int j = 0; pushKnown && j < count; j++) {
+            if (areTogether(j, r)) {
+                all += friction(j).ofCoulomb(push[j]);
+                if (j != r && push[j] != 0) {
+                    sliding.keepAlong(Vector3.at(gradient, 6 * j));
+                }
+            }
+        }
+        boolean pushes = pushKnown && push[r] > 0;
+        double share = all > 0 ? friction(r).ofCoulomb(push[r]) / all : 1;
+        double factor = sliding.find(friction(r), pushes ? push[r] : 1, share, force, state, STRIDE * first[r] + 3);
+        if (pushes) {
+            factor /= push[r];
+        }
+        for (int c = 0; c < 3 && factor != 0; c++) {
+            pull[6 * r + c] -= factor * sliding.direction[c];
+        }
+    }
+}
