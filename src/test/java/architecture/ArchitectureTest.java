@@ -135,7 +135,7 @@ class ArchitectureTest {
                                            particles.reactions.algebra particles.reactions.contact
                                            particles.reactions.wires particles.view
             particles.reactions.algebra:   org.ejml
-            particles.reactions.contact:   particles particles.law
+            particles.reactions.contact:   particles.law
             particles.reactions.wires:     particles.law particles.view
             particles.rules:               deSolvers.text particles particles.effects particles.effects.springs
                                            particles.law particles.reactions particles.reactions.contact particles.view

@@ -260,6 +260,24 @@ final class Block {
         }
     }
 
+    /** The power of the friction in the solution (W); surfaces at rest do no other work. */
+    double frictionPower(double[] state) {
+        double power = 0;
+        for (int r = 0; r < rows.count; r++) {
+            power += solution[r] * rows.frictionPower(r, state);
+        }
+        return power;
+    }
+
+    /** The power with which moving anchors drive the rods in the solution (W). */
+    double anchorPower(double[] state) {
+        double power = 0;
+        for (int r = 0; r < rows.count; r++) {
+            power -= solution[r] * rows.rateOfAnchors(r, state, system.getInverseMasses());
+        }
+        return power;
+    }
+
     /**
      * Moves the block's particles along the rows by the solution, without friction.
      *

@@ -127,12 +127,8 @@ final class Blocks {
 
     /** Prepares for a state, once for all blocks. */
     void prepare(double[] state, double time) {
-        fit(state);
-        system.putAnchorAccelerations(time, accelerations);
-    }
-
-    private void fit(double[] state) {
         accelerations = accelerations.length < state.length ? new double[state.length] : accelerations;
+        system.putAnchorAccelerations(time, accelerations);
     }
 
     /** Adds the forces of some blocks. @param force the forces of all effects (N) */
@@ -186,10 +182,7 @@ final class Blocks {
         solutions++;
         left = 0;
         Rows rows = block.rows;
-        if (rows.count == 0) {
-            return Optional.empty();
-        }
-        boolean isIndirect = rows.isFrictionIndirect(state, contacts.getSliding());
+        boolean isIndirect = contacts.getSliding().isIndirect(rows, state);
         if (isIndirect || !block.isJoined()) {
             Optional<String> failure = solveOnce(block, force);
             if (failure.isPresent()) {
@@ -203,7 +196,7 @@ final class Blocks {
             addUp(block, force);
         }
         for (int r = 0; r < rows.count; r++) {
-            rows.findSlip(r, isIndirect, isIndirect ? total : force, state, contacts.getSliding());
+            contacts.getSliding().add(rows, r, isIndirect, isIndirect ? total : force, state);
         }
         // friction acts along all surfaces of a particle: it does not change how hard they push a single one
         return block.isJoined() ? solveOnce(block, force) : Optional.empty();
@@ -247,7 +240,6 @@ final class Blocks {
 
     /** W F of the particles that are not held. */
     private void findAccelerations(Block block, double[] force) {
-        fit(force);
         for (int i : block.particles) {
             double w = block.held.get(i) ? 0 : block.weight(i);
             for (int f = STRIDE * i + 3; f < STRIDE * (i + 1); f++) {
@@ -287,24 +279,6 @@ final class Blocks {
         for (int i = block.held.nextSetBit(0); i >= 0; i = block.held.nextSetBit(i + 1)) {
             Arrays.fill(force, STRIDE * i + 3, STRIDE * (i + 1), 0.0);
         }
-    }
-
-    /** The power of the friction found by {@link #solve} (W); surfaces at rest do no other work. */
-    static double frictionPower(Block block, double[] state) {
-        double power = 0;
-        for (int r = 0; r < block.rows.count; r++) {
-            power += block.force(r) * block.rows.frictionPower(r, state);
-        }
-        return power;
-    }
-
-    /** The power with which moving anchors drive the rods found by {@link #solve} (W). */
-    double anchorPower(Block block, double[] state) {
-        double power = 0;
-        for (int r = 0; r < block.rows.count; r++) {
-            power -= block.force(r) * block.rows.rateOfAnchors(r, state, particles.getInverseMasses());
-        }
-        return power;
     }
 
     /** Sums the forces of effects, rods, wires and contacts, for the particles of a block. */

@@ -88,6 +88,7 @@ final class ContactQueries {
     private Block push(int i, double[] state, double[] force) {
         Block alone = singles.of(i);
         alone.take(state, Block.ALL);
+        singles.prepare(state, system.getTime());
         singles.putRight(alone, force);
         alone.solve(Block.NONE, true);
         return alone;

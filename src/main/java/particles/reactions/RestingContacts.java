@@ -13,7 +13,6 @@ import particles.law.Violation;
 import particles.reactions.contact.ContactModes;
 import particles.reactions.contact.ContactSurface;
 import particles.reactions.contact.Friction;
-import particles.reactions.contact.SlidingDirection;
 
 /**
  * The contact force on particles that rest on surfaces, the slides' "Particle/Plane Contact": for N . F &ge; 0 it is 0;
@@ -46,7 +45,7 @@ public final class RestingContacts implements Reaction {
     private final Particles particles;
     private final List<ContactSurface> surfaces;
     private final ContactModes modes;
-    private final SlidingDirection sliding = new SlidingDirection();
+    private final SlidingFriction sliding = new SlidingFriction();
     private Blocks blocks;
     private BlockImpacts impacts;
     private ContactQueries queries;
@@ -99,7 +98,7 @@ public final class RestingContacts implements Reaction {
         return holding;
     }
 
-    SlidingDirection getSliding() {
+    SlidingFriction getSliding() {
         return sliding;
     }
 
@@ -307,8 +306,8 @@ public final class RestingContacts implements Reaction {
 
     @Override
     public double getPower(double[] state, double time, double[] force) {
-        return blocks.power(blocks.joined(), state, time, force, Blocks::frictionPower)
-                + blocks.power(blocks.touching(), state, time, force, Blocks::frictionPower);
+        return blocks.power(blocks.joined(), state, time, force, Block::frictionPower)
+                + blocks.power(blocks.touching(), state, time, force, Block::frictionPower);
     }
 
     @Override

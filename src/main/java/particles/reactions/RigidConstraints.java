@@ -123,7 +123,7 @@ public final class RigidConstraints implements Reaction, SpringView {
     /** {@inheritDoc} Only moving anchors do work; energy changed by errors of the lengths counts as error. */
     @Override
     public double getPower(double[] state, double time, double[] force) {
-        return blocks.power(blocks.joined(), state, time, force, blocks::anchorPower);
+        return blocks.power(blocks.joined(), state, time, force, Block::anchorPower);
     }
 
     /**

@@ -6,7 +6,6 @@ import particles.law.Particles;
 import particles.law.Vector3;
 import particles.reactions.contact.ContactSurface;
 import particles.reactions.contact.Friction;
-import particles.reactions.contact.SlidingDirection;
 import particles.reactions.wires.Curve;
 
 /**
@@ -38,7 +37,7 @@ final class Rows {
     double[] bend = {};
     double[] gradient = {};                             // 6 a row: for the first and second particle
     double[] pull = {};                                 // the force on both per 1 N of the row, with sliding friction
-    double[] push = {};                                 // of a contact without friction (N), for findSlip
+    double[] push = {};                                 // of a contact without friction (N)
     private int changes;
     private final double[] values = new double[Curve.ROWS];
     private final double[] gradients = new double[3 * Curve.ROWS];
@@ -279,67 +278,5 @@ final class Rows {
 
     Friction friction(int row) {
         return surface[row].friction();
-    }
-
-    /** Whether two rows are contacts of one particle with surfaces. */
-    private boolean areTogether(int j, int k) {
-        return j >= 0 && j < count && kind[j] == Kind.SURFACE && kind[k] == Kind.SURFACE && first[j] == first[k];
-    }
-
-    /**
-     * Whether the friction of some contact is not a known vector times its own normal force, so that the forces have to
-     * be solved without friction first: for a particle on several surfaces, or one that starts from rest or may stop.
-     */
-    boolean isFrictionIndirect(double[] state, SlidingDirection sliding) {
-        for (int r = 0; r < count; r++) {
-            if (kind[r] == Kind.SURFACE && friction(r).law() != Friction.Law.NONE
-                    && (areTogether(r - 1, r) || areTogether(r + 1, r) || friction(r).law() == Friction.Law.COULOMB
-                    && (sliding.mayStop(first[r]) || sliding.startsFromRest(first[r]) || isAtRest(r, state)))) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /** Whether a particle on a surface does not move along it. */
-    private boolean isAtRest(int r, double[] state) {
-        boolean rests = true;
-        for (int c = 0; c < 3; c++) {
-            rests &= state[STRIDE * first[r] + 3 + c] - rate[r] * gradient[6 * r + c] == 0;
-        }
-        return rests;
-    }
-
-    /**
-     * Finds the sliding friction of a contact: along all surfaces that push its particle.
-     *
-     * @param r         the row
-     * @param pushKnown whether {@link #push} holds the normal forces without friction
-     * @param force     the force that will move the particle, without friction (N), from entry 6 i + 3 on
-     */
-    void findSlip(int r, boolean pushKnown, double[] force, double[] state, SlidingDirection sliding) {
-        if (kind[r] != Kind.SURFACE || friction(r).law() == Friction.Law.NONE) {
-            return;
-        }
-        sliding.release();
-        sliding.keepAlong(Vector3.at(gradient, 6 * r));
-        double all = 0;                                 // the particle's Coulomb friction
-        for (int j = 0; pushKnown && j < count; j++) {
-            if (areTogether(j, r)) {
-                all += friction(j).ofCoulomb(push[j]);
-                if (j != r && push[j] != 0) {
-                    sliding.keepAlong(Vector3.at(gradient, 6 * j));
-                }
-            }
-        }
-        boolean pushes = pushKnown && push[r] > 0;
-        double share = all > 0 ? friction(r).ofCoulomb(push[r]) / all : 1;
-        double factor = sliding.find(friction(r), pushes ? push[r] : 1, share, force, state, STRIDE * first[r] + 3);
-        if (pushes) {
-            factor /= push[r];
-        }
-        for (int c = 0; c < 3 && factor != 0; c++) {
-            pull[6 * r + c] -= factor * sliding.direction[c];
-        }
     }
 }

@@ -1,14 +1,16 @@
-package particles.reactions.contact;
+package particles.reactions;
 
 import java.util.Arrays;
 import particles.ParticleSystem;
 import particles.law.Particles;
-import particles.law.Vector3;
+import particles.reactions.Rows.Kind;
+import particles.reactions.contact.Friction;
 
 /**
- * The direction in which a particle slides along a surface, also if it is about to start or has reversed within a step.
+ * The sliding friction of particles on surfaces: against the direction in which they slide, also if they are about to
+ * start or have reversed within a step.
  */
-public final class SlidingDirection {
+final class SlidingFriction {
     /** A normal within this angle of the plane of others (rad) is taken to lie in it. */
     private static final double PARALLEL = 1e-6;
     /** Speeds below this, relative to the speed at the step's beginning, have no reliable direction. */
@@ -17,15 +19,15 @@ public final class SlidingDirection {
     /**
      * The direction that friction opposes: a tangential velocity (m/s), or the force that will move the particle (N).
      */
-    public final double[] direction = new double[3];
+    private final double[] direction = new double[3];
     private final double[] beginning = new double[3];
-    private final double[] axes = new double[9];        // orthonormal, of the normals given to keepAlong
+    private final double[] axes = new double[9];        // orthonormal, of the normals of pushing surfaces
     private int surfaces;
     private double[] stepBegin = {};                    // the state at the beginning of the step
     private double[] stopping = {};                     // m/deltaT of a particle that may stop in the step, or 0 (kg/s)
 
     /** Records the state at the beginning of a step. */
-    public void beginStep(ParticleSystem system) {
+    void beginStep(ParticleSystem system) {
         if (stepBegin.length != system.getStateSize()) {
             stepBegin = new double[system.getStateSize()];
         }
@@ -39,7 +41,7 @@ public final class SlidingDirection {
      * @param particle its index
      * @param rate     its mass divided by the length of the step (kg/s)
      */
-    public void stopWithinStep(int particle, double rate) {
+    void stopWithinStep(int particle, double rate) {
         if (stopping.length * Particles.STRIDE != stepBegin.length) {
             stopping = new double[stepBegin.length / Particles.STRIDE];
         }
@@ -50,18 +52,18 @@ public final class SlidingDirection {
      * @param particle its index
      * @return whether friction acts on it as an impulse in the present step
      */
-    public boolean mayStop(int particle) {
+    boolean mayStop(int particle) {
         return particle < stopping.length && stopping[particle] > 0;
     }
 
     /** Forgets the state at the beginning of the step. */
-    public void forget() {
+    void forget() {
         stepBegin = new double[0];
         stopping = new double[0];
     }
 
     /** @return the state at the beginning of the step; read only */
-    public double[] getStepBegin() {
+    double[] getStepBegin() {
         return stepBegin;
     }
 
@@ -69,35 +71,91 @@ public final class SlidingDirection {
      * @param particle its index
      * @return whether it is at rest at the beginning of the step; if it slides, then where the force pulls it
      */
-    public boolean startsFromRest(int particle) {
+    boolean startsFromRest(int particle) {
         int v = Particles.STRIDE * particle + 3;
         return v < stepBegin.length && stepBegin[v] == 0 && stepBegin[v + 1] == 0 && stepBegin[v + 2] == 0;
     }
 
-    /** Lets a particle slide in any direction, until {@link #keepAlong}. */
-    public void release() {
-        surfaces = 0;
+    /** Whether two rows are contacts of one particle with surfaces. */
+    private static boolean areTogether(Rows rows, int j, int k) {
+        return j >= 0 && j < rows.count && rows.kind[j] == Kind.SURFACE && rows.first[j] == rows.first[k];
     }
 
-    /** Lets the particle slide only along one more surface, with this normal. */
-    public void keepAlong(Vector3 normal) {
+    /**
+     * Whether the friction of some contact is not a known vector times its own normal force, so that the forces have to
+     * be solved without friction first: for a particle on several surfaces, or one that starts from rest or may stop.
+     */
+    boolean isIndirect(Rows rows, double[] state) {
+        for (int r = 0; r < rows.count; r++) {
+            int i = rows.first[r];
+            if (isRough(rows, r) && (areTogether(rows, r - 1, r) || areTogether(rows, r + 1, r)
+                    || rows.friction(r).law() == Friction.Law.COULOMB
+                            && (mayStop(i) || startsFromRest(i) || isAtRest(rows, r, state)))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static boolean isRough(Rows rows, int r) {
+        return rows.kind[r] == Kind.SURFACE && rows.friction(r).law() != Friction.Law.NONE;
+    }
+
+    /** Whether a particle on a surface does not move along it. */
+    private static boolean isAtRest(Rows rows, int r, double[] state) {
+        boolean rests = true;
+        for (int c = 0; c < 3; c++) {
+            rests &= state[Particles.STRIDE * rows.first[r] + 3 + c] - rows.rate[r] * rows.gradient[6 * r + c] == 0;
+        }
+        return rests;
+    }
+
+    /**
+     * Adds the friction of a contact to {@link Rows#pull}: along all surfaces that push its particle.
+     *
+     * @param r         the row
+     * @param pushKnown whether {@link Rows#push} holds the normal forces without friction
+     * @param force     the force that will move the particle, without friction (N), from entry 6 i + 3 on
+     */
+    void add(Rows rows, int r, boolean pushKnown, double[] force, double[] state) {
+        if (!isRough(rows, r)) {
+            return;
+        }
+        surfaces = 0;
+        keepAlong(rows.gradient, 6 * r);
+        double all = 0;                                 // the particle's Coulomb friction
+        for (int j = 0; pushKnown && j < rows.count; j++) {
+            if (areTogether(rows, j, r)) {
+                all += rows.friction(j).ofCoulomb(rows.push[j]);
+                if (j != r && rows.push[j] != 0) {
+                    keepAlong(rows.gradient, 6 * j);
+                }
+            }
+        }
+        double push = pushKnown && rows.push[r] > 0 ? rows.push[r] : 1;
+        double share = all > 0 ? rows.friction(r).ofCoulomb(rows.push[r]) / all : 1;
+        double factor = find(rows.friction(r), push, share, force, state, Particles.STRIDE * rows.first[r] + 3) / push;
+        for (int c = 0; c < 3 && factor != 0; c++) {
+            rows.pull[6 * r + c] -= factor * direction[c];
+        }
+    }
+
+    /** Lets the particle slide only along one more surface, with a normal. */
+    private void keepAlong(double[] normals, int place) {
         if (surfaces == 3) {
             return;
         }
-        double[] axis = direction;
-        axis[0] = normal.x();
-        axis[1] = normal.y();
-        axis[2] = normal.z();
+        System.arraycopy(normals, place, direction, 0, 3);
         double length = 1;
         if (surfaces > 0) {
-            along(axis, 0, axis);
-            length = length(axis);
+            along(direction, 0, direction);
+            length = length(direction);
         }
         if (length > PARALLEL) {
-            int a = 3 * surfaces++;
-            axes[a] = axis[0] / length;
-            axes[a + 1] = axis[1] / length;
-            axes[a + 2] = axis[2] / length;
+            for (int c = 0; c < 3; c++) {
+                axes[3 * surfaces + c] = direction[c] / length;
+            }
+            surfaces++;
         }
     }
 
@@ -107,17 +165,13 @@ public final class SlidingDirection {
      * as mu N. This does not depend on the present velocity, whose direction turns the faster the slower it is, so that
      * any solver can follow it. The error is O(deltaT), as that of the time of the stop.
      *
-     * @param push     the normal force (N)
-     * @param share    the part of the particle's Coulomb friction that this surface can give: 1 if it is the only one
-     * @param force    the force that would move the particle along the surface, without friction (N), from entry v on
-     * @param v        the index of the particle's velocity in the state
-     * @return the factor: friction is minus factor times direction; 0 for no friction
+     * @param push  the normal force (N)
+     * @param share the part of the particle's Coulomb friction that this surface can give: 1 if it is the only one
+     * @param force the force that would move the particle along the surface, without friction (N), from entry v on
+     * @param v     the index of the particle's velocity in the state
+     * @return the factor: friction is minus factor times direction
      */
-    public double find(Friction law, double push, double share, double[] force, double[] state,
-            int v) {
-        if (law.law() == Friction.Law.NONE || !(push > 0)) {
-            return 0;
-        }
+    private double find(Friction law, double push, double share, double[] force, double[] state, int v) {
         double factor = push * law.coefficient();
         if (law.law() == Friction.Law.COULOMB && mayStop(v / Particles.STRIDE)) {
             return findStop(factor, share, force, v);
