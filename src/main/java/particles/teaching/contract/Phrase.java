@@ -89,7 +89,7 @@ public enum Phrase {
             name EXPLICIT: this is %s, which is explicit, and not %s, as its name says: the equation for the new \
                 state is not solved; an iteration has to go on until nothing changes
             method ROUNDS: the iteration for the new state ends too early, after %s: the equation of %s has to be \
-                iterated until nothing changes any more%s
+                iterated until nothing changes any more
             name OLD_VELOCITY: the position is updated with the old velocity, which is the Euler method; the slides' \
                 simple algorithm takes the new one: first v += a deltaT, then x += v deltaT with that v
             name NEW_VELOCITY: the position is updated with the new velocity; the slide's Euler method takes the old \
@@ -118,7 +118,7 @@ public enum Phrase {
             # methods that are only measured
             method UNSTABLE: it evaluates the derivative once more for each entry, as methods that solve with a \
                 matrix do, and is not stable as they are: a step of %s s multiplies %s by %s. Check the signs in the \
-                matrix, such as I - deltaT J, and that all of J is used
+                matrix, such as I - deltaT J, that all of J is used, and the state of each stage
             method UNCONTROLLED: sub-steps are made, and the error is still %s after a step of %s s, and %s after %s \
                 steps over the same time: a sub-step with too large an error has to be made again from the state \
                 before it, with a shorter length

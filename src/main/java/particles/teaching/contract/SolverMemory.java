@@ -24,13 +24,17 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
     private static final double SAME = 1e-9;
     private static final int STEPS = 6;
     private static final double LATER = 3;
+    /** An adaptive method takes more evaluations in such a step, a multistep method does not. */
+    private static final double LONG = 8;
 
-    /** @return whether a later step differs from the one that a new solver makes from the same place */
-    public static boolean isIn(Supplier<DESolver> maker) {
-        SolverMemory memory = new SolverMemory(maker, true, false);
-        DESolver solver = maker.get();
+    /** @return the memory that shows in later steps of a solver */
+    public static SolverMemory of(SolverContract contract) {
+        SolverMemory memory = new SolverMemory(contract.maker(), true, false);
+        DESolver solver = contract.maker().get();
         WindyOscillators source = new WindyOscillators(2);
-        return !IntStream.range(0, STEPS).allMatch(step -> memory.isFresh(solver, source, H));
+        boolean remembers = !IntStream.range(0, STEPS).allMatch(step -> memory.isFresh(solver, source, H));
+        return new SolverMemory(contract.maker(), remembers, remembers && contract.evaluations(1, H)
+                == contract.evaluations(1, LONG));
     }
 
     /** @return the first mistake */

@@ -158,7 +158,7 @@ final class Comparison {
                 + " times what it should be" : "")
                 : Combination.same(weights, Combination.plus(expected, 1, before))
                 ? ": go back to the start s before adding (double[] trial = s makes no copy; s.clone() does)"
-                : n > 2 && Combination.same(weights, last) ? ": only the last derivative is in it, as if all of them"
+                : n > 1 && Combination.same(weights, last) ? ": only the last derivative is in it, as if all of them"
                 + " were one array, which each evaluation writes over"
                 : Combination.same(weights, IntStream.range(0, n).mapToDouble(j -> expected[n - 1 - j]).toArray())
                 ? ": the weights are the other way round" : "";

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.teaching.Formula;
 
 /**
@@ -40,6 +41,11 @@ record Scheme(String name, int order, List<double[]> rows, double[] times, boole
     List<Combination> ends() {
         return isOfParticles ? List.of(row(size() + 1, "the new velocity is"), row(size(), "the new position is"))
                 : List.of(row(size(), "the new state is"));
+    }
+
+    /** @return the states that deltaT and the old state make: all, or a particle's new velocity and position */
+    List<Combination> states() {
+        return Stream.concat(stages().stream().filter(stage -> !isOfParticles), ends().stream()).toList();
     }
 
     /** @return what moves the position: v deltaT before the first kick, after it, ..., as far as its row says it */

@@ -43,6 +43,10 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
             -1)).map(parts -> new SolvedEquation(parts[0], parts[3], KnownMethods.numbers(parts[1]),
             KnownMethods.numbers(parts[1]), KnownMethods.numbers(parts[2]))).toList();
 
+    private static SolvedEquation named(String name) {
+        return ALL.stream().filter(known -> known.name.equals(name)).findFirst().orElseThrow();
+    }
+
     private int old() {
         return weights.length - places.length;
     }
@@ -97,30 +101,29 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
         });
     }
 
-    /** @return the mistake in the weights of a multistep method */
-    Optional<Finding> wrongWeights() {
-        List<SolvedEquation> adams = ALL.stream().filter(known -> known.isAdams() && known.times.length
-                == times.length).toList();
+    /**
+     * @param measured its order
+     * @param wanted   the lowest order that it should have
+     * @return the mistake in the weights of a multistep method, or in its first steps
+     */
+    Optional<Finding> wrongWeights(OrderMeasurement measured, int wanted) {
+        int order = times.length;
+        boolean poor = !(measured.order() > wanted - 0.5);
+        List<SolvedEquation> adams = ALL.stream().filter(known -> known.isAdams() && known.times.length == order)
+                .toList();
         return adams.stream().filter(known -> Combination.same(weights, known.weights)).findFirst().map(known ->
-                Phrase.TOO_OLD.when(!Arrays.equals(times, known.times), row().formula(), known.name, known.row()
-                .formula())).orElseGet(() -> adams.stream().filter(known -> Arrays.equals(times, known.times))
+                Arrays.equals(times, known.times) ? Phrase.ADAMS_START.when(measured.order() < order - 0.5, order,
+                measured.digits(), order - 1) : Phrase.TOO_OLD.when(poor, row().formula(), known.name, known.row()
+                .formula())).orElseGet(() -> adams.stream().filter(known -> poor && Arrays.equals(times, known.times))
                 .findFirst().map(known -> Comparison.differs(row(), known.row(), known.name)));
     }
 
     /** @return the mistake in the equation; empty if it is the method's */
     Optional<Finding> wrong() {
-        SolvedEquation known = ALL.stream().filter(one -> one.name.equals(name)).findFirst().orElseThrow();
+        SolvedEquation known = named(name);
         return Phrase.EQUATION.when(!mistake.isEmpty(), row().formula(), name, known.row().formula(), mistake).or(() ->
                 IntStream.range(0, times.length).filter(j -> times[j] != places[j]).mapToObj(j ->
                 Phrase.EQUATION_TIME.of(place(j), Formula.time(times[j]), Formula.time(places[j]))).findFirst());
-    }
-
-    /** @return the finding for first steps that are less accurate than the formula; empty if they are not */
-    Optional<Finding> poorBeginning(OrderMeasurement measured) {
-        int order = times.length;
-        return Phrase.ADAMS_START.when(measured.order() < order - 0.5 && ALL.stream().anyMatch(known -> known.isAdams()
-                && Combination.same(times, known.times) && Combination.same(weights, known.weights)), order,
-                measured.digits(), order - 1);
     }
 
     private String place(int j) {
@@ -143,7 +146,7 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
      * @return the mistake of an iteration that ends too early, as the residual on a strongly nonlinear law shows
      */
     static Optional<Finding> loose(Supplier<DESolver> maker, String name, double longest) {
-        SolvedEquation known = ALL.stream().filter(method -> method.name.equals(name)).findFirst().orElseThrow();
+        SolvedEquation known = named(name);
         return IntStream.rangeClosed(1, 24).mapToDouble(part -> part * longest / 24).mapToObj(h -> new double[] {h,
             known.residual(maker, h, 3)}).filter(worst -> worst[1] > SOLVED && Double.isFinite(worst[1])).max(
                 Comparator.comparingDouble(worst -> worst[1])).map(worst -> Phrase.LOOSE.of(worst[0], worst[1]));
@@ -158,11 +161,10 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
     static Optional<Finding> rounds(Supplier<DESolver> maker, Scheme scheme, NamePromise promise) {
         int rounds = scheme.size() - 1;
         return ALL.stream().filter(known -> known.isOneStep() && !scheme.isOfParticles() && rounds > 0
-                && (promise.isGiven() ? promise.methods().contains(known.name) : rounds > 1 || known == ALL.get(0))
+                && (promise.isGiven() ? promise.methods().contains(known.name) : rounds > 1)
                 && known.residual(maker, 1.0 / 8, 1) > StrictMath.pow(2, rounds + 1.6) * known.residual(maker, 1.0 / 16,
-                1)).findFirst().map(known -> Phrase.ROUNDS.of(rounds == 1 ? "one round"
-                : rounds + " rounds", known.name, rounds == 1 && !promise.isGiven() ? "; or, if Heun's method is meant,"
-                + " its two derivatives are one array, which the second evaluation writes over" : ""));
+                1)).findFirst().map(known -> Phrase.ROUNDS.of(rounds == 1 ? "one round" : rounds + " rounds",
+                known.name));
     }
 
     /**

@@ -27,7 +27,6 @@ public final class SolverCheck {
     private static final double SHORT = 1.0 / 16;
     /** A static memory of earlier derivatives shows once it is full. */
     private static final int REPEATED = 6;
-    private static final double LONG = 8;
     /** Adaptive methods have an error that does not follow deltaT, and a small one. */
     private static final double SMALL_ERROR = 1e-4;
     /** Below this order the error does not go to 0; Euler measures 0.97 to 1.03. */
@@ -44,6 +43,9 @@ public final class SolverCheck {
     private final List<Finding> findings = new ArrayList<>();
     private Optional<OrderMeasurement> measured = Optional.empty();
     private Optional<Finding> clock;
+    private SolverMemory memory;
+    private String identity = "Its step cannot be judged yet.";
+    private boolean multistep;
 
     private SolverCheck(Supplier<DESolver> maker, String className) {
         this.maker = maker;
@@ -70,20 +72,13 @@ public final class SolverCheck {
     }
 
     private SolverVerdict verdict() {
-        String identity = "Its step cannot be judged yet.";
-        boolean multistep = false;
         try {
-            start().ifPresent(findings::add);
-            if (findings.isEmpty()) {
-                boolean remembers = SolverMemory.isIn(maker);
-                multistep = remembers && contract.evaluations(1, SHORT) == contract.evaluations(1, LONG);
-                identity = judge(remembers, multistep);
-            }
+            start().ifPresentOrElse(findings::add, this::judge);
         } catch (RuntimeException e) {
             findings.add(Phrase.EXCEPTION.of(StudentFailure.describe(e)));
         }
-        String end = identity.endsWith(".") ? "" : isWrong() ? ", apart from the mistake below." : ".";
-        return new SolverVerdict(identity + end, firstMistake(), multistep);
+        return new SolverVerdict(identity + (identity.endsWith(".") ? "" : isWrong() ? ", apart from the mistake below."
+                : "."), firstMistake(), multistep);
     }
 
     /** Whether it makes a step at all, and the same one each time. */
@@ -105,20 +100,22 @@ public final class SolverCheck {
     }
 
     /** Finds mistakes, and the method. */
-    private String judge(boolean remembers, boolean multistep) {
+    private void judge() {
+        memory = SolverMemory.of(contract);
+        multistep = memory.multistep();
         clock = ClockCheck.mistake(maker).map(finding -> unread.rejectedClock().orElse(finding));
-        Diagnosis diagnosis = remembers ? remembering(multistep)
+        Diagnosis diagnosis = memory.remembers() ? remembering()
                 : explicit.diagnosis(1).or(this::equation).orElseGet(this::measured);
+        identity = diagnosis.identity();
         findings.addAll(diagnosis.findings());
         clock.ifPresent(findings::add);
         if (!isWrong()) {
-            promised(diagnosis, remembers).ifPresent(findings::add);
+            promised(diagnosis).ifPresent(findings::add);
         }
-        findings.addAll(contract.check(new SolverMemory(maker, remembers, multistep)));
+        findings.addAll(contract.check(memory));
         if (!isWrong()) {
-            (remembers ? afterContract(multistep) : heldBy(diagnosis)).ifPresent(findings::add);
+            (memory.remembers() ? afterContract() : heldBy(diagnosis)).ifPresent(findings::add);
         }
-        return diagnosis.identity();
     }
 
     private OrderMeasurement measurement() {
@@ -127,11 +124,11 @@ public final class SolverCheck {
     }
 
     /** Whether it is a method of the kind that its name says. */
-    private Optional<Finding> promised(Diagnosis diagnosis, boolean remembers) {
+    private Optional<Finding> promised(Diagnosis diagnosis) {
         return !promise.isGiven() ? Phrase.OLD_VELOCITY.when(diagnosis.method().equals(KnownMethods.EULER)
                 && contract.isForParticles()) : Phrase.NOTHING_EARLIER.when(promise.kind().equals("earlier")
-                && !remembers, promise.says()).or(() -> Phrase.NO_CONTROL.when(promise.adapts() && diagnosis.order()
-                > 0)).or(() -> promise.contradicted(diagnosis.method(), diagnosis.order()));
+                && !memory.remembers(), promise.says()).or(() -> Phrase.NO_CONTROL.when(promise.adapts()
+                && diagnosis.order() > 0)).or(() -> promise.contradicted(diagnosis.method(), diagnosis.order()));
     }
 
     private boolean isWrong() {
@@ -145,23 +142,24 @@ public final class SolverCheck {
     }
 
     /** The diagnosis of a method whose steps use results of earlier ones. */
-    private Diagnosis remembering(boolean multistep) {
-        long once = StudentSource.after(new WindyOscillators(1), maker.get(), 1, SHORT).getEvaluations();
-        long twice = StudentSource.after(new WindyOscillators(1), maker.get(), 2, SHORT).getEvaluations();
+    private Diagnosis remembering() {
         boolean equation = SolvedEquation.of(maker, true).filter(found -> found.wrong().isEmpty()).isPresent();
-        return new Diagnosis(multistep || equation ? MULTISTEP : UNREAD, twice == once ? Optional.of(Phrase.STALE.of())
-                : clock.isPresent() || !multistep ? clock : new SolverMemory(maker, true, true).mistake().or(() ->
-                measurement().order() > wanted(true) - 0.5 ? Optional.empty() : SolvedEquation.ofEarlierSteps(maker)
-                .flatMap(SolvedEquation::wrongWeights)));
+        return new Diagnosis(multistep || equation ? MULTISTEP : UNREAD, Phrase.STALE.when(evaluations(1)
+                == evaluations(2)));
+    }
+
+    private long evaluations(int steps) {
+        return StudentSource.after(new WindyOscillators(1), maker.get(), steps, SHORT).getEvaluations();
     }
 
     /**
      * Looks for mistakes of a method with memory that only the measured order shows, once its memory is known to be
      * reset in time.
      */
-    private Optional<Finding> afterContract(boolean multistep) {
-        return poorOrder(multistep, () -> multistep ? Optional.empty() : firstSubStep(finding -> true), () ->
-                SolvedEquation.of(maker, true).flatMap(SolvedEquation::wrong));
+    private Optional<Finding> afterContract() {
+        return (multistep ? SolvedEquation.ofEarlierSteps(maker) : Optional.<SolvedEquation>empty()).flatMap(reading ->
+                reading.wrongWeights(measurement(), wanted())).or(() -> poorOrder(() -> multistep ? Optional.empty()
+                : firstSubStep(finding -> true), () -> SolvedEquation.of(maker, true).flatMap(SolvedEquation::wrong)));
     }
 
     /** The diagnosis of an implicit method whose equation is known. */
@@ -179,8 +177,8 @@ public final class SolverCheck {
         boolean far = !vanishes();
         return new Diagnosis(UNREAD, clock.or(() -> Search.first(unread::entryByEntry, () -> far
                 ? unread.rejectedClock() : Optional.empty(), () -> firstSubStep(finding -> finding.kind()
-                != Finding.Kind.METHOD), unread::uncut, () -> poorOrder(false, () -> firstSubStep(finding -> true),
-                unread::unstable), unread::moves, this::stageClocks, unread::uncontrolled, unread::asymmetric,
+                != Finding.Kind.METHOD), unread::uncut, () -> poorOrder(() -> firstSubStep(finding -> true),
+                unread::unstable), unread::elsewhere, this::stageClocks, unread::uncontrolled, unread::asymmetric,
                 unread::unstable)));
     }
 
@@ -209,24 +207,21 @@ public final class SolverCheck {
     }
 
     /** The lowest order that the name allows; to use earlier steps without gaining order does not pay. */
-    private int wanted(boolean multistep) {
+    private int wanted() {
         return Math.max(multistep ? 2 : 0, promise.order());
     }
 
-    /** Below the lowest order that is one, a small error is that of a tolerance, whatever deltaT is. */
-    private boolean isPoor(double order, boolean multistep) {
-        return order >= LOWEST_ORDER && order <= wanted(multistep) - 0.5;
-    }
-
-    /** Whether the error goes to 0, and as fast as the class's name promises. */
-    private Optional<Finding> poorOrder(boolean multistep, Search cause, Search other) {
+    /**
+     * Whether the error goes to 0, and as fast as the class's name promises. Below the lowest order that is one, a
+     * small error is that of a tolerance, whatever deltaT is.
+     */
+    private Optional<Finding> poorOrder(Search cause, Search other) {
         OrderMeasurement order = measurement();
         boolean far = !vanishes();
-        return Search.first(() -> multistep ? SolvedEquation.ofEarlierSteps(maker).flatMap(reading ->
-                reading.poorBeginning(order)) : Optional.empty()).or(() -> !far && !isPoor(order.order(), multistep)
-                ? Optional.empty() : Search.first(() -> far ? unread.elsewhere().or(unread::moves) : Optional.empty(),
-                cause, other, () -> Phrase.NO_CONVERGENCE.when(far, order.smallest()[1], order.smallest()[0]), () ->
+        return !far && !(order.order() >= LOWEST_ORDER && order.order() <= wanted() - 0.5) ? Optional.empty()
+                : Search.first(() -> far ? unread.elsewhere() : Optional.empty(), cause, other, () ->
+                Phrase.NO_CONVERGENCE.when(far, order.smallest()[1], order.smallest()[0]), () ->
                 Optional.of(Phrase.NAME_ORDER.of(order.digits(), promise.isGiven() ? promise.saysWithOrder()
-                : "a method that uses derivatives of earlier steps has at least order 2"))));
+                : "a method that uses derivatives of earlier steps has at least order 2")));
     }
 }

@@ -219,6 +219,11 @@ record StepReading(Scheme scheme, double h, int steps, Probe calls, double[] bef
         return scheme.size();
     }
 
+    /** @return how far one of its states moves, in units of deltaT */
+    double moves(int r) {
+        return scheme.states().get(r).moves();
+    }
+
     /** @return whether the clock ends where the step does */
     boolean isOnTime() {
         return Formula.sameTime((calls.getTime() - START) / h - steps, 0);

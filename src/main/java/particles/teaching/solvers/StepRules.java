@@ -1,9 +1,8 @@
 package particles.teaching.solvers;
 
+import java.util.List;
 import java.util.Optional;
-import java.util.function.Function;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
 import particles.teaching.contract.Phrase;
@@ -28,12 +27,11 @@ record StepRules(StepReading step, StepReading twice, Optional<StepReading> back
 
     /** @return the mistake of a state without the old one, or with a part of it */
     Optional<Finding> oldState() {
-        Scheme scheme = step.scheme();
-        return Stream.concat(scheme.isOfParticles() ? Stream.empty() : scheme.stages().stream(), scheme.ends().stream())
-                .filter(row -> !Formula.same(row.ofOwn(), 1)).findFirst().map(row -> Phrase.OLD_STATE.of(row.what(),
-                row.formula(), row.ofOwn(), row.state(), row.ofOwn() == 0
-                ? "the old state is lost; add to it with += (and 1/3 of whole numbers is 0 in Java)"
-                : scheme.isOfParticles() ? "a factor is damping, which the equation does not have"
+        boolean particles = step.scheme().isOfParticles();
+        return step.scheme().states().stream().filter(row -> !Formula.same(row.ofOwn(), 1)).findFirst().map(row ->
+                Phrase.OLD_STATE.of(row.what(), row.formula(), row.ofOwn(), row.state(), row.ofOwn() == 0
+                ? "the old state is lost; add to it with += (and 1/3 of whole numbers is 0 in Java)" : particles
+                ? "a factor is damping, which the equation does not have"
                 : "the weights of the states in a mean have to add up to 1 (and 1/3 of whole numbers is 0 in Java)"));
     }
 
@@ -46,16 +44,10 @@ record StepRules(StepReading step, StepReading twice, Optional<StepReading> back
 
     /** @return the mistake of a step that is not made with deltaT */
     Optional<Finding> deltaT() {
-        Scheme scheme = step.scheme();
-        return Stream.concat(IntStream.range(1, scheme.isOfParticles() ? 1 : scheme.size()).mapToObj(i -> deltaT(one ->
-                one.stages().get(i))), IntStream.range(0, scheme.ends().size()).mapToObj(i -> deltaT(one -> one.ends()
-                .get(i)))).flatMap(Optional::stream).findFirst();
-    }
-
-    private Optional<Finding> deltaT(Function<Scheme, Combination> which) {
-        Combination row = which.apply(step.scheme());
-        return fault(row.moves(), which.apply(twice.scheme()).moves(), back.map(reading -> which.apply(reading.scheme())
-                .moves()).orElse(Double.NaN)).map(text -> Phrase.DELTA_T.of(row.what(), row.formula(), text));
+        List<Combination> rows = step.scheme().states();
+        return IntStream.range(0, rows.size()).boxed().flatMap(r -> fault(rows.get(r).moves(), twice.moves(r), back.map(
+                reading -> reading.moves(r)).orElse(Double.NaN)).map(text -> Phrase.DELTA_T.of(rows.get(r).what(),
+                rows.get(r).formula(), text)).stream()).findFirst();
     }
 
     /** The mistake behind the change of a weight, in units of deltaT, when deltaT is doubled and its sign changes. */

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.function.Supplier;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.Finding;
@@ -34,6 +35,8 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
     /** An iteration for an implicit method may diverge in a long step. */
     private static final double DIVERGED = 1e6;
     private static final double LITTLE = 1e-3;
+    /** So much of deltaT an error has to be for the state to be that of another time. */
+    private static final double FAR_OFF = 1.0 / 64;
     private static final double MUCH = 100;
     private static final double SWING = 0.5;
     private static final double ALIKE = 1e-6;
@@ -59,9 +62,12 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
 
     /** @return the mistake if an entry of the new state changes with another one's state or derivative */
     Optional<Finding> mixed() {
-        double[] usual = stepWith(-1);
+        double[] numbers = new Random(9).doubles(SIZE, StepReading.TINY, 2 * StepReading.TINY).toArray();
+        double[] usual = stepWith(numbers);
         return IntStream.range(0, SIZE).boxed().flatMap(j -> {
-            double[] other = stepWith(j);               // a velocity moves its position, too
+            double[] changed = numbers.clone();
+            changed[j] *= -2;
+            double[] other = stepWith(changed);         // a velocity moves its position, too
             return IntStream.range(0, SIZE).filter(k -> k != j && (k != j - 3 || k % 6 > 2) && Math.abs(other[k]
                     - usual[k]) > ALIKE * StepReading.TINY).mapToObj(k -> Phrase.LAYOUT.of(k, j));
         }).findFirst();
@@ -69,16 +75,13 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
 
     /** @return the mistake if a state and derivatives of 0 do not stay 0 */
     Optional<Finding> adds() {
-        double[] end = after(new Probe.OfParticles(new double[SIZE], START, (evaluation, dSdt) -> { }, MOST, false), H)
-                .getState();
+        double[] end = stepWith(new double[SIZE]);
         return IntStream.range(0, SIZE).filter(k -> Math.abs(end[k]) > ALIKE).mapToObj(k -> Phrase.ADDS.of(k, end[k]))
                 .findFirst();
     }
 
-    /** The state after a step with derivatives that never change, where one entry has another state and derivative. */
-    private double[] stepWith(int changed) {
-        double[] numbers = new Random(9).doubles(SIZE, StepReading.TINY, 2 * StepReading.TINY).toArray();
-        Arrays.setAll(numbers, k -> k == changed ? -2 * numbers[k] : numbers[k]);
+    /** The state after a step from these numbers, which are the derivatives, too, and never change. */
+    private double[] stepWith(double[] numbers) {
         return after(new Probe.OfParticles(numbers, START, (evaluation, dSdt) -> System.arraycopy(numbers, 0, dSdt, 0,
                 SIZE), MOST, false), H).getState();
     }
@@ -144,21 +147,10 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
         return otherTime(deltaT, LITTLE).filter(place -> place > 1).map(place -> Phrase.PARTS.of(Formula.time(place)));
     }
 
-    /** @return the mistake if a very short step does not move the state by deltaT times the derivative */
-    Optional<Finding> moves() {
-        WindyOscillators source = windy(1);
-        double[] start = source.getState();
-        double[] dSdt = new double[start.length];
-        source.getStateDerivative(dSdt);
-        double[] end = after(source, BRIEF).getState();
-        double moved = IntStream.range(0, end.length).mapToDouble(k -> (end[k] - start[k]) * dSdt[k]).sum()
-                / Arrays.stream(dSdt).map(x -> x * x).sum() / BRIEF;
-        return Phrase.ELSEWHERE.when(!(Math.abs(moved - 1) < MUCH_BETTER), BRIEF, Formula.time(moved), moved);
-    }
-
-    /** @return the mistake if the state after a step is that of another time than t + deltaT */
+    /** @return the mistake if the state after a very short or a longer step is that of another time than t + deltaT */
     Optional<Finding> elsewhere() {
-        return otherTime(H, MUCH_BETTER).map(place -> Phrase.ELSEWHERE.of(H, Formula.time(place), place));
+        return DoubleStream.of(BRIEF, H).boxed().flatMap(deltaT -> otherTime(deltaT, MUCH_BETTER).stream().map(place ->
+                Phrase.ELSEWHERE.of(deltaT, Formula.time(place), place))).findFirst();
     }
 
     /** The time, in units of deltaT, that suits the state after a step far better than the step's end. */
@@ -166,8 +158,8 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
         WindyOscillators source = after(new WindyOscillators(1), deltaT);
         double error = source.error();
         double place = best(source, deltaT, best(source, deltaT, 1, 1), 1.0 / PARTS);
-        return Optional.of(Math.rint(PARTS * place) / PARTS).filter(time -> error > LITTLE && error(source, deltaT,
-                place) < better * error);
+        return Optional.of(Math.rint(PARTS * place) / PARTS).filter(time -> error > FAR_OFF * deltaT && error(source,
+                deltaT, place) < better * error);
     }
 
     private static double best(WindyOscillators source, double deltaT, double centre, double width) {
