@@ -10,6 +10,8 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.data.ZMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 import org.ejml.dense.row.CommonOps_ZDRM;
+import org.ejml.dense.row.NormOps_DDRM;
+import org.ejml.dense.row.NormOps_ZDRM;
 import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
 
@@ -29,14 +31,18 @@ final class Arnoldi {
     private static final int LOOK_EVERY = 10;
 
     private final Linearisation linear;
-    private final List<double[]> basis = new ArrayList<>();
+    /** A direction in each row. */
+    private final DMatrixRMaj basis;
     private final DMatrixRMaj hessenberg;
     private double next;
 
     private Arnoldi(Linearisation linear) {
         this.linear = linear;
-        int most = Spectrum.directions(2 * linear.coordinates());
+        int size = 2 * linear.coordinates();
+        int most = Spectrum.directions(size);
         hessenberg = new DMatrixRMaj(most, most);
+        basis = new DMatrixRMaj(most, size);
+        basis.reshape(0, size, true);
     }
 
     static Spectrum spectrum(Linearisation linear) {
@@ -46,37 +52,35 @@ final class Arnoldi {
     }
 
     private void iterate() {
-        double[] y = Linearisation.random(2 * linear.coordinates());
+        double[] y = Linearisation.random(basis.numCols);
+        DMatrixRMaj parts = new DMatrixRMaj(1, 1);
         double largest = 0;
         while (true) {
-            int column = basis.size();
-            basis.add(y);
-            double[] image = new double[y.length];
-            linear.derivative(y, image);
-            double size = Linearisation.norm(image);
-            for (int twice = 0; twice < 2; twice++) {
+            int column = basis.numRows;
+            basis.reshape(column + 1, y.length, true);
+            System.arraycopy(y, 0, basis.data, column * y.length, y.length);
+            DMatrixRMaj image = DMatrixRMaj.wrap(y.length, 1, linear.derivative(y));
+            largest = Math.max(largest, NormOps_DDRM.normF(image));
+            for (int twice = 0; twice < 2; twice++) {           // Gram-Schmidt; once leaves round-off
+                CommonOps_DDRM.mult(basis, image, parts);
+                CommonOps_DDRM.multAddTransA(-1, basis, parts, image);
                 for (int row = 0; row <= column; row++) {
-                    double part = Linearisation.dot(basis.get(row), image);
-                    hessenberg.add(row, column, part);
-                    for (int k = 0; k < image.length; k++) {
-                        image[k] -= part * basis.get(row)[k];
-                    }
+                    hessenberg.add(row, column, parts.get(row));
                 }
             }
-            next = Linearisation.norm(image);
-            largest = Math.max(largest, size);
-            boolean look = linear.isConservative() && basis.size() % LOOK_EVERY == 0;
+            next = NormOps_DDRM.normF(image);
+            boolean look = linear.isConservative() && basis.numRows % LOOK_EVERY == 0;
             if (column + 1 == hessenberg.numRows || next <= BREAKDOWN * largest || look && modes(1).error() <= KNOWN) {
                 return;
             }
             hessenberg.set(column + 1, column, next);
-            y = Linearisation.divided(image, next);
+            y = Linearisation.divided(image.data, next);
         }
     }
 
     /** @param least the least |lambda| of interest, as a part of the largest */
     private Spectrum modes(double least) {
-        int m = basis.size();
+        int m = basis.numRows;
         DMatrixRMaj square = CommonOps_DDRM.extract(hessenberg, 0, m, 0, m);
         EigenDecomposition_F64<DMatrixRMaj> ritz = DecompositionFactory_DDRM.eig(m, false);
         if (!ritz.decompose(square)) {
@@ -92,8 +96,8 @@ final class Arnoldi {
             if (pair || lambda.getMagnitude() < least * largest) {
                 continue;
             }
-            double[] weights = vector(square, lambda, largest);
-            double residual = next * Linearisation.norm(Arrays.copyOfRange(weights, 2 * m - 2, 2 * m));
+            ZMatrixRMaj weights = vector(square, lambda, largest);
+            double residual = next * Math.hypot(weights.getReal(m - 1, 0), weights.getImag(m - 1, 0));
             if (residual <= Spectrum.CONVERGED * largest) {
                 modes.add(mode(lambda, weights));
             }
@@ -103,64 +107,42 @@ final class Arnoldi {
         return new Spectrum(modes, m, error);
     }
 
-    /** By inverse iteration: re and im in turn, of length 1. */
-    private static double[] vector(DMatrixRMaj square, Complex_F64 lambda, double largest) {
+    /** By inverse iteration, of length 1. */
+    private static ZMatrixRMaj vector(DMatrixRMaj square, Complex_F64 lambda, double largest) {
         int m = square.numRows;
         ZMatrixRMaj shifted = new ZMatrixRMaj(m, m);
-        for (int k = 0; k < m * m; k++) {
-            shifted.data[2 * k] = square.data[k];
-        }
+        CommonOps_ZDRM.convert(square, shifted);
         for (int k = 0; k < m; k++) {
-            int diagonal = 2 * k * (m + 1);
-            shifted.data[diagonal] -= lambda.real + SHIFT * largest;
-            shifted.data[diagonal + 1] -= lambda.imaginary;
+            shifted.set(k, k, square.get(k, k) - lambda.real - SHIFT * largest, -lambda.imaginary);
         }
-        ZMatrixRMaj right = new ZMatrixRMaj(m, 1);
-        ZMatrixRMaj solution = new ZMatrixRMaj(m, 1);
-        double[] start = Linearisation.random(m);
-        for (int k = 0; k < m; k++) {
-            right.data[2 * k] = start[k];
-        }
+        ZMatrixRMaj vector = new ZMatrixRMaj(m, 1);
+        CommonOps_ZDRM.convert(DMatrixRMaj.wrap(m, 1, Linearisation.random(m)), vector);
         for (int twice = 0; twice < 2; twice++) {
-            if (!CommonOps_ZDRM.solve(shifted, right, solution)) {
+            if (!CommonOps_ZDRM.solve(shifted, vector.copy(), vector)) {
                 throw new ArithmeticException("no eigenvector for the eigenvalue " + lambda);
             }
-            right.data = Linearisation.divided(solution.data, Linearisation.norm(solution.data));
+            CommonOps_ZDRM.elementDivide(vector, NormOps_ZDRM.normF(vector), 0, vector);
         }
-        return right.data;
+        return vector;
     }
 
-    private Mode mode(Complex_F64 lambda, double[] weights) {
-        int n = linear.coordinates();
-        double[] q = new double[n];
-        double[] p = new double[n];
-        for (int m = 0; m < basis.size(); m++) {
-            for (int k = 0; k < n; k++) {
-                q[k] += weights[2 * m] * basis.get(m)[k] / linear.getFrequency();
-                p[k] += weights[2 * m] * basis.get(m)[n + k];
-            }
-        }
+    private Mode mode(Complex_F64 lambda, ZMatrixRMaj weights) {
+        DMatrixRMaj real = new DMatrixRMaj(weights.numRows, 1);
+        CommonOps_ZDRM.real(weights, real);
+        DMatrixRMaj y = new DMatrixRMaj(basis.numCols, 1);
+        CommonOps_DDRM.multTransA(basis, real, y);
         // an undamped mode's lambda keeps a real part from rounding
         double re = Math.abs(lambda.real) <= Spectrum.ZERO * lambda.getMagnitude() ? 0 : lambda.real;
         double im = lambda.imaginary;
+        double[] state = linear.inState(y.data);
         if (im > 0) {
-            return new Mode(re, im, re * re + im * im, -2 * re, linear.inState(q, p));
+            return new Mode(re, im, re * re + im * im, -2 * re, state);
         }
-        return realMode(re, q, p);
-    }
-
-    /**
-     * The mode of a real eigenvalue, one of two of a damped spring; the Rayleigh quotients of its shape give the
-     * spring.
-     */
-    private Mode realMode(double re, double[] q, double[] p) {
-        double[] shape = Linearisation.norm(q) * linear.getFrequency() > Linearisation.norm(p) * Spectrum.ZERO ? q : p;
-        double[] image = new double[shape.length];
-        double square = Linearisation.dot(shape, shape);
-        linear.stiffness(shape, image);
-        double stiffness = Linearisation.dot(shape, image) / square;
-        linear.damping(shape, image);
-        double damping = Linearisation.dot(shape, image) / square;
-        return new Mode(re, 0, stiffness, damping, linear.inState(q, p));
+        // of a real eigenvalue, one of two of a damped spring, the shape gives the spring
+        int n = linear.coordinates();
+        double[] q = Arrays.copyOf(y.data, n);
+        double[] p = Arrays.copyOfRange(y.data, n, 2 * n);
+        double[] shape = Linearisation.norm(q) > Linearisation.norm(p) * Spectrum.ZERO ? q : p;
+        return new Mode(re, 0, linear.stiffness(shape), linear.damping(shape), state);
     }
 }

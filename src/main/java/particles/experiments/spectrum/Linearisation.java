@@ -26,7 +26,8 @@ final class Linearisation {
     private final double[] displacement;
     private final double[] velocity;
     private final double[] force;
-    private final double frequency;
+    /** w (1/s), an angular frequency of the system's size; 1 if there is no restoring force. */
+    private double frequency = 1;
 
     /** @param system the system in its present state; neither state nor time is changed */
     Linearisation(ParticleSystem system) {
@@ -42,7 +43,8 @@ final class Linearisation {
         system.getStateDerivative(slope);
         jacobian = new ForceJacobian(new SolverWork(), slope.length, system::getStateDerivative);
         jacobian.setUp(system, system.getStateArray(), slope, false);
-        frequency = typicalFrequency();
+        double restoring = norm(derivative(Arrays.copyOf(random(coordinates()), 2 * coordinates())));
+        frequency = restoring == 0 ? 1 : Math.sqrt(restoring);
     }
 
     /** @return the number of coordinates, three for each particle that can move */
@@ -57,24 +59,9 @@ final class Linearisation {
                 && system.getReactions().stream().noneMatch(Reaction::isActive);
     }
 
-    /** @return w (1/s), an angular frequency of the system's size; 1 if there is no restoring force */
-    double getFrequency() {
-        return frequency;
-    }
-
-    private double typicalFrequency() {
-        double[] image = new double[coordinates()];
-        stiffness(random(coordinates()), image);
-        return norm(image) == 0 ? 1 : Math.sqrt(norm(image));
-    }
-
     /** @return a direction of length 1 without preference, the same every time */
     static double[] random(int size) {
-        SplittableRandom random = new SplittableRandom(SEED);
-        double[] q = new double[size];
-        for (int k = 0; k < size; k++) {
-            q[k] = random.nextDouble() - 0.5;
-        }
+        double[] q = new SplittableRandom(SEED).doubles(size, -0.5, 0.5).toArray();
         return divided(q, norm(q));
     }
 
@@ -83,54 +70,46 @@ final class Linearisation {
         return Arrays.stream(a).map(x -> x / by).toArray();
     }
 
-    /** Minus the acceleration that a displacement makes: result = -M^(1/2) A M^(-1/2) q. */
-    void stiffness(double[] q, double[] result) {
-        multiply(q, 0, 1, new double[q.length], 0);
-        deceleration(result);
+    /** @return the stiffness of a spring that answers displacements of this shape: -q A q / q q (1/s&sup2;) */
+    double stiffness(double[] q) {
+        return frequency * answer(q, 0);
     }
 
-    /** Minus the acceleration that a velocity makes: result = -M^(1/2) B M^(-1/2) p. */
-    void damping(double[] p, double[] result) {
-        multiply(new double[p.length], 0, 1, p, 0);
-        deceleration(result);
+    /** @return the damping of a spring that answers velocities of this shape: -p B p / p p (1/s) */
+    double damping(double[] p) {
+        return answer(p, p.length);
     }
 
-    private void deceleration(double[] result) {
-        Arrays.setAll(result, k -> -force[places[k]] / rootMasses[k]);
+    private double answer(double[] shape, int place) {
+        int n = shape.length;
+        double[] y = new double[2 * n];
+        System.arraycopy(shape, 0, y, place, n);
+        return -dot(shape, Arrays.copyOfRange(derivative(y), n, 2 * n)) / dot(shape, shape);
     }
 
-    /**
-     * One multiplication with the whole matrix, (w q, p)' = (w p, M^(1/2) (A x + B v));
-     * twice as many doubles as coordinates.
-     */
-    void derivative(double[] y, double[] result) {
+    /** @return y' for y = (w q, q'), one multiplication with the whole matrix: (w q', M^(1/2) (A x + B v)) */
+    double[] derivative(double[] y) {
         int n = places.length;
-        multiply(y, 0, 1 / frequency, y, n);
+        for (int k = 0; k < n; k++) {
+            displacement[places[k]] = y[k] / frequency / rootMasses[k];
+            velocity[places[k]] = y[n + k] / rootMasses[k];
+        }
+        jacobian.multiply(displacement, velocity, force);
+        double[] result = new double[2 * n];
         for (int k = 0; k < n; k++) {
             result[k] = frequency * y[n + k];
             result[n + k] = force[places[k]] / rootMasses[k];
         }
+        return result;
     }
 
-    private void multiply(double[] q, int fromQ, double scale, double[] p, int fromP) {
-        for (int k = 0; k < places.length; k++) {
-            displacement[places[k]] = scale * q[fromQ + k] / rootMasses[k];
-            velocity[places[k]] = p[fromP + k] / rootMasses[k];
-        }
-        jacobian.multiply(displacement, velocity, force);
-    }
-
-    /**
-     * @param q   coordinates from an offset on
-     * @param p   their velocities from an offset on
-     * @return the direction in the state space
-     */
-    double[] inState(double[] q, double[] p) {
+    /** @return the direction in the state space of y = (w q, q') */
+    double[] inState(double[] y) {
         double[] state = new double[system.getStateSize()];
         for (int k = 0; k < places.length; k++) {
             int at = Particles.STRIDE * (places[k] / 3) + places[k] % 3;
-            state[at] = q[k] / rootMasses[k];
-            state[at + 3] = p[k] / rootMasses[k];
+            state[at] = y[k] / frequency / rootMasses[k];
+            state[at + 3] = y[places.length + k] / rootMasses[k];
         }
         return state;
     }
