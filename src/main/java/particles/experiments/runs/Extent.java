@@ -1,5 +1,10 @@
 package particles.experiments.runs;
 
+import java.util.DoubleSummaryStatistics;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
@@ -11,8 +16,7 @@ import particles.law.Vector3;
  * The box in which a run takes place: from the lowest to the highest coordinates that any particle had after any step.
  */
 public final class Extent implements Observer {
-    private final double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
-    private final double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+    private final List<DoubleSummaryStatistics> axes = Stream.generate(DoubleSummaryStatistics::new).limit(3).toList();
 
     @Override
     public void started(ParticleSystem system) {
@@ -32,34 +36,33 @@ public final class Extent implements Observer {
     private void include(ParticleSystem system, double[] state) {
         for (int i = 0, x = 0; i < system.getParticles().count(); i++, x += Particles.STRIDE) {
             for (int c = 0; c < 3; c++) {
-                low[c] = Math.min(low[c], state[x + c]);
-                high[c] = Math.max(high[c], state[x + c]);
+                axes.get(c).accept(state[x + c]);
             }
         }
     }
 
     /** @return its longest edge (m) */
     public double longest() {
-        return Math.max(high[0] - low[0], Math.max(high[1] - low[1], high[2] - low[2]));
+        return axes.stream().mapToDouble(axis -> axis.getMax() - axis.getMin()).max().orElseThrow();
     }
 
     /** @return whether the particle with its state from x on is farther outside than a length (m) */
     public boolean isBeyond(double length, double[] state, int x) {
-        for (int c = 0; c < 3; c++) {
-            if (state[x + c] < low[c] - length || state[x + c] > high[c] + length) {
-                return true;
-            }
-        }
-        return false;
+        return IntStream.range(0, 3).anyMatch(c -> state[x + c] < axes.get(c).getMin() - length
+                || state[x + c] > axes.get(c).getMax() + length);
     }
 
     /** @return the corner with the lowest coordinates (m); infinite before a run */
     public Vector3 low() {
-        return Vector3.at(low, 0);
+        return corner(DoubleSummaryStatistics::getMin);
     }
 
     /** @return the corner with the highest coordinates (m) */
     public Vector3 high() {
-        return Vector3.at(high, 0);
+        return corner(DoubleSummaryStatistics::getMax);
+    }
+
+    private Vector3 corner(ToDoubleFunction<DoubleSummaryStatistics> end) {
+        return Vector3.at(axes.stream().mapToDouble(end).toArray(), 0);
     }
 }

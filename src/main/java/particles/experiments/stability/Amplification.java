@@ -37,7 +37,6 @@ public final class Amplification {
     private final Supplier<DESolver> maker;
     private final boolean ofSprings;
     private final boolean manySteps;
-    private long evaluations;
 
     /**
      * @param maker     creates solvers without memory
@@ -83,11 +82,6 @@ public final class Amplification {
         return manySteps;
     }
 
-    /** @return the number of evaluations of the derivative so far */
-    public long getEvaluations() {
-        return evaluations;
-    }
-
     /**
      * @param re real part of deltaT lambda
      * @param im its imaginary part
@@ -116,8 +110,6 @@ public final class Amplification {
             throw e;                                    // a mistake, and no refusal
         } catch (RuntimeException e) {                  // by whatever the solver refuses the step
             return Double.POSITIVE_INFINITY;
-        } finally {
-            evaluations += source.getEvaluations();
         }
     }
 

@@ -1,6 +1,9 @@
 package particles.experiments.stability;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Deque;
 import java.util.List;
 import java.util.function.DoubleBinaryOperator;
 import particles.experiments.stability.StabilityRegion.Window;
@@ -107,7 +110,7 @@ public final class StabilityMap {
         return new double[] {x(c + still * (growingC - c)), y(r + still * (growingR - r))};
     }
 
-    private void draw(List<double[]> chain, List<double[]> line) {
+    private void draw(Collection<double[]> chain, List<double[]> line) {
         double[] gap = {Double.NaN, Double.NaN};
         chain.forEach(point -> line.add(new double[] {point[0], mirrored ? point[1] : Math.max(0, point[1])}));
         line.add(gap);
@@ -137,29 +140,20 @@ public final class StabilityMap {
     }
 
     /** Pieces strung together where they meet, so that dashes run on. */
-    private static List<double[]> chain(List<double[][]> left) {
-        List<double[]> chain = new ArrayList<>(List.of(left.remove(left.size() - 1)));
-        boolean grown = true;
-        while (grown) {
-            grown = false;
-            for (int k = 0; k < left.size() && !grown; k++) {
-                double[][] piece = left.get(k);
-                grown = attach(chain, piece[0], piece[1]) || attach(chain, piece[1], piece[0]);
-                if (grown) {
-                    left.remove(k);
-                }
-            }
+    private static Deque<double[]> chain(List<double[][]> left) {
+        Deque<double[]> chain = new ArrayDeque<>(List.of(left.remove(left.size() - 1)));
+        while (left.removeIf(piece -> attach(chain, piece[0], piece[1]) || attach(chain, piece[1], piece[0]))) {
+            // as long as a piece fits at an end
         }
         return chain;
     }
 
-    private static boolean attach(List<double[]> chain, double[] here, double[] there) {
-        boolean atEnd = same(chain.get(chain.size() - 1), here);
-        boolean attached = atEnd || same(chain.get(0), here);
-        if (attached) {
-            chain.add(atEnd ? chain.size() : 0, there);
+    private static boolean attach(Deque<double[]> chain, double[] here, double[] there) {
+        if (same(chain.getLast(), here)) {
+            chain.addLast(there);
+            return true;
         }
-        return attached;
+        return same(chain.getFirst(), here) && chain.offerFirst(there);
     }
 
     private static boolean same(double[] point, double[] other) {

@@ -3,6 +3,7 @@ package particles.output.charts;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
@@ -46,20 +47,21 @@ final class ArrowAnnotation extends AbstractXYAnnotation {
         if (!(length > 1e-3) || !(length <= 1e6)) {
             return;
         }
-        double ux = (x1 - x0) / length;
-        double uy = (y1 - y0) / length;
         double size = headOnly ? head : Math.min(head, 0.6 * length);
         double width = 0.42 * size;
+        // drawn along the x axis with its tip at 0, and turned
+        AffineTransform turned = AffineTransform.getTranslateInstance(x1, y1);
+        turned.rotate(x1 - x0, y1 - y0);
         g.setPaint(colour);
         if (!headOnly) {
             g.setStroke(new BasicStroke(1));
-            g.draw(new Line2D.Double(x0, y0, x1 - 0.8 * size * ux, y1 - 0.8 * size * uy));
+            g.draw(turned.createTransformedShape(new Line2D.Double(-length, 0, -0.8 * size, 0)));
         }
         Path2D tip = new Path2D.Double();
-        tip.moveTo(x1, y1);
-        tip.lineTo(x1 - size * ux + width * uy, y1 - size * uy - width * ux);
-        tip.lineTo(x1 - size * ux - width * uy, y1 - size * uy + width * ux);
+        tip.moveTo(0, 0);
+        tip.lineTo(-size, -width);
+        tip.lineTo(-size, width);
         tip.closePath();
-        g.fill(tip);
+        g.fill(turned.createTransformedShape(tip));
     }
 }

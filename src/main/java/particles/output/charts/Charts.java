@@ -6,9 +6,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.Iterator;
 import java.util.List;
-import org.jfree.chart.axis.LogAxis;
-import org.jfree.chart.axis.NumberAxis;
-import org.jfree.chart.axis.NumberTickUnitSource;
 import org.jfree.chart.axis.SymbolAxis;
 import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.plot.CombinedDomainXYPlot;
@@ -29,6 +26,9 @@ final class Charts {
 
     /** An axis that begins this near to zero, as a part of its end, begins at zero. */
     private static final double NEAR_ZERO = 0.1;
+
+    /** The part of its range that an axis shows beyond the first and the last point. */
+    private static final double MARGIN = 0.05;
 
     /** The height of a row, in pixels as the other charts' heights, roughly. */
     static final int ROW = 17;
@@ -60,7 +60,7 @@ final class Charts {
      * height.
      */
     private static XYPlot stacked(List<ChartData> data, int main) {
-        Range x = data.stream().map(chart -> range(new ChartDataset(chart), true)).reduce(null, Range::combine);
+        Range x = data.stream().map(chart -> shown(chart, true)).reduce(null, Range::combine);
         CombinedDomainXYPlot all = new CombinedDomainXYPlot(axis(data.get(0).xLabel(), data.get(0).xLog(), x,
                 onlyLines(data.get(0))));
         all.setGap(14);
@@ -73,20 +73,7 @@ final class Charts {
                     : ofQuantities > 1 ? 255 : main);
             looks += series;
         }
-        if (data.stream().anyMatch(Charts::isPart)) {
-            all.getDomainAxis().setRange(stacked(data.stream().map(Charts::whole).toList(), main).getDomainAxis()
-                    .getRange());
-        }
         return all;
-    }
-
-    private static boolean isPart(ChartData data) {
-        return data.scale() != data.series();
-    }
-
-    /** What is drawn if nothing is left out. */
-    private static ChartData whole(ChartData data) {
-        return data.with(data.rows(), data.scale());
     }
 
     static FittedChart finished(String title, XYPlot plot, Panel.Kind kind) {
@@ -107,9 +94,9 @@ final class Charts {
 
     private static XYPlot plot(ChartData given, int firstLook) {
         ChartData data = solidFirst(given);
-        ChartDataset dataset = new ChartDataset(data);
-        XYPlot plot = new XYPlot(dataset, axis(data.xLabel(), data.xLog(), range(dataset, true), onlyLines(data)),
-                data.rows().isEmpty() ? axis(data.yLabel(), data.yLog(), range(dataset, false), false)
+        XYPlot plot = new XYPlot(new ChartDataset(data),
+                axis(data.xLabel(), data.xLog(), shown(data, true), onlyLines(data)),
+                data.rows().isEmpty() ? axis(data.yLabel(), data.yLog(), shown(data, false), false)
                         : inStyle(rowAxis(data.rows()), data.yLabel()), SeriesRenderer.of(data, firstLook));
         plot.setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD);     // through dashes the line below is seen
         plot.setBackgroundPaint(Color.WHITE);
@@ -119,13 +106,6 @@ final class Charts {
         plot.setRangeGridlineStroke(new BasicStroke(0.7f));
         plot.setOutlinePaint(ChartStyle.AXIS);
         plot.setAxisOffset(RectangleInsets.ZERO_INSETS);
-        if (isPart(given)) {
-            XYPlot whole = plot(whole(given));
-            plot.getDomainAxis().setRange(whole.getDomainAxis().getRange());
-            if (given.rows().isEmpty()) {
-                plot.getRangeAxis().setRange(whole.getRangeAxis().getRange());
-            }
-        }
         return plot;
     }
 
@@ -143,25 +123,22 @@ final class Charts {
                 && SolverStyle.of(series.name()).isPresent();
     }
 
-    /** The range of a dataset; null if it has no point, as JFreeChart expects. */
-    private static Range range(ChartDataset dataset, boolean x) {
-        return x ? DatasetUtils.findDomainBounds(dataset) : DatasetUtils.findRangeBounds(dataset);
+    /** The range of the values that an axis shows; null if there are none, as JFreeChart expects. */
+    private static Range shown(ChartData data, boolean x) {
+        ChartDataset scale = new ChartDataset(data.with(data.rows(), data.scale()));
+        return x ? DatasetUtils.findDomainBounds(scale) : DatasetUtils.findRangeBounds(scale);
     }
 
     private static boolean onlyLines(ChartData data) {
-        return data.series().stream().allMatch(series -> series.mark() == Mark.LINE || series.mark() == Mark.FAILURES);
+        return data.scale().stream().allMatch(series -> series.mark() == Mark.LINE || series.mark() == Mark.FAILURES);
     }
 
     /** Tight: from the first point to the last, without a margin, as marks need it. */
-    private static ValueAxis axis(String label, boolean log, Range range, boolean tight) {
-        ValueAxis axis = log ? logAxis(range) : linearAxis(range);
-        if (tight) {
-            axis.setLowerMargin(0);
-            axis.setUpperMargin(0);
-            if (!log && range != null && range.getLowerBound() > 0
-                    && range.getLowerBound() < NEAR_ZERO * range.getUpperBound()) {
-                axis.setRange(0, range.getUpperBound());
-            }
+    private static ValueAxis axis(String label, boolean log, Range values, boolean tight) {
+        ValueAxis axis = log ? new DecadeAxis() : new DecimalAxis();
+        double margin = tight ? 0 : MARGIN;
+        if (values != null) {
+            axis.setRange(log ? decades(values, margin) : numbers(values, margin));
         }
         return inStyle(axis, label);
     }
@@ -177,19 +154,24 @@ final class Charts {
         return axis;
     }
 
-    /** Ticks at powers of ten; an axis that would show less than two of them is widened to whole decades. */
-    private static ValueAxis logAxis(Range range) {
-        LogAxis axis = new DecadeAxis();
-        axis.setStandardTickUnits(new NumberTickUnitSource(true));
-        axis.setSmallestValue(Double.MIN_NORMAL);
-        if (range != null) {
-            double low = Math.floor(Math.log10(range.getLowerBound()) + ROUNDING);
-            double high = Math.ceil(Math.log10(range.getUpperBound()) - ROUNDING);
-            if (high - low < 3) {
-                axis.setRange(Math.pow(10, low), Math.pow(10, Math.max(high, low + 1)));
-            }
-        }
-        return axis;
+    /** An axis that would show less than two powers of ten is widened to whole decades. */
+    private static Range decades(Range values, double margin) {
+        double low = Math.log10(values.getLowerBound());
+        double high = Math.log10(values.getUpperBound());
+        double first = Math.floor(low + ROUNDING);
+        double last = Math.ceil(high - ROUNDING);
+        return last - first < 3 ? new Range(Math.pow(10, first), Math.pow(10, Math.max(last, first + 1)))
+                : new Range(Math.pow(10, low - margin * (high - low)), Math.pow(10, high + margin * (high - low)));
+    }
+
+    /** An axis shows more than round-off, and without margins zero, if it is near. */
+    private static Range numbers(Range values, double margin) {
+        double low = values.getLowerBound();
+        double high = values.getUpperBound();
+        double size = Math.max(Math.abs(low), Math.abs(high));
+        double least = size == 0 ? 1 : Math.max(ROUNDING * size, Double.MIN_NORMAL);
+        double beside = margin * (high - low) + Math.max(0, least - (high - low)) / 2;
+        return new Range(margin == 0 && low > 0 && low < NEAR_ZERO * high ? 0 : low - beside, high + beside);
     }
 
     /** A name for each row, the first one above. */
@@ -198,17 +180,6 @@ final class Charts {
         axis.setGridBandsVisible(false);
         axis.setInverted(true);
         axis.setRange(-0.8, rows.size() - 0.2);
-        return axis;
-    }
-
-    private static ValueAxis linearAxis(Range range) {
-        NumberAxis axis = new DecimalAxis();
-        axis.setAutoRangeIncludesZero(false);
-        axis.setAutoRangeStickyZero(false);
-        if (range != null) {
-            double size = Math.max(Math.abs(range.getLowerBound()), Math.abs(range.getUpperBound()));
-            axis.setAutoRangeMinimumSize(size == 0 ? 1 : Math.max(ROUNDING * size, Double.MIN_NORMAL));
-        }
         return axis;
     }
 }

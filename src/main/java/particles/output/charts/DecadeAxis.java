@@ -13,6 +13,7 @@ import java.util.List;
 import org.jfree.chart.axis.AxisState;
 import org.jfree.chart.axis.LogAxis;
 import org.jfree.chart.axis.NumberTick;
+import org.jfree.chart.axis.NumberTickUnitSource;
 import org.jfree.chart.axis.ValueTick;
 import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.TextAnchor;
@@ -28,6 +29,8 @@ final class DecadeAxis extends LogAxis {
 
     DecadeAxis() {
         setNumberFormatOverride(new PowerFormat());
+        setStandardTickUnits(new NumberTickUnitSource(true));
+        setSmallestValue(Double.MIN_NORMAL);
     }
 
     @Override

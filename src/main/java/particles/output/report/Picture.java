@@ -141,16 +141,16 @@ public record Picture(String name, String caption, String title, List<Panel> pan
             for (Panel part : parts) {
                 String file = name + (panels.size() == 1 ? "" : "-" + Panel.fileName(panel.title()))
                         + (part == parts.get(0) ? "" : "-" + part.quantity());
-                String text = pictures.isEmpty() ? caption : heading(part) + ".";   // the first explains all
                 if (!isCrowded(part, format)) {
-                    add(pictures, of(file, text, part.titled(heading(part))), panel);
-                } else if (format.slide()) {
-                    part.families().stream().map(family -> member(part, family, false)).forEach(some -> add(pictures,
-                            of(file + "-" + some.families().iterator().next().word(),
-                            pictures.isEmpty() ? caption : heading(some) + ".", some.titled(heading(some))), panel));
+                    add(pictures, file, part, List.of(part.titled(heading(part))));
+                } else if (!format.slide()) {
+                    add(pictures, file, part, part.families().stream().map(family ->
+                            member(part, family, true).titled(family.title())).toList());
                 } else {
-                    add(pictures, panels(file, text, heading(part), part.families().stream()
-                            .map(family -> member(part, family, true).titled(family.title())).toList()), panel);
+                    for (SolverFamily family : part.families()) {
+                        Panel some = member(part, family, false);
+                        add(pictures, file + "-" + family.word(), some, List.of(some.titled(heading(some))));
+                    }
                 }
             }
         }
@@ -165,20 +165,27 @@ public record Picture(String name, String caption, String title, List<Panel> pan
     private Panel member(Panel part, SolverFamily family, boolean rows) {
         return Panel.stacked(bySolver.orElseThrow().apply(label -> SolverStyle.of(label)
                 .map(look -> look.family() == family).orElse(true))).apart(rows).stream()
-                .filter(some -> some.quantity().equals(part.quantity())).findFirst().orElseThrow()
+                .filter(some -> quantity(some).equals(quantity(part))).findFirst().orElseThrow()
                 .scaledTo(List.of(part));
     }
 
-    /** Panels that show the same along another axis have its quantity in the name, too. */
-    private static void add(Map<String, Picture> pictures, Picture picture, Panel panel) {
-        String name = pictures.containsKey(picture.name()) ? picture.name() + "-"
-                + Panel.fileName(panel.charts().get(0).xLabel()) : picture.name();
-        pictures.put(name, panels(name, picture.caption(), picture.title(), picture.panels()));
+    /**
+     * Adds a picture of a panel, or of its parts. The first one's caption explains all. Panels that show the same along
+     * another axis have its quantity in the name, too.
+     */
+    private void add(Map<String, Picture> pictures, String file, Panel whole, List<Panel> parts) {
+        String unique = pictures.containsKey(file) ? file + "-" + Panel.fileName(whole.charts().get(0).xLabel()) : file;
+        String text = pictures.isEmpty() ? caption : heading(whole) + ".";
+        pictures.put(unique, panels(unique, text, heading(whole), parts));
+    }
+
+    private static String quantity(Panel panel) {
+        return panel.charts().get(0).yLabel();
     }
 
     /** The title of a panel; a chart without a title of its own shows its quantity. */
     private static String heading(Panel panel) {
-        return panel.title().isEmpty() ? panel.charts().get(0).yLabel() : panel.title();
+        return panel.title().isEmpty() ? quantity(panel) : panel.title();
     }
 
     /** @return the page to be drawn; none if the picture is made elsewhere */

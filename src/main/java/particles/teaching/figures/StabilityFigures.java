@@ -48,10 +48,9 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     private static final double FARTHEST = 20;
     private static final double FACTOR = 1.1;
     private static final double MARGIN = 0.15;
-    private static final int MOST_CELLS = 80;
-    private static final int FEWEST_CELLS = 24;
-    /** Evaluations that the grids of both solvers may take: half a second of them. */
-    private static final double BUDGET = 1.5e6;
+    private static final int CELLS = 80;
+    /** For a method whose growth takes many steps to measure, at each point of the grid. */
+    private static final int FEW_CELLS = 24;
     private static final String REAL = "real limit: largest stable deltaT |lambda|";
     private static final String IMAGINARY = "imaginary limit: largest stable deltaT omega";
     private static final String DAMPED = "damped limit: largest stable deltaT omega";
@@ -153,15 +152,12 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         double left = 0;
         double right = 0;
         double top = 0;
-        int looks = 0;
-        long before = evaluations(solvers);
         for (int k = 0; k <= DIRECTIONS; k++) {
             double cos = StrictMath.cos(Math.PI * k / DIRECTIONS);
             double sin = StrictMath.sin(Math.PI * k / DIRECTIONS);
             for (Amplification one : solvers) {
                 boolean stable = one.at(NEAREST * cos, NEAREST * sin) <= STABLE;
                 for (double size = NEAREST; size < FARTHEST; size *= FACTOR) {
-                    looks++;
                     if (one.at(size * cos, size * sin) <= STABLE != stable) {
                         stable = !stable;
                         left = Math.min(left, size * cos);
@@ -180,13 +176,7 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         left -= 2 * margin;
         right = Math.max(right, left + 2 * margin + size / 2) + margin;
         top = Math.max(top, size / 2) + margin;
-        double ofOnePoint = (double) solvers.size() * (evaluations(solvers) - before) / looks;
-        double affordable = size / Math.sqrt(ofOnePoint * (right - left) * top / BUDGET);
-        return new Window(left, right, top, size / Math.max(FEWEST_CELLS, Math.min(MOST_CELLS, affordable)));
-    }
-
-    private static long evaluations(List<Amplification> solvers) {
-        return solvers.stream().mapToLong(Amplification::getEvaluations).sum();
+        return new Window(left, right, top, size / (solvers.get(0).isOfManySteps() ? FEW_CELLS : CELLS));
     }
 
     private static DataTable table(String name, Amplification own, String nearest,

@@ -13,6 +13,9 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.output.charts.ChartFormat;
@@ -111,6 +114,17 @@ class ResultPageWriterTest {
         assertEquals(List.of("many-explicit", "many-symplectic"), slides.stream().map(Picture::name).toList());
         assertEquals(List.of("t", "t"),
                 slides.stream().map(slide -> slide.data().get(0).title()).toList());
+    }
+
+    /** The size of a quantity is another one: |y| in the first picture, y in the second. */
+    @Test
+    void eachPictureOfFamiliesHasOneQuantity() {
+        List<Series> series = Stream.of("euler", "midpoint", "rk4", "adams", "verlet", "yoshida4", "radau")
+                .map(solver -> Series.point(solver, Mark.LINE, 1, 1)).toList();
+        Picture two = Picture.bySolver("many", "", series, Series::name, some -> Stream.of("|y|", "y").map(quantity ->
+                new ChartData("t", "x", quantity, false, false, some)).toList());
+        assertEquals(List.of(Set.of("|y|"), Set.of("y")), two.laidOut(ChartFormat.PAGE).stream().map(page ->
+                page.data().stream().map(ChartData::yLabel).collect(Collectors.toSet())).toList());
     }
 
     private static Picture picture(List<Series> series) {
