@@ -159,8 +159,8 @@ class ArchitectureTest {
             particles.teaching.contract:   deSolvers particles.teaching particles.teaching.sources
             particles.teaching.effects:    deSolvers deSolvers.text particles particles.effects
                                            particles.effects.springs particles.law particles.spec particles.teaching
-            particles.teaching.exercises:  deSolvers deSolvers.catalog deSolvers.problems particles
-                                           particles.energy
+            particles.teaching.exercises:  deSolvers deSolvers.catalog deSolvers.problems
+                                           deSolvers.rungeKutta particles particles.energy
                                            particles.experiments.runs particles.law particles.scene
                                            particles.scene.format particles.spec particles.spec.messages
                                            particles.teaching.marking

@@ -86,15 +86,10 @@ public record EffectCheck(EffectTrial trial) {
     private Optional<String> wrongPair() {
         double[] force = trial.force();
         int count = force.length / 6;
-        double[][] change = new double[count][force.length];
-        for (int j = 0; j < count; j++) {
-            double[] there = trial.force(trial.moved(6 * j, STEP));
-            for (int k = 0; k < force.length; k++) {
-                change[j][k] = there[k] - force[k];
-            }
-        }
-        if (IntStream.range(0, count).allMatch(j -> trial.velocities().allMatch(k -> k / 6 == j || change[j][k]
-                == 0))) {
+        double[][] moved = IntStream.range(0, count).mapToObj(j -> trial.force(trial.moved(6 * j, STEP))).toArray(
+                double[][]::new);
+        if (trial.velocities().allMatch(k -> IntStream.range(0, count).allMatch(j -> k / 6 == j || moved[j][k]
+                == force[k]))) {
             return Optional.of("it claims INTERNAL, but " + trial.effect().getName() + " is not: no particle's force"
                     + " changes with the place of another, so that there are no pairs that push each other");
         }
@@ -102,8 +97,8 @@ public record EffectCheck(EffectTrial trial) {
         for (int i = 0; i < count; i++) {
             for (int j = 0; j < count; j++) {
                 boolean pair = i != j && !(leftOut && !(trial.isFree(6 * i) && trial.isFree(6 * j)));
-                double onI = change[j][6 * i + 3];
-                double onJ = change[i][6 * j + 3];
+                double onI = moved[j][6 * i + 3] - force[6 * i + 3];
+                double onJ = moved[i][6 * j + 3] - force[6 * j + 3];
                 if (pair && onI != 0 && Math.abs(onI - onJ) > 1e-3 * Math.abs(onI)) {
                     return Optional.of("particle " + trial.id(j) + " pushes " + trial.id(i)
                             + (onJ == 0 ? ", and is not pushed itself: the partner's force F_ji = -F_ij is missing"

@@ -1,7 +1,9 @@
 package particles.teaching.effects;
 
+import java.util.Arrays;
+import java.util.Objects;
 import java.util.Optional;
-import java.util.function.ToDoubleFunction;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 import particles.law.Effect.Trait;
 
@@ -14,36 +16,19 @@ record EffectIndices(EffectTrial trial) {
 
     /** @return the wrong index in a sentence; empty if that is not the mistake */
     Optional<String> cause() {
-        boolean[][] reads = reads();
-        return wrongHalf(reads).or(() -> IntStream.range(0, reads.length).mapToObj(i -> wrongParticle(reads[i], i))
-                .flatMap(Optional::stream).findFirst());
+        return wrongHalf().or(() -> IntStream.range(0, trial.size() / 6).mapToObj(this::wrongParticle).flatMap(
+                Optional::stream).findFirst());
     }
 
-    /** By particle and entry of the state. */
-    private boolean[][] reads() {
-        double[] force = trial.force();
-        boolean[][] reads = new boolean[force.length / 6][force.length];
-        for (int m = 0; m < force.length; m++) {
-            double[] changed = trial.force(trial.moved(m, MOVE));
-            for (int k = 0; k < force.length; k++) {
-                reads[k / 6][m] |= changed[k] != force[k];
-            }
-        }
-        return reads;
+    /** Whether something changes with positions, 0, or velocities, 1. */
+    private boolean changes(Function<double[], ?> what, int half) {
+        return !Objects.deepEquals(what.apply(trial.state()), what.apply(trial.changed(k -> k % 6 / 3 == half, x ->
+                (1 + MOVE) * x)));
     }
 
-    private boolean changes(ToDoubleFunction<double[]> amount, int half) {
-        double before = amount.applyAsDouble(trial.state());
-        return half(half).anyMatch(m -> amount.applyAsDouble(trial.moved(m, MOVE)) != before);
-    }
-
-    private IntStream half(int half) {
-        return IntStream.range(0, trial.size()).filter(m -> m % 6 / 3 == half);
-    }
-
-    private Optional<String> wrongHalf(boolean[][] reads) {
-        boolean positions = half(0).anyMatch(m -> reads(reads, m));
-        boolean velocities = half(1).anyMatch(m -> reads(reads, m));
+    private Optional<String> wrongHalf() {
+        boolean positions = changes(trial::force, 0);
+        boolean velocities = changes(trial::force, 1);
         if (trial.claims(Trait.CONSERVATIVE) && velocities && !positions && changes(trial::energy, 0)) {
             return Optional.of("the force depends on velocities and the potential energy on positions: the position of"
                     + " particle i begins at entry 6 i of the state, its velocity at 6 i + 3");
@@ -53,12 +38,10 @@ record EffectIndices(EffectTrial trial) {
                 + " velocity of particle i begins at entry 6 i + 3 of the state") : Optional.empty();
     }
 
-    private static boolean reads(boolean[][] reads, int m) {
-        return IntStream.range(0, reads.length).anyMatch(i -> reads[i][m]);
-    }
-
-    private Optional<String> wrongParticle(boolean[] reads, int i) {
-        int[] entries = IntStream.range(0, reads.length).filter(m -> reads[m]).toArray();
+    private Optional<String> wrongParticle(int i) {
+        double[] force = forceOn(i, trial.state());
+        int[] entries = IntStream.range(0, trial.size()).filter(m -> !Arrays.equals(force, forceOn(i, trial.moved(m,
+                MOVE)))).toArray();
         if (entries.length == 0 || IntStream.of(entries).anyMatch(m -> m / 6 == i)) {
             return Optional.empty();
         }
@@ -66,5 +49,9 @@ record EffectIndices(EffectTrial trial) {
         return Optional.of("the force on particle " + trial.id(i) + " changes with entry " + first + " of the state, a "
                 + (first % 6 < 3 ? "position" : "velocity") + " of " + trial.id(first / 6) + ", and with nothing of its"
                 + " own: each particle has six entries, its position from 6 i on and its velocity from 6 i + 3 on");
+    }
+
+    private double[] forceOn(int i, double[] state) {
+        return Arrays.copyOfRange(trial.force(state), 6 * i, 6 * i + 6);
     }
 }

@@ -3,6 +3,8 @@ package particles.teaching.exercises;
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.ReferenceProblem;
+import deSolvers.rungeKutta.ButcherTableau;
+import java.util.stream.IntStream;
 import particles.teaching.marking.Draw.Picks;
 
 /**
@@ -40,33 +42,30 @@ final class Leaf extends ReferenceProblem {
     }
 
     /**
-     * Steps with a wrong Runge-Kutta method.
+     * Steps with a method in which a mistake was made.
      *
+     * @param method a printed Butcher tableau
+     * @param right  what stands there
+     * @param wrong  what was written in its place
      * @param steps  the number of steps
      * @param deltaT the time step (s)
-     * @param times  the time of each stage, as a fraction of the step
-     * @param stages the weights of earlier stages in the state of each stage
-     * @param weight the weight of each stage in the step
      * @return v after these steps (m/s)
      */
-    double afterMistake(int steps, double deltaT, double[] times, double[][] stages, double[] weight) {
+    double afterMistake(String method, String right, String wrong, int steps, double deltaT) {
+        ButcherTableau tableau = ButcherTableau.parse(method.replace(right, wrong));
         double v = exactState(0)[0];
-        double time = 0;
         for (int n = 0; n < steps; n++) {
-            double[] k = new double[times.length];
-            double next = v;
+            double[] k = new double[tableau.stages()];
             for (int i = 0; i < k.length; i++) {
-                double trial = v;
-                for (int j = 0; j < stages[i].length; j++) {
-                    trial += stages[i][j] * k[j];
-                }
-                k[i] = deltaT * slope(trial, time + times[i] * deltaT);
-                next += weight[i] * k[i];
+                k[i] = deltaT * slope(v + sum(tableau.row(i), k), (n + tableau.node(i)) * deltaT);
             }
-            v = next;
-            time += deltaT;
+            v += sum(tableau.weights(0), k);
         }
         return v;
+    }
+
+    private static double sum(double[] weights, double[] k) {
+        return IntStream.range(0, weights.length).mapToDouble(j -> weights[j] * k[j]).sum();
     }
 
     private double slope(double velocity, double t) {

@@ -11,6 +11,13 @@ final class MidpointSteps extends NumericExercise {
     /** The largest deltaT c/m, well below the stability limit, 2. */
     private static final double LONGEST = 1.5;
 
+    private static final String MIDPOINT = """
+             0  |
+            1/2 | 1/2
+            ----+---------
+                |  0   1
+            """;
+
     MidpointSteps() {
         super("Two steps of the midpoint method", "m/s", 0.5, 20, """
                 A leaf of m = %s kg drifts in a wind that freshens: the air's velocity is b t with b = %s m/s^2, and \
@@ -40,13 +47,13 @@ final class MidpointSteps extends NumericExercise {
         double a = c / m;
         Leaf leaf = new Leaf(a, b, v);
         return question(leaf.after("midpoint", STEPS, h), a * h > LONGEST ? Double.POSITIVE_INFINITY : 0.05 * v,
-                List.of(m, b, c, v, h), leaf.after("euler", STEPS, h), wrong(leaf, h, 0, 0.5, 0, 1),
-                wrong(leaf, h, 1, 1, 0, 1), wrong(leaf, h, 0.5, 1, 0, 1), wrong(leaf, h, 1, 0.5, 0, 1),
-                wrong(leaf, h, 0.5, 0.5, 0, 0.5), wrong(leaf, h, 0.5, 0.5, 0.5, 1), leaf.after("midpoint", 1, h),
+                List.of(m, b, c, v, h), leaf.after("euler", STEPS, h), wrong(leaf, h, "1/2 |", "0 |"),
+                wrong(leaf, h, "1/2", "1"), wrong(leaf, h, "| 1/2", "| 1"), wrong(leaf, h, "1/2 |", "1 |"),
+                wrong(leaf, h, "0   1", "0 1/2"), wrong(leaf, h, "0   1", "1/2 1"), leaf.after("midpoint", 1, h),
                 new Leaf(c, b, v).after("midpoint", STEPS, h));
     }
 
-    private static double wrong(Leaf leaf, double h, double time, double state, double... weights) {
-        return leaf.afterMistake(STEPS, h, new double[] {0, time}, new double[][] {{}, {state}}, weights);
+    private static double wrong(Leaf leaf, double h, String right, String wrong) {
+        return leaf.afterMistake(MIDPOINT, right, wrong, STEPS, h);
     }
 }

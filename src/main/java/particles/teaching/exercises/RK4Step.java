@@ -9,9 +9,15 @@ import particles.teaching.marking.Question;
 final class RK4Step extends NumericExercise {
     /** The largest deltaT c/m, well below the stability limit, 2.785. */
     private static final double LONGEST = 2;
-    private static final double[] TIMES = {0, 0.5, 0.5, 1};
-    private static final double[][] STAGES = {{}, {0.5}, {0, 0.5}, {0, 0, 1}};
-    private static final double[] WEIGHTS = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
+    private static final String WEIGHTS = "1/6 1/3 1/3 1/6";
+    private static final String RK4 = """
+             0  |
+            1/2 | 1/2
+            1/2 |  0  1/2
+             1  |  0   0   1
+            ----+-----------------
+                | 1/6 1/3 1/3 1/6
+            """;
 
     RK4Step() {
         super("One step of RK4", "m/s", 0.5, 60, """
@@ -44,20 +50,15 @@ final class RK4Step extends NumericExercise {
         double a = c / m;
         Leaf leaf = new Leaf(a, b, v);
         return question(leaf.after("rk4", 1, h), a * h > LONGEST ? Double.POSITIVE_INFINITY : 0.05 * v,
-                List.of(m, c, b, v, h), stages(leaf, h, new double[][] {{}, {1}, {0, 0.5}, {0, 0, 1}}),
-                stages(leaf, h, new double[][] {{}, {0.5}, {0.5}, {0, 0, 1}}),
-                stages(leaf, h, new double[][] {{}, {0.5}, {0, 0.5}, {0, 0, 0.5}}),
-                leaf.afterMistake(1, h, new double[] {0, 0.5, 0.5, 0.5}, STAGES, WEIGHTS),
-                leaf.afterMistake(1, h, new double[4], STAGES, WEIGHTS), weights(leaf, h, 0.25, 0.25),
-                weights(leaf, h, 1.0 / 3, 1.0 / 6), weights(leaf, h, 1.0 / 6, 1.0 / 6), leaf.after("midpoint", 1, h),
-                leaf.after("euler", 1, h), new Leaf(c, b, v).after("rk4", 1, h));
+                List.of(m, c, b, v, h), wrong(leaf, h, "1/2 | 1/2", "1/2 | 1"), wrong(leaf, h, " 0  1/2", "1/2 0"),
+                wrong(leaf, h, "0   1", "0 1/2"), wrong(leaf, h, " 1  |", "1/2 |"),
+                leaf.afterMistake(RK4.replace("1/2 |", "0 |"), " 1  |", "0 |", 1, h),
+                wrong(leaf, h, WEIGHTS, "1/4 1/4 1/4 1/4"), wrong(leaf, h, WEIGHTS, "1/3 1/6 1/6 1/3"),
+                wrong(leaf, h, WEIGHTS, "1/6 1/6 1/6 1/6"), leaf.after("midpoint", 1, h), leaf.after("euler", 1, h),
+                new Leaf(c, b, v).after("rk4", 1, h));
     }
 
-    private static double stages(Leaf leaf, double h, double[][] stages) {
-        return leaf.afterMistake(1, h, TIMES, stages, WEIGHTS);
-    }
-
-    private static double weights(Leaf leaf, double h, double outer, double inner) {
-        return leaf.afterMistake(1, h, TIMES, STAGES, new double[] {outer, inner, inner, outer});
+    private static double wrong(Leaf leaf, double h, String right, String wrong) {
+        return leaf.afterMistake(RK4, right, wrong, 1, h);
     }
 }

@@ -66,15 +66,18 @@ final class SceneDesign implements Exercise {
     }
 
     private static List<String> names(Wanted wanted) {
-        return List.of("solver: one of the catalogue, and not euler", "at least " + wanted.particles()
-                + " particles that can move, at most " + MOST_PARTICLES,
-                "at least " + wanted.springs() + " springs", "duration: at least "
-                + Draw.text(wanted.duration()) + " s",
-                "it runs to its end, with at most " + wanted.evaluations() + " evaluations of the derivative",
-                "at least " + wanted.bounces() + " bounces off the ground or another surface",
-                "damping, drag and bounces take at least " + Draw.text(wanted.lost())
-                        + " of the energy scale (the largest energy of motion and springs)",
-                "the numerical error of the energy at the end is below " + Draw.text(ACCURACY) + " of that scale");
+        return """
+                solver: one of the catalogue, and not euler
+                at least %s particles that can move, at most %s
+                at least %s springs
+                duration: at least %s s
+                it runs to its end, with at most %s evaluations of the derivative
+                at least %s bounces off the ground or another surface
+                damping, drag and bounces take at least %s of the energy scale (the largest energy of motion and \
+                springs)
+                the numerical error of the energy at the end is below %s of that scale
+                """.formatted(wanted.particles(), MOST_PARTICLES, wanted.springs(), Draw.text(wanted.duration()),
+                wanted.evaluations(), wanted.bounces(), Draw.text(wanted.lost()), ACCURACY).lines().toList();
     }
 
     @Override
@@ -100,7 +103,7 @@ final class SceneDesign implements Exercise {
 
     private static Mark run(Wanted wanted, Scene scene) {
         Particles particles = scene.system().getParticles();
-        int moving = (int) IntStream.range(0, particles.count()).filter(i -> !particles.isFixed(i)).count();
+        long moving = IntStream.range(0, particles.count()).filter(i -> !particles.isFixed(i)).count();
         String solver = scene.description().solver();
         double duration = scene.description().duration();
         int springs = scene.springs().springCount();
