@@ -20,8 +20,8 @@
  * For graded work, {@code gradle sheets -Pstudents=list.csv -Pkey=key.csv} writes a printable sheet for each student
  * and a key file, which students never get, and {@code -Pkey=key.csv} marks with it; {@code numbers: sheet} in the
  * assignment tells {@code grade} of it. In a class of a hundred almost never is one student's answer also right for
- * another; with numbers from the id, an answer is right for six to nine students on average. {@code gradle autograding}
- * writes a workflow for GitHub Classroom and a script for VPL.
+ * another; with numbers from the id, at most ten share an answer with somebody in any exercise. {@code gradle
+ * autograding} writes a workflow for GitHub Classroom and a script for VPL.
  *
  * <p>A large course is spread over processors or machines: one command marks one student, without knowing of others,
  * and the tables are made from the results. For hand-ins that are named by the students' ids (give {@code --student}

@@ -76,7 +76,7 @@ public abstract class NumericExercise implements Exercise {
     @Override
     public final String text(Draw draw) {
         Question question = question(draw);
-        return question.text() + "\nGive four significant digits; accepted within " + Draw.text(100
+        return question.text() + "\nGive five significant digits; accepted within " + Draw.text(100
                 * Question.TOLERANCE) + " %. The answer is " + (question.unit().isEmpty() ? "a pure number" : "in "
                 + question.unit()) + " and lies between " + Draw.text(lowest) + " and " + Draw.text(highest) + ".";
     }

@@ -102,7 +102,7 @@ class GradeCommandTest {
     @Test
     void anExerciseIsShownAndMarked() {
         String text = run(ExitCode.DONE, "exercise", "--number=2", "--student=" + STUDENT);
-        assertTrue(text.startsWith("2. Why Euler spirals") && text.contains("Give four significant digits"), text);
+        assertTrue(text.startsWith("2. Why Euler spirals") && text.contains("Give five significant digits"), text);
         assertEquals("This is right.", run(ExitCode.DONE, "exercise", "--number=2", "--student=" + STUDENT, "--answer="
                 + spiral(text, 1)).strip());
         assertEquals("This is the factor of the amplitude; energy goes with its square.",

@@ -27,7 +27,7 @@ class ThousandStudentsTest {
     private static final int STUDENTS = 1000;
     private static final double SHARED = 0.02;
     private static final int CLASS = 100;
-    /** Of a class, on average; 6.0 in exercise 4 to 9.2 in 8 and 11 were measured. */
+    /** Of any class; 4 in exercises 2, 4 and 9 to 8 in 10 were measured. */
     private static final int MOST_SHARING = 10;
 
     private static Stream<Integer> numeric() {
@@ -55,8 +55,8 @@ class ThousandStudentsTest {
                     && question.answer() <= Double.parseDouble(range.group(2)), text + question.answer());
             questions.add(question);
         }
-        double shared = IntStream.range(0, STUDENTS / CLASS).map(k -> sharing(questions.subList(k * CLASS, (k + 1)
-                * CLASS))).average().orElse(0);
+        int shared = IntStream.range(0, STUDENTS / CLASS).map(k -> sharing(questions.subList(k * CLASS, (k + 1)
+                * CLASS))).max().orElse(0);
         assertTrue(shared <= MOST_SHARING, shared + " of " + CLASS + " share an answer with somebody");
         int most = mostThatOneGuessFits(questions);
         assertTrue(most <= SHARED * STUDENTS, most + " of " + STUDENTS + " share an answer");
