@@ -49,12 +49,13 @@ class ArchitectureTest {
                                            particles.app.run particles.app.student particles.output.files
                                            particles.output.report
             particles.app.cli:             deSolvers deSolvers.text particles particles.experiments.runs
-                                           particles.output.charts particles.output.files particles.scene picocli
+                                           particles.output.charts particles.output.files
+                                           particles.spec.messages picocli
             particles.app.course:          deSolvers.catalog particles.app.cli particles.app.student
-                                           particles.output.charts particles.output.files particles.output.report
-                                           particles.spec particles.spec.documents particles.spec.messages
-                                           particles.teaching particles.teaching.exercises
-                                           particles.teaching.marking particles.view com.fasterxml.jackson picocli
+                                           particles.output.charts particles.output.files particles.output.frames
+                                           particles.output.report particles.spec particles.spec.documents
+                                           particles.spec.messages particles.teaching particles.teaching.exercises
+                                           particles.teaching.marking particles.view picocli
             particles.app.experiments:     deSolvers.catalog deSolvers.text particles particles.app.cli
                                            particles.app.student particles.experiments.energy
                                            particles.experiments.lecture particles.experiments.phase
@@ -63,8 +64,8 @@ class ArchitectureTest {
                                            particles.experiments.work particles.law particles.output.animation
                                            particles.output.charts particles.output.files particles.output.frames
                                            particles.output.race particles.output.raster particles.output.report
-                                           particles.output.text particles.scene particles.scene.format particles.view
-                                           picocli
+                                           particles.output.text particles.scene particles.scene.format
+                                           particles.spec.messages particles.view picocli
             particles.app.run:             deSolvers.catalog deSolvers.text particles particles.app.cli
                                            particles.app.student particles.energy
                                            particles.experiments.phase particles.experiments.runs particles.lab
@@ -72,7 +73,7 @@ class ArchitectureTest {
                                            particles.output.charts particles.output.files particles.output.frames
                                            particles.output.raster particles.output.report particles.scene
                                            particles.scene.format particles.spec particles.spec.documents
-                                           particles.threads particles.view picocli
+                                           particles.spec.messages particles.threads particles.view picocli
             particles.app.student:         deSolvers deSolvers.catalog particles.app.cli particles.javac particles.law
                                            particles.output.charts particles.output.files particles.output.report
                                            particles.output.text particles.scene particles.spec
@@ -107,7 +108,8 @@ class ArchitectureTest {
             particles.lab:                 deSolvers deSolvers.catalog deSolvers.text particles
                                            particles.effects.springs particles.energy particles.experiments.stability
                                            particles.law particles.messages particles.scene particles.scene.format
-                                           particles.spec particles.spec.documents particles.view
+                                           particles.spec particles.spec.documents particles.spec.messages
+                                           particles.view
             particles.lab.browser:         deSolvers particles.effects particles.lab particles.spec org.teavm
             particles.lab.compile:         particles.javac particles.lab org.teavm
             particles.law:                 deSolvers
@@ -153,7 +155,7 @@ class ArchitectureTest {
                                            particles.reactions particles.reactions.contact particles.reactions.wires
                                            particles.rules particles.spec particles.spec.messages particles.view
             particles.spec:                deSolvers.text particles.law particles.spec.messages org.snakeyaml
-            particles.spec.documents:      deSolvers.text particles.spec
+            particles.spec.documents:      deSolvers.text particles.spec org.snakeyaml
             particles.spec.messages:       deSolvers.text org.snakeyaml
             particles.teaching:
             particles.teaching.contract:   deSolvers particles.teaching particles.teaching.sources

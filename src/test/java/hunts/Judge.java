@@ -9,11 +9,11 @@ import java.util.concurrent.TimeUnit;
 import java.util.regex.Pattern;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.SceneException;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SolverDescription;
 import particles.scene.format.Tolerances;
+import particles.spec.messages.InvalidInputException;
 
 /**
  * Judges one execution. A text has to be refused with clear lines, or run for some steps. A drawn scene also has to
@@ -74,7 +74,7 @@ final class Judge {
             Trial trial = new Trial(built, FEW_EVALUATIONS);
             return new Verdict(trial.stopped().map(Judge::ofStop).orElse(""), trial.stopped().isEmpty() ? "built"
                     : "stopped");
-        } catch (SceneException e) {
+        } catch (InvalidInputException e) {
             String shown = new String(text, StandardCharsets.UTF_8);
             String bad = e.getLines().stream().filter(line -> !line.matches("x\\.yaml(:\\d+:\\d+)?: \\P{Cntrl}{1,1100}")
                     || ALIEN.matcher(line).results().anyMatch(alien -> !shown.contains(alien.group())))

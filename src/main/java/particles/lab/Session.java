@@ -18,7 +18,6 @@ import particles.messages.BlowUpMessage;
 import particles.scene.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.SceneException;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SolverDescription;
@@ -27,6 +26,7 @@ import particles.spec.ClassNames;
 import particles.spec.Ordered;
 import particles.spec.Reading;
 import particles.spec.documents.JsonText;
+import particles.spec.messages.InvalidInputException;
 
 /** The session of a page: opens a scene, runs it for a while, looks back at earlier times. One scene at a time. */
 public final class Session {
@@ -82,7 +82,7 @@ public final class Session {
             Map<String, Object> facts = SceneFacts.of(scene, run.getEnergies());
             facts.put("numbers", SceneReader.numbers(bytes, classes).stream().map(Session::number).toList());
             return JsonText.compact(facts);
-        } catch (SceneException e) {
+        } catch (InvalidInputException e) {
             return JsonText.compact(Map.of("errors", e.getLines()));
         }
     }

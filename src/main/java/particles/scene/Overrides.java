@@ -13,6 +13,8 @@ import particles.spec.messages.Problems;
 
 /** Options that replace values of a scene's file; each is read once, and checked as the file's own value is. */
 public final class Overrides {
+    private static final List<Key<?>> KEYS = List.of(SceneFormat.DELTA_T, SceneFormat.DURATION, SceneFormat.THREADS);
+
     private final List<UnaryOperator<SceneDescription>> changes = new ArrayList<>();
     private final Problems problems = new Problems();
     private final UnaryOperator<String> option;
@@ -34,14 +36,12 @@ public final class Overrides {
             return this;
         }
         Place place = Place.of(option.apply(name));
-        switch (name) {
-            case "solver" -> SolverFormat.NAME.type().readOption(text, place.toString(), problems)
+        if (name.equals("solver")) {
+            SolverFormat.NAME.type().readOption(text, place.toString(), problems)
                     .ifPresent(value -> changes.add(scene -> scene.withSolver(value)
                             .with(SceneFormat.SOLVER, scene.values().get(SceneFormat.SOLVER), place)));
-            case "deltaT" -> read(SceneFormat.DELTA_T, text, place);
-            case "duration" -> read(SceneFormat.DURATION, text, place);
-            case "threads" -> read(SceneFormat.THREADS, text, place);
-            default -> throw new IllegalArgumentException("no option replaces '" + name + "'");
+        } else {
+            read(KEYS.stream().filter(key -> key.name().equals(name)).findFirst().orElseThrow(), text, place);
         }
         return this;
     }
@@ -51,15 +51,15 @@ public final class Overrides {
                 changes.add(scene -> scene.with(key, value, place)));
     }
 
-    /** @throws SceneException with a line for each wrong option */
+    /** @throws InvalidInputException with a line for each wrong option */
     public void check() {
-        SceneException.throwIfAny(problems);
+        problems.throwIfAny();
     }
 
     /**
      * @param scene a scene's description
      * @return the description with these values in place of its own
-     * @throws SceneException with a line for each wrong option
+     * @throws InvalidInputException with a line for each wrong option
      */
     public SceneDescription applyTo(SceneDescription scene) {
         check();
@@ -69,7 +69,7 @@ public final class Overrides {
         }
         Problems together = new Problems();
         RunLimits.check(changed.values(), together);
-        SceneException.throwIfAny(together);
+        together.throwIfAny();
         return changed;
     }
 }

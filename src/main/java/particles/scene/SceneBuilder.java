@@ -20,6 +20,7 @@ import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneDescription.Contents;
 import particles.scene.format.SolverFormat;
 import particles.scene.parts.Lattice;
+import particles.scene.parts.LatticeSurface;
 import particles.scene.parts.ParticleDescription;
 import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RuleKind;
@@ -28,6 +29,7 @@ import particles.scene.parts.ShapeDescription;
 import particles.scene.parts.SpringDescription;
 import particles.scene.parts.SpringFamily;
 import particles.spec.Chosen;
+import particles.spec.messages.InvalidInputException;
 import particles.spec.messages.Problems;
 import particles.view.Surface;
 
@@ -44,14 +46,14 @@ public final class SceneBuilder {
      *
      * @param scene the scene's description
      * @return the scene, ready to run
-     * @throws SceneException if the solver cannot be created, or the run would be too long or too large
+     * @throws InvalidInputException if the solver cannot be created, or the run would be too long or too large
      */
     public static Scene build(SceneDescription scene) {
         Problems problems = new Problems();
         SolverFormat.check(scene, problems);
         RunLimits.check(scene.values(), problems);
         MemoryEstimate.check(scene, Runtime.getRuntime().maxMemory(), problems);
-        SceneException.throwIfAny(problems);
+        problems.throwIfAny();
         return assemble(scene);
     }
 
@@ -60,12 +62,12 @@ public final class SceneBuilder {
      *
      * @param scene  the scene to run
      * @param option the option that turns pictures off, as typed
-     * @throws SceneException if there would be too many pictures
+     * @throws InvalidInputException if there would be too many pictures
      */
     public static void checkPictures(SceneDescription scene, String option) {
         Problems problems = new Problems();
         RunLimits.checkPictures(scene, option, problems);
-        SceneException.throwIfAny(problems);
+        problems.throwIfAny();
     }
 
     /** Builds an effect; a student's own class may throw anything. */
@@ -76,7 +78,7 @@ public final class SceneBuilder {
             if (EffectCatalog.ALL.contains(effect.kind())) {
                 throw e;
             }
-            throw new SceneException(effect.place() + ": " + effect.kind().getName()
+            throw new InvalidInputException(effect.place() + ": " + effect.kind().getName()
                     + " cannot be built: " + e);
         }
     }
@@ -122,8 +124,9 @@ public final class SceneBuilder {
 
     private static void checkOverlap(Violation overlap, Contents contents) {
         if (overlap.part() > 0) {
-            throw new SceneException(contents.rules().stream().filter(RuleKind::hasBalls).findFirst().orElseThrow()
-                    .place() + ": " + overlap.what() + " at the start; hard balls may touch, but not overlap");
+            throw new InvalidInputException(contents.rules().stream().filter(RuleKind::hasBalls).findFirst()
+                    .orElseThrow().place() + ": " + overlap.what()
+                    + " at the start; hard balls may touch, but not overlap");
         }
     }
 
@@ -148,7 +151,7 @@ public final class SceneBuilder {
                         lattice.position(to).minus(lattice.position(from)).length(), family.damping()));
             }
             if (shape.surface()) {
-                cloths.add(lattice.surface(first,
+                cloths.add(LatticeSurface.of(lattice, first,
                         shape.springs().stream().anyMatch(family -> family.sort() == SpringFamily.Sort.STRUCTURAL)));
             }
         }

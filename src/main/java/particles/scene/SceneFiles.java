@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import particles.spec.messages.InvalidInputException;
 import particles.spec.messages.Wording;
 
 /** Finds scenes: by path, by name with or without number, or by number. */
@@ -22,13 +23,13 @@ public final class SceneFiles {
     /**
      * @param folder the folder of the scenes
      * @return its scenes, sorted by name and so by number
-     * @throws SceneException if there is no such folder
+     * @throws InvalidInputException if there is no such folder
      */
     public static List<Path> list(Path folder) {
         try (Stream<Path> files = Files.list(folder)) {
             return files.filter(file -> file.getFileName().toString().matches("[^.].*\\.yaml")).sorted().toList();
         } catch (IOException | UncheckedIOException e) {
-            throw new SceneException("the folder of scenes, " + folder
+            throw new InvalidInputException("the folder of scenes, " + folder
                     + ", cannot be read; run this in the project's folder, or give the path of a scene");
         }
     }
@@ -40,7 +41,7 @@ public final class SceneFiles {
      * @param wanted a path; or the name of a scene of the folder, such as {@code 09-cloth-in-wind},
      *               {@code cloth-in-wind}, either with the ending too; or its number, {@code 9} or {@code 09}
      * @return the file
-     * @throws SceneException if there is none, or more than one
+     * @throws InvalidInputException if there is none, or more than one
      */
     public static Path find(Path folder, String wanted) {
         Optional<Path> typed = pathOf(wanted);
@@ -49,14 +50,14 @@ public final class SceneFiles {
         }
         // names of scenes contain no folder
         if (typed.filter(path -> path.getNameCount() > 1 || path.isAbsolute()).isPresent()) {
-            throw new SceneException(noFile(folder, typed.get()));
+            throw new InvalidInputException(noFile(folder, typed.get()));
         }
         List<Path> found = list(folder).stream()
                 .filter(file -> SceneName.of(file).isCalled(wanted.replaceFirst("\\.yaml$", ""))).toList();
         if (found.size() == 1) {
             return found.get(0);
         }
-        throw new SceneException(!found.isEmpty() ? Wording.quote(wanted) + " matches more than one scene: "
+        throw new InvalidInputException(!found.isEmpty() ? Wording.quote(wanted) + " matches more than one scene: "
                 + String.join(", ", found.stream().map(Path::toString).toList()) + "; give the whole name"
                 : typed.filter(Files::exists).map(path -> noFile(folder, path))
                         .orElseGet(() -> "there is no scene " + Wording.quote(wanted) + nearest(folder, wanted)));

@@ -10,6 +10,7 @@ import particles.spec.ClassNames;
 import particles.spec.Reading;
 import particles.spec.SourceText;
 import particles.spec.Values;
+import particles.spec.messages.InvalidInputException;
 import particles.spec.messages.Problems;
 
 /** Reads and checks scene files; reports all mistakes together, each with its line and column. */
@@ -22,7 +23,7 @@ public final class SceneReader {
      *
      * @param file a scene file; messages name it as given here
      * @return the contents of the scene
-     * @throws SceneException with everything that is wrong with it
+     * @throws InvalidInputException with everything that is wrong with it
      */
     public static SceneDescription read(Path file) {
         return read(file, ClassNames.none());
@@ -34,7 +35,7 @@ public final class SceneReader {
      * @param file    a scene
      * @param classes finds classes that the file names
      * @return the contents of the scene
-     * @throws SceneException with everything that is wrong with it
+     * @throws InvalidInputException with everything that is wrong with it
      */
     public static SceneDescription read(Path file, ClassNames classes) {
         return read(nameOf(file), bytes(file), classes);
@@ -48,12 +49,12 @@ public final class SceneReader {
     /**
      * @param file a file
      * @return its bytes
-     * @throws SceneException if it cannot be read
+     * @throws InvalidInputException if it cannot be read
      */
     public static byte[] bytes(Path file) {
         Problems problems = new Problems();
         return SourceText.read(file, new Reading(nameOf(file), problems))
-                .orElseThrow(() -> new SceneException(problems.lines()));
+                .orElseThrow(() -> new InvalidInputException(problems.lines()));
     }
 
     /**
@@ -62,7 +63,7 @@ public final class SceneReader {
      * @param source the file's name in messages
      * @param bytes  its bytes
      * @return the contents of the scene
-     * @throws SceneException with everything that is wrong with it
+     * @throws InvalidInputException with everything that is wrong with it
      */
     public static SceneDescription read(String source, byte[] bytes) {
         return read(source, bytes, ClassNames.none());
@@ -73,7 +74,7 @@ public final class SceneReader {
         Problems problems = new Problems();
         return readValues(bytes, new Reading(source, problems, classes))
                 .flatMap(values -> SceneChecks.describe(values, problems))
-                .orElseThrow(() -> new SceneException(problems.lines()));
+                .orElseThrow(() -> new InvalidInputException(problems.lines()));
     }
 
     /** @return the numbers in a scene's text, in the order in which they are read; of what has mistakes, the others */

@@ -14,56 +14,19 @@ import particles.spec.messages.Wording;
  * The type of an entry that names a kind: {@code gravity: {acceleration: [0, -9.81, 0]}}, or just {@code gravity} if it
  * needs no keys.
  *
- * @param what      the common name of the kinds, such as {@code effect}
- * @param kinds     the kinds, with different names
- * @param byClass   kinds that are named by their class, if there may be any
- * @param elsewhere kinds that belong to another list
- * @param <K>       the common class of the kinds
+ * @param what  the common name of the kinds, such as {@code effect}
+ * @param kinds the kinds, with different names
+ * @param own   their class, if {@link ClassNames} finds others by the names of classes
+ * @param <K>   the common class of the kinds
  */
-public record KindType<K extends Kind>(String what, List<K> kinds, Optional<ByClass<K>> byClass,
-        Optional<Elsewhere> elsewhere) implements Type<Chosen<K>> {
-
-    /**
-     * Kinds of another list, to recognise mistakes such as an effect among the rules.
-     *
-     * @param what  their common name, such as {@code effect}
-     * @param key   the key of their list, such as {@code effects}
-     * @param kinds the kinds, with other names
-     */
-    record Elsewhere(String what, String key, List<? extends Kind> kinds) {
-    }
-
-    /**
-     * Kinds that {@link ClassNames} finds.
-     *
-     * @param type their sort
-     * @param form the type of their names
-     */
-    record ByClass<K extends Kind>(Class<K> type, TextType form) {
-    }
+public record KindType<K extends Kind>(String what, List<K> kinds, Optional<Class<K>> own)
+        implements Type<Chosen<K>> {
+    /** The type of the names of classes. */
+    static final TextType CLASS = ClassNames.form("exercises.MyForce");
 
     /** Kinds with different names, without others. */
     public KindType(String what, List<K> kinds) {
-        this(what, kinds, Optional.empty(), Optional.empty());
-    }
-
-    /**
-     * @param type    a sort of kinds
-     * @param example the name of a class that declares one
-     * @return these kinds, and besides them all that {@link ClassNames} finds by the name of a class
-     */
-    public KindType<K> orByClass(Class<K> type, String example) {
-        return new KindType<>(what, kinds, Optional.of(new ByClass<>(type, ClassNames.form(example))), elsewhere);
-    }
-
-    /**
-     * @param otherWhat the common name of other kinds, such as {@code effect}
-     * @param key       the key of their list, such as {@code effects}
-     * @param others    the other kinds, with other names
-     * @return this type; for a name of another kind the message says where it belongs
-     */
-    public KindType<K> notToConfuseWith(String otherWhat, String key, List<? extends Kind> others) {
-        return new KindType<>(what, kinds, byClass, Optional.of(new Elsewhere(otherWhat, key, others)));
+        this(what, kinds, Optional.empty());
     }
 
     @Override
@@ -99,18 +62,26 @@ public record KindType<K extends Kind>(String what, List<K> kinds, Optional<ByCl
 
     private Optional<K> find(ScalarNode node, Reading in) {
         String name = node.getValue();
-        if (byClass.isPresent() && byClass.get().form().matches(name)) {
+        if (own.isPresent() && CLASS.matches(name)) {
             try {
-                return Optional.of(in.classes().find(name, byClass.get().type()));
+                return Optional.of(in.classes().find(name, own.get()));
             } catch (IllegalArgumentException e) {
                 return in.problem(node, e.getMessage());
             }
         }
-        return named(name, kinds).or(() -> in.problem(node, elsewhere
-                .filter(other -> named(name, other.kinds()).isPresent())
-                .map(other -> "'" + name + "' is " + article(other.what()) + ", not " + article(what)
-                        + "; move it to '" + other.key() + "'")
-                .orElseGet(() -> Wording.unknown(what, name, names(), in.owners(name)))));
+        return named(name, kinds).or(() -> in.problem(node, unknown(name, in)));
+    }
+
+    /** Tells where a kind of another list belongs, such as an effect among the rules. */
+    private String unknown(String name, Reading in) {
+        for (Key<?> key : in.format().map(MappingType::getKeys).orElse(List.of())) {
+            if (key.type() instanceof ListType<?> list && list.element() instanceof KindType<?> other
+                    && named(name, other.kinds).isPresent()) {
+                return "'" + name + "' is " + article(other.what) + ", not " + article(what) + "; move it to '"
+                        + key.name() + "'";
+            }
+        }
+        return Wording.unknown(what, name, names(), in.owners(name));
     }
 
     private static <N extends Kind> Optional<N> named(String name, List<N> kinds) {
@@ -127,13 +98,12 @@ public record KindType<K extends Kind>(String what, List<K> kinds, Optional<ByCl
 
     @Override
     public String describe() {
-        return "one of " + String.join(", ", names()) + orClass()
-                + ", with its keys below it";
+        return "one of " + String.join(", ", names()) + orClass() + ", with its keys below it";
     }
 
     /** @return the alternative to a kind's name, as text to follow the names */
     public String orClass() {
-        return byClass.map(other -> ", or " + other.form().describe()).orElse("");
+        return own.isPresent() ? ", or " + CLASS.describe() : "";
     }
 
     @Override

@@ -5,6 +5,8 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
+import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.snakeyaml.engine.v2.common.ScalarStyle;
@@ -44,20 +46,24 @@ final class NumberMistake {
             return Optional.empty();
         }
         String text = ordinary(scalar.getValue()).strip();
-        if (PLAIN.matcher(text).matches()) {
-            return Optional.of((scalar.getScalarStyle() == ScalarStyle.PLAIN
-                    ? "a character of it only looks like an ordinary digit, sign or space" : "a number has no quotes")
-                    + "; write " + text);
-        }
-        if (HEXADECIMAL.matcher(text).matches()) {
-            return Optional.of("a hexadecimal number has no sign, point or exponent; write it in decimal digits");
-        }
-        Matcher comma = COMMA.matcher(text);
-        if (comma.matches()) {
-            return Optional.of("a number has a decimal point, not a comma; write " + comma.group(1) + "."
-                    + comma.group(2));
-        }
-        return calculated(text).or(() -> withUnit(text, unit));
+        boolean quoted = scalar.getScalarStyle() != ScalarStyle.PLAIN;
+        return found(PLAIN, text, number -> (quoted ? "a number has no quotes"
+                : "a character of it only looks like an ordinary digit, sign or space") + "; write " + text)
+                .or(() -> found(HEXADECIMAL, text, number -> "a hexadecimal number has no sign, point or exponent;"
+                        + " write it in decimal digits"))
+                .or(() -> found(COMMA, text, number -> "a number has a decimal point, not a comma; write "
+                        + number.group(1) + "." + number.group(2)))
+                .or(() -> found(FRACTION, text, fraction -> result(Double.parseDouble(fraction.group(1))
+                        / Double.parseDouble(fraction.group(2)))))
+                .or(() -> found(POWER, text, power -> result(Double.parseDouble(
+                        (power.group(1) == null ? "1" : power.group(1)) + "e" + power.group(2)))))
+                .or(() -> found(WITH_UNIT, text, number -> withUnit(number, unit)));
+    }
+
+    /** The remedy if the whole text is such a mistake; none if it is null. */
+    private static Optional<String> found(Pattern mistake, String text, Function<MatchResult, String> remedy) {
+        Matcher match = mistake.matcher(text);
+        return match.matches() ? Optional.ofNullable(remedy.apply(match)) : Optional.empty();
     }
 
     /** The text with ordinary characters in place of those that look like them. */
@@ -71,33 +77,18 @@ final class NumberMistake {
         return ordinary.toString();
     }
 
-    private static Optional<String> calculated(String text) {
-        Matcher fraction = FRACTION.matcher(text);
-        if (fraction.matches()) {
-            return result(Double.parseDouble(fraction.group(1)) / Double.parseDouble(fraction.group(2)));
-        }
-        Matcher power = POWER.matcher(text);
-        return power.matches() ? result(Double.parseDouble((power.group(1) == null ? "1" : power.group(1)) + "e"
-                + power.group(2))) : Optional.empty();
+    private static String result(double value) {
+        return Double.isFinite(value) ? "expressions are not calculated; write " + Digits.exact(value) : null;
     }
 
-    private static Optional<String> result(double value) {
-        return Double.isFinite(value) ? Optional.of("expressions are not calculated; write " + Digits.exact(value))
-                : Optional.empty();
-    }
-
-    private static Optional<String> withUnit(String text, String unit) {
-        Matcher match = WITH_UNIT.matcher(text);
-        if (!match.matches()) {
-            return Optional.empty();
-        }
-        String found = match.group(2).strip();
+    private static String withUnit(MatchResult number, String unit) {
+        String found = number.group(2).strip();
         Double factor = found.equals(unit) ? Double.valueOf(1) : FACTORS.get(found + " " + unit);
         if (factor == null) {
-            return Optional.of("write the number without a unit" + (unit.isEmpty() ? "" : "; here it is in " + unit));
+            return "write the number without a unit" + (unit.isEmpty() ? "" : "; here it is in " + unit);
         }
-        double value = Double.parseDouble(match.group(1)) * factor;
+        double value = Double.parseDouble(number.group(1)) * factor;
         double rounded = new BigDecimal(value).round(new MathContext(15)).doubleValue();
-        return Optional.of("write the number without its unit: " + Digits.exact(rounded));
+        return "write the number without its unit: " + Digits.exact(rounded);
     }
 }

@@ -92,6 +92,11 @@ public record NumberType(double least, double most, String unit, String range) i
 
     @Override
     public String describe() {
-        return range + (unit.isEmpty() ? "" : " (" + unit + ")");
+        return range + inUnit();
+    }
+
+    /** @return the unit, to follow a description */
+    String inUnit() {
+        return unit.isEmpty() ? "" : " (" + unit + ")";
     }
 }

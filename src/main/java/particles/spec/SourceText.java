@@ -12,6 +12,8 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.snakeyaml.engine.v2.scanner.StreamReader;
 import particles.spec.messages.Place;
 
@@ -21,6 +23,9 @@ public final class SourceText {
     static final int LARGEST = 2 << 20;
     /** The longest word; the parser's time grows with the square of a word's length. */
     static final int LONGEST_WORD = 100_000;
+    /** A character that is not printable, by YAML 1.2, or the beginning of a word that is too long. */
+    private static final Pattern REFUSED = Pattern.compile("[^\\t\\n -~\\x85\\xa0-\\ud7ff\\ue000-\\ufffd"
+            + "\\x{10000}-\\x{10ffff}]|(?<![^ \\t\\n])[^ \\t\\n]{" + (LONGEST_WORD + 1) + "}");
     /** The two bytes of UTF-16's byte order mark. */
     private static final byte LOW = (byte) 0xfe;
     private static final byte HIGH = (byte) 0xff;
@@ -77,17 +82,14 @@ public final class SourceText {
             return in.problems().add(end(text, in), "a byte here is not UTF-8; save the file as UTF-8");
         }
         text = text.startsWith("\uFEFF") ? text.substring(1) : text;
-        int word = 0;
-        for (int i = 0, c; i < text.length(); i += Character.charCount(c)) {
-            c = text.codePointAt(i);
-            word = c == ' ' || c == '\t' || c == '\n' ? 0 : word + 1;
-            String problem = word > LONGEST_WORD
+        Matcher mistake = REFUSED.matcher(text);
+        if (mistake.find()) {
+            int c = text.codePointBefore(mistake.end());
+            return in.problems().add(end(text.substring(0, mistake.end() - Character.charCount(c)), in),
+                    StreamReader.isPrintable(c)
                     ? "more than " + LONGEST_WORD + " characters without a space between them; break the line"
-                    : StreamReader.isPrintable(c) ? "" : "a character here is not printable: "
-                            + (c == 0 ? "a zero byte; is this a text file?" : String.format("U+%04X", c));
-            if (!problem.isEmpty()) {
-                return in.problems().add(end(text.substring(0, i), in), problem);
-            }
+                    : "a character here is not printable: "
+                            + (c == 0 ? "a zero byte; is this a text file?" : String.format("U+%04X", c)));
         }
         return Optional.of(text);
     }

@@ -10,27 +10,28 @@ import particles.law.Vector3;
  * The type of a vector, written [x, y, z].
  *
  * @param component   the type of x, y and z
- * @param describe    the vectors allowed, in words
  * @param zeroAllowed whether it may be [0, 0, 0]
  */
-public record VectorType(NumberType component, String describe, boolean zeroAllowed) implements Type<Vector3> {
+public record VectorType(NumberType component, boolean zeroAllowed) implements Type<Vector3> {
     /** @return the type of any vector; the unit is that of its components */
     public static VectorType of(String unit) {
-        return new VectorType(NumberType.any(unit), "three numbers [x, y, z]" + inUnit(unit), true);
+        return new VectorType(NumberType.any(unit), true);
     }
 
     /** @return the type of vectors other than [0, 0, 0]; the unit is empty if only the direction matters */
     public static VectorType notZero(String unit) {
-        return new VectorType(NumberType.any(unit), "three numbers [x, y, z], not all 0" + inUnit(unit), false);
+        return new VectorType(NumberType.any(unit), false);
     }
 
     /** @return the type of three numbers over 0; the unit is that of each */
     public static VectorType positive(String unit) {
-        return new VectorType(NumberType.positive(unit), "three numbers over 0 [x, y, z]" + inUnit(unit), true);
+        return new VectorType(NumberType.positive(unit), true);
     }
 
-    private static String inUnit(String unit) {
-        return unit.isEmpty() ? "" : " (" + unit + ")";
+    @Override
+    public String describe() {
+        return "three " + component.range().replace("a number", "numbers") + " [x, y, z]"
+                + (zeroAllowed ? "" : ", not all 0") + component.inUnit();
     }
 
     @Override
@@ -41,7 +42,7 @@ public record VectorType(NumberType component, String describe, boolean zeroAllo
         List<Node> nodes = sequence.getValue();
         if (nodes.size() != 3) {
             return in.problem(node, what + " has " + nodes.size() + (nodes.size() == 1 ? " entry" : " entries")
-                    + "; it has to be " + describe);
+                    + "; it has to be " + describe());
         }
         double[] values = new double[3];
         boolean right = true;

@@ -21,8 +21,8 @@ import particles.app.student.StudentClasses;
 import particles.app.student.StudentLoader;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.SceneException;
 import particles.scene.SceneReader;
+import particles.spec.messages.InvalidInputException;
 import particles.teaching.effects.EffectCheck;
 import particles.teaching.effects.EffectSample;
 import particles.teaching.effects.EffectSkeleton;
@@ -116,7 +116,7 @@ class OwnEffectTest {
 
     private static void assertRefused(String line, String effect) {
         String text = SCENE.replaceFirst("  - exercises.*", "  - " + effect);
-        assertEquals(List.of("x.yaml:9:" + line), assertThrows(SceneException.class, () -> scene(text)).getLines());
+        assertEquals("x.yaml:9:" + line, assertThrows(InvalidInputException.class, () -> scene(text)).getMessage());
     }
 
     @Test
@@ -142,7 +142,7 @@ class OwnEffectTest {
     void anEffectThatFailsWhenBuiltIsOneLine() throws IOException {
         write("Coriolis",
                 LAW.replace("this.w = w;", "this.w = w;\n        int[] none = {};\n        none[w.hashCode() & 1]++;"));
-        SceneException e = assertThrows(SceneException.class, () -> scene(SCENE));
+        InvalidInputException e = assertThrows(InvalidInputException.class, () -> scene(SCENE));
         assertEquals(1, e.getLines().size());
         assertStarts(e.getMessage(), "x.yaml:9:5: exercises.Coriolis cannot be built: java.lang.ArrayIndex");
     }
@@ -198,8 +198,8 @@ class OwnEffectTest {
     @Test
     void withoutClassesTheSceneIsRefused() {
         byte[] text = SCENE.getBytes(StandardCharsets.UTF_8);
-        assertEquals(List.of("x.yaml:9:5: class 'exercises.Coriolis' cannot be used here; take an effect from the"
-                + " list in the scene"
-                + " reference"), assertThrows(SceneException.class, () -> SceneReader.read("x.yaml", text)).getLines());
+        assertEquals("x.yaml:9:5: class 'exercises.Coriolis' cannot be used here; take an effect from the list in the"
+                + " scene reference",
+                assertThrows(InvalidInputException.class, () -> SceneReader.read("x.yaml", text)).getMessage());
     }
 }

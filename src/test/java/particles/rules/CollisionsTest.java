@@ -24,8 +24,8 @@ import particles.SimulationException;
 import particles.law.SeededRandom;
 import particles.law.Vector3;
 import particles.reactions.RigidConstraints;
-import particles.scene.SceneException;
 import particles.scene.ShortRun;
+import particles.spec.messages.InvalidInputException;
 
 /** Hard balls against the closed forms of impacts, statics and the laws of conservation. */
 class CollisionsTest {
@@ -487,7 +487,7 @@ class CollisionsTest {
         "effects: []; rules: [collisions: {radius: 0.5}, ground: {height: -0.25}] | 'a', a ball of radius 0.5 m,"
                 + " begins 0.25 m inside the 'ground'"})
     void mistakesAreNamed(String more, String message) {
-        SceneException e = assertThrows(SceneException.class, () -> new ShortRun("rk4 exact 0.01 1", """
+        InvalidInputException e = assertThrows(InvalidInputException.class, () -> new ShortRun("rk4 exact 0.01 1", """
                 particles:
                   - {id: a, position: [0, 0, 0]}
                   - {id: b, position: [1, 0, 0]}

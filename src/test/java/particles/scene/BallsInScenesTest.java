@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import java.util.List;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
+import particles.spec.messages.InvalidInputException;
 import particles.view.ParticleMark;
 import particles.view.RenderOptions;
 
@@ -61,7 +62,7 @@ class BallsInScenesTest {
         assertEquals(0.1, look.particleRadius());
         assertEquals(List.of(mark("large", -1, 0.2), mark("row[0]", 255, 0.6), mark("row[1]", 255, 0.6)),
                 look.style().marks());
-        assertThrows(SceneException.class, () -> TestScenes.build(BALLS + """
+        assertThrows(InvalidInputException.class, () -> TestScenes.build(BALLS + """
                 look:
                   marks: [{particle: rows, colour: "#0000ff"}]
                 """));

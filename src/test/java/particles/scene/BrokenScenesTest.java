@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
+import particles.spec.messages.InvalidInputException;
 
 /** Each mistake in a scene file is reported in one line with its place, what was found and what is allowed. */
 class BrokenScenesTest {
@@ -483,7 +484,7 @@ class BrokenScenesTest {
     @ParameterizedTest
     @MethodSource("brokenScenes")
     void everyMistakeIsReported(String scene, List<String> messages) {
-        assertEquals(messages, assertThrows(SceneException.class,
+        assertEquals(messages, assertThrows(InvalidInputException.class,
                 () -> SceneReader.read("x.yaml", scene.getBytes(StandardCharsets.UTF_8))).getLines());
     }
 

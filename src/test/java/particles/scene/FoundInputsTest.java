@@ -9,12 +9,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import particles.spec.messages.InvalidInputException;
 
 /** Texts that {@code gradle fuzz} found, each in its smallest form. */
 class FoundInputsTest {
     private static List<String> linesFor(String scene) {
         String head = "title: a\nteaches: b\nsolver: rk4\ndeltaT: 0.01\nduration: 1\n";
-        return assertThrows(SceneException.class, () -> TestScenes.build(head + scene)).getLines();
+        return assertThrows(InvalidInputException.class, () -> TestScenes.build(head + scene)).getLines();
     }
 
     /**
@@ -43,7 +44,7 @@ class FoundInputsTest {
         String scene = "title: a\nteaches: b\nsolver: rk4\ndeltaT: 10000\nduration: 30000\nparticles:\n  - {id:"
                 + " a, position: [0, 0, 0]}\n"
                 + "rules:\n  - emitter: {id: spark, position: [0, 0, 0], speed: 1, rate: 1e6, lifetime: 2}\n";
-        String line = assertThrows(SceneException.class, () -> TestScenes.build(scene)).getLines().get(0);
+        String line = assertThrows(InvalidInputException.class, () -> TestScenes.build(scene)).getLines().get(0);
         assertHas(line, "MiB of memory for 10002000001 particles");
     }
 

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.scene.format.OutputDescription.Phase;
+import particles.spec.messages.InvalidInputException;
 import particles.view.Camera;
 import particles.view.CurveView;
 import particles.view.ParticleMark;
@@ -107,7 +108,8 @@ class SceneBuilderTest {
                 + "look: {velocityArrows: 0.2, marks: [{particle: bob, colour: '#ff0000', label: here}]}\n");
         assertEquals(0.2, style.arrows());
         assertEquals(List.of(new ParticleMark("bob", OptionalInt.of(0xff0000), 0, "here")), style.marks());
-        String problem = assertThrows(SceneException.class, () -> build(BOB + "look: {marks: [{particle: bib}]}\n"))
+        String problem = assertThrows(InvalidInputException.class,
+                () -> build(BOB + "look: {marks: [{particle: bib}]}\n"))
                 .getMessage();
         assertHas(problem, "unknown particle 'bib'; did you mean 'bob'?");
     }

@@ -12,6 +12,7 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import particles.spec.messages.InvalidInputException;
 
 class SceneFilesTest {
     @TempDir
@@ -26,7 +27,8 @@ class SceneFilesTest {
     }
 
     private String refusal(String wanted) {
-        List<String> lines = assertThrows(SceneException.class, () -> SceneFiles.find(folder, wanted)).getLines();
+        List<String> lines = assertThrows(InvalidInputException.class,
+                () -> SceneFiles.find(folder, wanted)).getLines();
         assertEquals(1, lines.size());
         return lines.get(0);
     }
@@ -65,7 +67,7 @@ class SceneFilesTest {
     @Test
     void aMissingFolderIsOneLine() {
         Path missing = folder.resolve("none");
-        assertStarts(assertThrows(SceneException.class, () -> SceneFiles.list(missing)).getLines().get(0),
+        assertStarts(assertThrows(InvalidInputException.class, () -> SceneFiles.list(missing)).getLines().get(0),
                 "the folder of scenes, " + missing + ", cannot be read");
     }
 

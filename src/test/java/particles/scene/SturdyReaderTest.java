@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.scene.format.SceneFormat;
 import particles.scene.parts.ParticleDescription;
+import particles.spec.messages.InvalidInputException;
 
 /** Reading any file ends quickly with a scene or with clear lines. */
 class SturdyReaderTest {
@@ -27,7 +28,7 @@ class SturdyReaderTest {
             """;
 
     private static List<String> linesFor(byte[] bytes) {
-        return assertThrows(SceneException.class, () -> SceneReader.read("x.yaml", bytes)).getLines();
+        return assertThrows(InvalidInputException.class, () -> SceneReader.read("x.yaml", bytes)).getLines();
     }
 
     private static List<String> linesFor(String text) {
@@ -114,8 +115,8 @@ class SturdyReaderTest {
     void aMissingFileIsOneLine(@TempDir Path folder) {
         String missing = folder.resolve("no.yaml").toString();
         assertEquals(List.of(missing + ": there is no such file"),
-                assertThrows(SceneException.class, () -> SceneReader.read(Path.of(missing))).getLines());
+                assertThrows(InvalidInputException.class, () -> SceneReader.read(Path.of(missing))).getLines());
         assertEquals(List.of(folder + ": this is a folder; it has to be a file"),
-                assertThrows(SceneException.class, () -> SceneReader.read(folder)).getLines());
+                assertThrows(InvalidInputException.class, () -> SceneReader.read(folder)).getLines());
     }
 }

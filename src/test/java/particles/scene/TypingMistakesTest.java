@@ -15,6 +15,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.scene.format.SceneFormat;
 import particles.spec.Reading;
+import particles.spec.messages.InvalidInputException;
 import particles.spec.messages.Problems;
 
 /** Common typing mistakes are named, with what to write instead. */
@@ -32,7 +33,7 @@ class TypingMistakesTest {
             """;
 
     private static List<String> problems(String text) {
-        return assertThrows(SceneException.class,
+        return assertThrows(InvalidInputException.class,
                 () -> TestScenes.read(text), text).getLines();
     }
 

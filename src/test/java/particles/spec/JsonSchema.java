@@ -79,15 +79,15 @@ public final class JsonSchema {
         Map<String, Object> properties = Ordered.map();
         kinds.kinds().forEach(kind -> properties.put(kind.getName(), described(kind.getSentence(), kind)));
         Map<String, Object> mapping = Ordered.map("type", "object", "properties", properties);
-        kinds.byClass().ifPresent(other -> mapping.put("patternProperties",
-                Map.of(other.form().pattern().pattern(), Map.of("type", "object"))));
+        kinds.own().ifPresent(type -> mapping.put("patternProperties",
+                Map.of(KindType.CLASS.pattern().pattern(), Map.of("type", "object"))));
         mapping.putAll(Ordered.map("additionalProperties", false, "minProperties", 1, "maxProperties", 1));
         List<String> bare = kinds.kinds().stream().filter(Kind::mayBeEmpty).map(Kind::getName).toList();
         if (bare.isEmpty()) {
             return mapping;
         }
         List<Object> choices = new ArrayList<>(List.of(Map.of("enum", bare), mapping));
-        kinds.byClass().ifPresent(other -> choices.add(of(other.form())));
+        kinds.own().ifPresent(type -> choices.add(of(KindType.CLASS)));
         return anyOf(choices.toArray());
     }
 }

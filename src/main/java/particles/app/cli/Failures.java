@@ -11,9 +11,10 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import particles.SimulationException;
 import particles.output.files.OutputException;
-import particles.scene.SceneException;
+import particles.spec.messages.InvalidInputException;
 
 /**
  * Prints exceptions: expected failures as clear lines, anything else with a stack trace.
@@ -21,6 +22,9 @@ import particles.scene.SceneException;
  * @param err the error stream
  */
 public record Failures(PrintWriter err) {
+    /** Failures that need no stack trace. */
+    private static final Set<Class<?>> EXPECTED = Set.of(Failure.class, InvalidInputException.class,
+            SimulationException.class, DESolverException.class, OutputException.class);
     private static final Map<Class<?>, String> REASONS = Map.of(AccessDeniedException.class, "permission denied",
             NoSuchFileException.class, "no such file or folder", NotDirectoryException.class, "not a folder",
             FileAlreadyExistsException.class, "exists already and is not a folder");
@@ -32,39 +36,26 @@ public record Failures(PrintWriter err) {
      * @return the exit code
      */
     public ExitCode print(Throwable thrown) {
-        if (thrown instanceof Failure failure) {
-            failure.getLines().forEach(err::println);
-            return failure.getExitCode();
-        }
-        if (thrown instanceof SceneException scene) {
-            scene.getLines().forEach(err::println);
-            return ExitCode.BAD_INPUT;
-        }
-        if (thrown instanceof SimulationException || thrown instanceof DESolverException) {
-            err.println(thrown.getMessage());
-            return ExitCode.STOPPED;
-        }
-        if (thrown instanceof OutputException) {
-            err.println(thrown.getMessage());
-            return ExitCode.TROUBLE;
-        }
         if (thrown instanceof UncheckedIOException unchecked) {
             return print(unchecked.getCause());
         }
         if (thrown instanceof IOException io) {
             err.println(line(io));
-            return ExitCode.TROUBLE;
-        }
-        if (thrown instanceof OutOfMemoryError) {
+        } else if (thrown instanceof OutOfMemoryError) {
             err.printf(Locale.ROOT,
                     "out of memory: Java may use %d MiB; use fewer particles, frames or runs, or give Java more:"
                     + " JAVA_TOOL_OPTIONS=-Xmx%dg%n", Runtime.getRuntime().maxMemory() >> 20,
                     (Runtime.getRuntime().maxMemory() >> 30) + 1);
-            return ExitCode.TROUBLE;
+        } else if (EXPECTED.stream().anyMatch(type -> type.isInstance(thrown))) {
+            thrown.getMessage().lines().forEach(err::println);
+        } else {
+            err.println("internal error; please report it:");
+            thrown.printStackTrace(err);
         }
-        err.println("internal error; please report it:");
-        thrown.printStackTrace(err);
-        return ExitCode.TROUBLE;
+        return thrown instanceof Failure failure ? failure.getExitCode()
+                : thrown instanceof InvalidInputException ? ExitCode.BAD_INPUT
+                : thrown instanceof SimulationException || thrown instanceof DESolverException ? ExitCode.STOPPED
+                : ExitCode.TROUBLE;
     }
 
     /**

@@ -5,7 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Supplier;
-import particles.scene.SceneException;
+import particles.spec.messages.InvalidInputException;
 
 /** Collects what is wrong with the options of a command, so that all of it is reported together. */
 public final class Mistakes {
@@ -14,15 +14,15 @@ public final class Mistakes {
     /**
      * Reads a value.
      *
-     * @param reading throws a {@link Failure} or a {@link SceneException} if an option is wrong
+     * @param reading throws an {@link InvalidInputException} if an option is wrong
      * @return the value that was read; of a wrong one it throws the same exception again
      */
     public <T> Supplier<T> value(Supplier<T> reading) {
         try {
             T value = reading.get();
             return () -> value;
-        } catch (Failure | SceneException e) {
-            lines.addAll(e instanceof Failure failure ? failure.getLines() : ((SceneException) e).getLines());
+        } catch (InvalidInputException e) {
+            lines.addAll(e.getLines());
             return () -> {
                 throw e;
             };
@@ -32,7 +32,7 @@ public final class Mistakes {
     /**
      * Checks a value.
      *
-     * @param check throws a {@link Failure} or a {@link SceneException} if an option is wrong
+     * @param check throws an {@link InvalidInputException} if an option is wrong
      */
     public void check(Runnable check) {
         value(() -> {

@@ -2,6 +2,7 @@ package particles.app.cli;
 
 import java.io.PrintWriter;
 import java.util.List;
+import particles.spec.messages.InvalidInputException;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -57,7 +58,7 @@ public record Program(List<ProgramCommand> commands, OptionStyle style, PrintWri
             mistakes.add(new UsageFailures(style).noCommand(program));
         }
         if (!mistakes.isEmpty()) {
-            throw new Failure(ExitCode.BAD_INPUT, mistakes);
+            throw new InvalidInputException(mistakes);
         }
         command.run(out);
     }

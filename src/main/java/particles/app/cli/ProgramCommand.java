@@ -2,6 +2,7 @@ package particles.app.cli;
 
 import java.io.PrintWriter;
 import java.util.List;
+import particles.spec.messages.InvalidInputException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -23,8 +24,8 @@ public abstract class ProgramCommand {
     }
 
     /** @return the failure for a wrong option */
-    protected final Failure wrong(String option, String why) {
-        return new Failure(ExitCode.BAD_INPUT, "option " + style.option(option) + ": " + why);
+    protected final InvalidInputException wrong(String option, String why) {
+        return new InvalidInputException("option " + style.option(option) + ": " + why);
     }
 
     /** @return the command's name, which is its task's */

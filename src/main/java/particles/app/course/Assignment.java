@@ -12,8 +12,6 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import particles.app.cli.ExitCode;
-import particles.app.cli.Failure;
 import particles.app.student.AskedMethods;
 import particles.spec.Key;
 import particles.spec.MapType;
@@ -91,7 +89,7 @@ record Assignment(String text, Optional<OffsetDateTime> deadline, String shows, 
     /**
      * @param file the file, or assignment.yaml in this folder, which may be missing
      * @return the assignment
-     * @throws Failure with a line for each mistake
+     * @throws InvalidInputException with a line for each mistake
      */
     static Assignment read(Optional<Path> file) {
         Path path = file.orElse(Path.of(FILE));
@@ -111,9 +109,7 @@ record Assignment(String text, Optional<OffsetDateTime> deadline, String shows, 
         values.flatMap(all -> all.find(SOLVERS)).stream().flatMap(asked -> asked.values().stream()).forEach(solver ->
                 solver.find(METHOD).filter(method -> !AskedMethods.names().contains(method)).ifPresent(method ->
                 problems.add(solver.place(METHOD), AskedMethods.refusal(method))));
-        if (problems.count() > 0) {
-            throw new Failure(ExitCode.BAD_INPUT, problems.lines());
-        }
+        problems.throwIfAny();
         Values all = values.orElseThrow();
         Map<Integer, Double> exercises = new TreeMap<>();
         EXERCISES.forEach(key -> all.find(COUNTED).map(counted -> counted.find(key)).orElse(Optional.of(1.0))

@@ -7,8 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
-import particles.app.cli.ExitCode;
-import particles.app.cli.Failure;
+import particles.spec.messages.InvalidInputException;
 import particles.teaching.exercises.Exercises;
 
 /** A CSV file with a header and a line for each student, with commas or semicolons; the id comes first. */
@@ -19,7 +18,7 @@ final class CourseList {
     /**
      * @param file a file such as a list of students with the names used in their hand-ins, or a key file
      * @return the cells of each line, by the id
-     * @throws Failure if it cannot be read
+     * @throws InvalidInputException if it cannot be read
      */
     static Map<String, List<String>> read(Path file) {
         Map<String, List<String>> lines = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
@@ -30,7 +29,7 @@ final class CourseList {
                 lines.put(cells.get(0), cells);
             }
         } catch (IOException e) {
-            throw new Failure(ExitCode.BAD_INPUT, file + ": there is no such file, or it is not in UTF-8");
+            throw new InvalidInputException(file + ": there is no such file, or it is not in UTF-8");
         }
         lines.remove("");
         return lines;
@@ -41,7 +40,7 @@ final class CourseList {
         Map<String, List<String>> keys = read(file);
         keys.forEach((student, cells) -> {
             if (cells.size() != Exercises.all().size() + 1) {
-                throw new Failure(ExitCode.BAD_INPUT, file + ": the line of " + student + " has " + cells.size()
+                throw new InvalidInputException(file + ": the line of " + student + " has " + cells.size()
                         + " cells; a key file has " + (Exercises.all().size() + 1));
             }
         });

@@ -9,14 +9,11 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.concurrent.Callable;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
@@ -24,6 +21,7 @@ import particles.app.cli.PrintedProgress;
 import particles.app.cli.ResultsCommand;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
+import particles.output.frames.Pipeline;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -83,7 +81,7 @@ public final class GradeClassCommand extends ResultsCommand {
                 if (results.stream().noneMatch(result -> result.student().equalsIgnoreCase(id))) {
                     problems.add("nothing was handed in by " + id);
                     results.add(HandInMarking.begin(id, Submission.NONE, assignment, List.of(), copies,
-                            copies.resolve("none")).call());
+                            copies.resolve("none")).get());
                 }
             }
             Marking.clear(getFolder(), ClassTables.FILES);
@@ -134,8 +132,8 @@ public final class GradeClassCommand extends ResultsCommand {
 
     /** Marks all answers, which runs no class, and only then all classes, one hand-in on each core. */
     private List<Result> marked(Map<String, List<Submission>> found, Assignment assignment, Path copies,
-            List<String> problems, PrintWriter out) throws Exception {
-        Map<Path, Callable<Result>> begun = new LinkedHashMap<>();
+            List<String> problems, PrintWriter out) throws IOException {
+        Map<Path, Supplier<Result>> begun = new LinkedHashMap<>();
         for (Map.Entry<String, List<Submission>> each : found.entrySet()) {
             List<String> numbers = course.numbers(assignment, each.getKey());
             if (numbers.isEmpty()) {
@@ -147,15 +145,35 @@ public final class GradeClassCommand extends ResultsCommand {
                         copies.resolve("" + begun.size())));
             }
         }
-        Map<Path, Result> results = finished(begun, out);
-        results.forEach((where, result) -> {            // once more: a class may have changed what was written
-            try {
-                Marking.write(where, result);
-            } catch (OutputException e) {
-                problems.add("the page of " + result.student() + " is missing: " + e.getMessage());
-            }
-        });
+        Runtime.getRuntime().addShutdownHook(new Thread(() -> stopped.set(true)));      // Ctrl-C
+        PrintedProgress progress = new PrintedProgress(out, System::nanoTime);
+        Map<Path, Result> results = new LinkedHashMap<>();
+        try (Pipeline<Path> cores = new Pipeline<>(Runtime.getRuntime().availableProcessors(), this::getFolder)) {
+            begun.forEach((where, marking) -> cores.add(folder -> {
+                if (stopped.get()) {
+                    throw new Failure(ExitCode.STOPPED, STOPPED);
+                }
+                Result result = marking.get();
+                write(where, result);                   // at once, so that it counts after a stop
+                return () -> {
+                    results.put(where, result);
+                    progress.reached((double) results.size() / begun.size(), result.student());
+                };
+            }));
+        }
+        // once more: a class may have changed what was written
+        results.forEach((where, result) -> write(where, result).ifPresent(problems::add));
         return new ArrayList<>(results.values());
+    }
+
+    /** @return what went wrong, in a line */
+    private static Optional<String> write(Path where, Result result) {
+        try {
+            Marking.write(where, result);
+            return Optional.empty();
+        } catch (OutputException e) {
+            return Optional.of("the page of " + result.student() + " is missing: " + e.getMessage());
+        }
     }
 
     private Path folderOf(String student, Set<Path> taken) {
@@ -165,44 +183,5 @@ public final class GradeClassCommand extends ResultsCommand {
             free = plain.resolveSibling(plain.getFileName() + "." + k);
         }
         return free;
-    }
-
-    private Map<Path, Result> finished(Map<Path, Callable<Result>> begun, PrintWriter out)
-            throws InterruptedException, ExecutionException {
-        Runtime.getRuntime().addShutdownHook(new Thread(() -> stopped.set(true)));      // Ctrl-C
-        ExecutorService workers = Executors.newFixedThreadPool(Runtime.getRuntime().availableProcessors());
-        try {
-            Map<Path, Future<Result>> marks = new LinkedHashMap<>();
-            begun.forEach((where, marking) -> marks.put(where, workers.submit(() -> finished(where, marking))));
-            PrintedProgress progress = new PrintedProgress(out, System::nanoTime);
-            Map<Path, Result> results = new LinkedHashMap<>();
-            for (Map.Entry<Path, Future<Result>> mark : marks.entrySet()) {
-                Result result = mark.getValue().get();
-                results.put(mark.getKey(), result);
-                progress.reached((double) results.size() / marks.size(), result.student());
-            }
-            return results;
-        } catch (ExecutionException e) {
-            if (stopped.get()) {
-                throw new Failure(ExitCode.STOPPED, STOPPED);
-            }
-            throw e;
-        } finally {
-            workers.shutdownNow();
-        }
-    }
-
-    /** Writes the result at once, so that it counts after a stop. */
-    private Result finished(Path where, Callable<Result> marking) throws Exception {
-        if (stopped.get()) {
-            throw new Failure(ExitCode.STOPPED, STOPPED);
-        }
-        Result result = marking.call();
-        try {
-            Marking.write(where, result);
-        } catch (OutputException e) {
-            return result;                              // it is written once more, and the failure told, at the end
-        }
-        return result;
     }
 }

@@ -7,12 +7,11 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
-import particles.app.cli.ExitCode;
-import particles.app.cli.Failure;
 import particles.app.cli.ResultsCommand;
 import particles.app.course.Result.Item;
 import particles.app.course.Result.Status;
 import particles.app.student.StudentLoader;
+import particles.spec.messages.InvalidInputException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -70,7 +69,7 @@ public final class GradeCommand extends ResultsCommand {
         }
         long missing = result.items().stream().filter(item -> item.status() != Status.PASS).count();
         if (missing > 0) {
-            throw new Failure(ExitCode.BAD_INPUT, result.most() == 0 ? missing + " still to hand in" : missing == 1
+            throw new InvalidInputException(result.most() == 0 ? missing + " still to hand in" : missing == 1
                     ? "one mark is missing" : missing + " marks are missing");
         }
     }
@@ -79,7 +78,7 @@ public final class GradeCommand extends ResultsCommand {
     private Result own(Assignment assignment) throws Exception {
         Result all = new Marking(assignment, course.numbers(assignment, student), answers,
                 StudentLoader.sources(folder), getFolder()).begin(student.strip(), new Submission("this project",
-                Map.of(), Instant.EPOCH), "").call();
+                Map.of(), Instant.EPOCH), "").get();
         return new Result(all.student(), all.handedIn(), all.date(), all.program(), "", all.problems(), List.of(),
                 all.items().stream().map(assignment::shown).toList());
     }
@@ -89,7 +88,7 @@ public final class GradeCommand extends ResultsCommand {
         try {
             Submission read = Submission.read(handIn);
             String id = student == null ? read.id() : student;      // null: not given
-            return HandInMarking.begin(id, read, assignment, course.numbers(assignment, id), getFolder(), copy).call();
+            return HandInMarking.begin(id, read, assignment, course.numbers(assignment, id), getFolder(), copy).get();
         } catch (IOException e) {
             throw wrong("handin", "'" + handIn + "' cannot be read: " + e.getMessage());
         } finally {

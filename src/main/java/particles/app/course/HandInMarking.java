@@ -9,10 +9,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import java.util.concurrent.Callable;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
-import particles.app.cli.Failure;
 import particles.app.cli.Version;
+import particles.spec.messages.InvalidInputException;
 
 /** Marks a hand-in in two parts: the answers at once, the classes later, when no answers are left to mark. */
 final class HandInMarking {
@@ -31,7 +31,7 @@ final class HandInMarking {
      * @return what runs the classes and makes the result
      * @throws IOException if a file cannot be written
      */
-    static Callable<Result> begin(String student, Submission handIn, Assignment assignment, List<String> numbers,
+    static Supplier<Result> begin(String student, Submission handIn, Assignment assignment, List<String> numbers,
             Path results, Path copy) throws IOException {
         Map<String, String> files = new TreeMap<>();
         handIn.files().forEach((name, bytes) -> files.put(name, Marking.digest(new String(bytes,
@@ -53,7 +53,7 @@ final class HandInMarking {
     private static Optional<Result> earlier(Path file) {
         try {
             return Files.isRegularFile(file) ? Optional.of(Result.read(file)) : Optional.empty();
-        } catch (Failure damaged) {
+        } catch (InvalidInputException damaged) {
             return Optional.empty();
         }
     }

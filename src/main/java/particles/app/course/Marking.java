@@ -13,7 +13,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.Callable;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Version;
@@ -62,7 +62,7 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
      * @param digest of everything on which the result depends
      * @return what runs the classes and makes the result
      */
-    Callable<Result> begin(String student, Submission handIn, String digest) {
+    Supplier<Result> begin(String student, Submission handIn, String digest) {
         AnswersFile read = AnswersFile.read(answers);
         List<Item> items = exercises(read.answers());
         List<String> problems = Stream.concat(handIn.problems().stream(), withoutFolder(read.problems()).stream())
@@ -118,7 +118,7 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
         }
     }
 
-    private List<Item> classes() throws IOException {
+    private List<Item> classes() {
         List<Item> items = new ArrayList<>();
         for (Map.Entry<String, Assignment.Asked> asked : assignment.solvers(sources.keySet()).entrySet()) {
             items.add(check("solver", asked.getKey(), asked.getValue().weight(), CheckSolverCommand.NAME,
@@ -130,7 +130,7 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
         return items;
     }
 
-    private Item check(String kind, String name, double weight, String command, String... more) throws IOException {
+    private Item check(String kind, String name, double weight, String command, String... more) {
         boolean there = sources.containsKey(name);
         List<String> args = new ArrayList<>(List.of(command, "--" + kind + "=exercises." + name, "--out="
                 + reports.resolve(name)));

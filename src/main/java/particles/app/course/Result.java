@@ -1,20 +1,16 @@
 package particles.app.course;
 
-import com.fasterxml.jackson.core.JsonFactory;
-import com.fasterxml.jackson.core.JsonParser;
-import com.fasterxml.jackson.core.JsonToken;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import particles.app.cli.ExitCode;
-import particles.app.cli.Failure;
+import particles.spec.Ordered;
 import particles.spec.documents.JsonText;
+import particles.spec.messages.InvalidInputException;
 
 /**
  * The result of one hand-in: the file grade.json. {@code status}, {@code max_score} and {@code tests} are those that
@@ -89,36 +85,27 @@ record Result(String student, String handedIn, Instant date, String program, Str
 
     /** @return the contents of the file */
     String json() {
-        return JsonText.of(map("version", 1, "status", status().word(), "max_score", most(),
-                "tests", items.stream().map(item -> map("name", item.name, "status", item.status.word(),
+        return JsonText.of(Ordered.map("version", 1, "status", status().word(), "max_score", most(),
+                "tests", items.stream().map(item -> Ordered.map("name", item.name, "status", item.status.word(),
                 "score", item.points(), "max_score", item.weight, "answered", item.answered, "message",
                 item.lines.isEmpty() ? "" : item.lines.get(0), "more", item.lines.stream().skip(1).toList(),
                 "line_no", 0)).toList(), "student", student, "handedIn", handedIn, "date", date.toString(),
                 "digest", digest, "program", program, "problems", problems, "classes", classes));
     }
 
-    private static Map<String, Object> map(Object... keysAndValues) {
-        Map<String, Object> map = new LinkedHashMap<>();
-        for (int k = 0; k < keysAndValues.length; k += 2) {
-            map.put((String) keysAndValues[k], keysAndValues[k + 1]);
-        }
-        return map;
-    }
-
     /**
      * @param file a file with a result
      * @return the result
-     * @throws Failure if it is none
+     * @throws InvalidInputException if it is none
      */
     static Result read(Path file) {
-        try (JsonParser in = new JsonFactory().createParser(Files.readString(file))) {
-            in.nextToken();
-            Map<?, ?> all = (Map<?, ?>) value(in);
+        try {
+            Map<?, ?> all = (Map<?, ?>) JsonText.read(Files.readString(file));
             return new Result(text(all, "student"), text(all, "handedIn"), Instant.parse(text(all, "date")),
                     text(all, "program"), text(all, "digest"), texts(all, "problems"), texts(all, "classes"),
                     ((List<?>) all.get("tests")).stream().map(test -> item((Map<?, ?>) test)).toList());
         } catch (IOException | RuntimeException e) {
-            throw new Failure(ExitCode.BAD_INPUT, file + ": this is not a result of grade, or it is damaged");
+            throw new InvalidInputException(file + ": this is not a result of grade, or it is damaged");
         }
     }
 
@@ -128,7 +115,7 @@ record Result(String student, String handedIn, Instant date, String program, Str
             lines.add(0, text(test, "message"));
         }
         return new Item(text(test, "name"), (Boolean) test.get("answered"), Status.valueOf(text(test, "status")
-                .toUpperCase(Locale.ROOT)), (Double) test.get("max_score"), lines);
+                .toUpperCase(Locale.ROOT)), ((Number) test.get("max_score")).doubleValue(), lines);
     }
 
     private static String text(Map<?, ?> map, String key) {
@@ -137,30 +124,5 @@ record Result(String student, String handedIn, Instant date, String program, Str
 
     private static List<String> texts(Map<?, ?> map, String key) {
         return ((List<?>) map.get(key)).stream().map(Object::toString).toList();
-    }
-
-    private static Object value(JsonParser in) throws IOException {
-        switch (in.currentToken()) {
-            case START_OBJECT:
-                Map<String, Object> map = new LinkedHashMap<>();
-                while (in.nextToken() != JsonToken.END_OBJECT) {
-                    String key = in.currentName();
-                    in.nextToken();
-                    map.put(key, value(in));
-                }
-                return map;
-            case START_ARRAY:
-                List<Object> list = new ArrayList<>();
-                while (in.nextToken() != JsonToken.END_ARRAY) {
-                    list.add(value(in));
-                }
-                return list;
-            case VALUE_STRING:
-                return in.getText();
-            case VALUE_TRUE, VALUE_FALSE:
-                return in.getBooleanValue();
-            default:
-                return in.getDoubleValue();
-        }
     }
 }

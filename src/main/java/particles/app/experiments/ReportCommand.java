@@ -12,8 +12,6 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import particles.app.cli.ChartOptions;
-import particles.app.cli.ExitCode;
-import particles.app.cli.Failure;
 import particles.app.cli.Failures;
 import particles.app.cli.Mistakes;
 import particles.app.cli.PrintedProgress;
@@ -29,6 +27,7 @@ import particles.output.report.ReportWriter;
 import particles.output.report.ResultPage;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
+import particles.spec.messages.InvalidInputException;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -171,7 +170,7 @@ public final class ReportCommand extends ResultsCommand {
             progress.reached(0, "begins");
             List<String> mistakes = experiment.mistakes();
             if (!mistakes.isEmpty()) {
-                throw new Failure(ExitCode.BAD_INPUT, mistakes);
+                throw new InvalidInputException(mistakes);
             }
             page = Optional.of(experiment.writeInto(into, progress));
         } catch (OutputException e) {

@@ -53,10 +53,8 @@ public final class CameraFinder {
         Limits limits = new Limits(copy, extent);
         try {
             copy.simulation().run();
-        } catch (SimulationException e) {
-            limits.blewUp = true;           // the visible part; the run itself reports why it ends
-        } catch (StoppedException e) {
-            return limits.blewUp ? limits.beforeBlowUp : Box.of(extent);
+        } catch (SimulationException | StoppedException e) {
+            limits.blewUp |= e instanceof SimulationException;      // the run itself reports why it ends
         }
         return limits.blewUp ? limits.beforeBlowUp : Box.of(extent);
     }

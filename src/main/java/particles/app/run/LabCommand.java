@@ -11,14 +11,13 @@ import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import particles.app.cli.ExitCode;
-import particles.app.cli.Failure;
 import particles.app.cli.ProgramCommand;
 import particles.app.student.StudentClasses;
 import particles.lab.LabBuilder;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
+import particles.spec.messages.InvalidInputException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -87,7 +86,7 @@ public final class LabCommand extends ProgramCommand {
         try {
             return Class.forName(BUILDER).asSubclass(LabBuilder.class).getConstructor().newInstance();
         } catch (ReflectiveOperationException e) {
-            throw new Failure(ExitCode.BAD_INPUT, "the page's compiler is not here; type: gradle lab");
+            throw new InvalidInputException("the page's compiler is not here; type: gradle lab");
         }
     }
 }

@@ -2,15 +2,29 @@ package particles.app.run;
 
 import deSolvers.text.Digits;
 import java.io.PrintWriter;
+import java.util.Locale;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 import particles.Motion;
 import particles.Observer;
+import particles.ParticleSystem;
+import particles.scene.format.OutputDescription.Frames;
+import particles.scene.format.SceneDescription;
 
-/** Prints the progress of a long run: at most one line a second, none for short runs. */
+/**
+ * Prints how long a run will take, from the time that its first seconds took, and then its progress: at most one line a
+ * second, none for short runs. The time assumes that later steps are like the first ones; a scene in which more and
+ * more happens takes longer.
+ */
 final class Progress implements Observer {
     private static final double NANO = 1e-9;
     /** Runs shorter than this print nothing (s). */
     private static final double SILENCE = 2;
+    /** A run of this time or more is announced (s). */
+    private static final double LONG = 10;
+    /** The overhead of a step, expressed as a number of particles. */
+    private static final double OVERHEAD = 100;
     /** The least time between two lines (s). */
     private static final double PAUSE = 1;
     /** A line is printed after this fraction of the run, or after a longer time (s). */
@@ -18,21 +32,25 @@ final class Progress implements Observer {
     private static final double LONG_PAUSE = 10;
 
     private final PrintWriter out;
-    private final double duration;
+    private final SceneDescription scene;
     private final LongSupplier nanoTime;
+    private final double steps;
     private final long begin;
+    private volatile boolean moves;
+    private boolean announced;
     private double lastTime;
     private double lastPart;
 
     /**
      * @param out      the output
-     * @param duration the duration of the run (s)
+     * @param scene    the scene that is run
      * @param nanoTime a clock, such as {@link System#nanoTime}
      */
-    Progress(PrintWriter out, double duration, LongSupplier nanoTime) {
+    Progress(PrintWriter out, SceneDescription scene, LongSupplier nanoTime) {
         this.out = out;
-        this.duration = duration;
+        this.scene = scene;
         this.nanoTime = nanoTime;
+        steps = Math.ceil(scene.duration() / scene.deltaT());
         begin = nanoTime.getAsLong();
     }
 
@@ -41,20 +59,64 @@ final class Progress implements Observer {
         return (nanoTime.getAsLong() - begin) * NANO;
     }
 
+    /** If the first step takes long, all of them are announced as that long at least. */
+    @Override
+    public void started(ParticleSystem system) {
+        CompletableFuture.delayedExecutor((long) SILENCE, TimeUnit.SECONDS).execute(() -> {
+            if (!moves) {
+                announce(steps * SILENCE);
+            }
+        });
+    }
+
     @Override
     public void moved(Motion motion) {
+        moves = true;
         double seconds = seconds();
-        if (seconds < SILENCE || seconds - lastTime < PAUSE) {
+        double part = motion.getEndTime() / scene.duration();
+        if (seconds < SILENCE) {
             return;
         }
-        double part = motion.getEndTime() / duration;
-        if (part < 1 && (part - lastPart >= NEWS || seconds - lastTime >= LONG_PAUSE)) {
-            out.println("t = " + Digits.few(motion.getEndTime()) + " s of " + Digits.few(duration) + " s, "
-                    + (int) (100 * part) + " %, about "
-                    + Digits.few(Math.ceil(seconds * (1 - part) / part)) + " s to go");
-            out.flush();
+        if (!announced) {
+            announced = true;
+            announce(seconds / part);
+        }
+        if (seconds - lastTime >= PAUSE && part < 1 && (part - lastPart >= NEWS || seconds - lastTime >= LONG_PAUSE)) {
+            double left = Math.ceil(seconds * (1 - part) / part);
+            print("t = " + Digits.few(motion.getEndTime()) + " s of " + Digits.few(scene.duration()) + " s, "
+                    + (int) (100 * part) + " %, about " + Digits.few(left) + " s to go");
             lastTime = seconds;
             lastPart = part;
         }
+    }
+
+    /** @param likeNow the time of the run (s) if all steps are like those so far */
+    private void announce(double likeNow) {
+        double atStart = scene.particlesAfter(0);
+        double growth = (scene.particlesAfter(scene.duration() / 2) + OVERHEAD) / (atStart + OVERHEAD);
+        double particles = Math.ceil(Math.max(atStart, scene.particlesAfter(scene.duration())));
+        Frames frames = scene.output().frames();
+        double pictures = frames.drawn() ? Math.ceil(scene.duration() * frames.rate()) : 0;
+        double seconds = likeNow * Math.max(1, growth);
+        if (seconds >= LONG) {
+            print("this takes about " + time(seconds) + ": " + Digits.few(steps) + " steps of "
+                    + (growth > 1 ? "up to " : "") + String.format(Locale.ROOT, "%.0f particle%s", particles,
+                    particles == 1 ? "" : "s") + (pictures > 0 ? " and " + Digits.few(pictures) + " pictures" : ""));
+        }
+    }
+
+    /** The time in the largest unit in which it is more than one. */
+    static String time(double seconds) {
+        return seconds < 100 ? in(seconds, 1, " s") : seconds < 6000 ? in(seconds, 60, " min")
+                : seconds < 172_800 ? in(seconds, 3600, " h") : in(seconds, 86_400, " days");
+    }
+
+    private static String in(double seconds, double unit, String name) {
+        return Digits.few(Math.ceil(seconds / unit)) + name;
+    }
+
+    private void print(String line) {
+        out.println(line);
+        out.flush();
     }
 }

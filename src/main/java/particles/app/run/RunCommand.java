@@ -29,6 +29,7 @@ import particles.scene.SceneReader;
 import particles.scene.format.OutputDescription;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
+import particles.spec.messages.InvalidInputException;
 import particles.threads.ParallelForces;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -158,7 +159,7 @@ public final class RunCommand extends ResultsCommand {
                     + String.join(", ", OutputDescription.FILMS));
         }
         if (!frames && (OutputDescription.MP4.equals(video) || size != null)) {
-            throw new Failure(ExitCode.BAD_INPUT, getStyle().option(size != null ? "size" : "video")
+            throw new InvalidInputException(getStyle().option(size != null ? "size" : "video")
                     + " needs pictures; remove " + getStyle().option("frames") + "=false");
         }
     }
@@ -172,14 +173,10 @@ public final class RunCommand extends ResultsCommand {
     @Override
     public void run(PrintWriter out) {
         Scene scene = SceneBuilder.build(description);
-        TimeEstimate.of(description).ifPresent(line -> {
-            out.println(line);
-            out.flush();
-        });
         List<String> files = RunObservers.files(description.output(), charts.format(), replay);
         try (OutputFolder folder = OutputFolder.open(getFolder(), files.toArray(String[]::new))) {
             stop.addLastResort(folder::close);
-            Progress progress = new Progress(out, description.duration(), System::nanoTime);
+            Progress progress = new Progress(out, description, System::nanoTime);
             RunObservers observers = new RunObservers(scene, folder, replay);
             Optional<String> early;
             try (observers) {

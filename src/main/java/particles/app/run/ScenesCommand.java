@@ -4,16 +4,14 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import particles.app.cli.ExitCode;
-import particles.app.cli.Failure;
 import particles.app.cli.ProgramCommand;
 import particles.app.student.StudentClasses;
-import particles.scene.SceneException;
 import particles.scene.SceneFiles;
 import particles.scene.SceneName;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
+import particles.spec.messages.InvalidInputException;
 import picocli.CommandLine.Command;
 
 /** {@code gradle scenes}: lists the scenes, each with its lesson. */
@@ -34,18 +32,18 @@ public final class ScenesCommand extends ProgramCommand {
     public void run(PrintWriter out) {
         List<Path> files = SceneFiles.list(folder);
         if (files.isEmpty()) {
-            throw new Failure(ExitCode.BAD_INPUT, "there is no scene in the folder " + folder.toAbsolutePath());
+            throw new InvalidInputException("there is no scene in the folder " + folder.toAbsolutePath());
         }
         List<String> problems = new ArrayList<>();
         for (Path file : files) {
             try {
                 print(file, SceneReader.read(file, new StudentClasses()), out);
-            } catch (SceneException e) {
+            } catch (InvalidInputException e) {
                 problems.addAll(e.getLines());          // go on with the other scenes
             }
         }
         if (!problems.isEmpty()) {
-            throw new Failure(ExitCode.BAD_INPUT, problems);
+            throw new InvalidInputException(problems);
         }
     }
 

@@ -22,6 +22,7 @@ import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
 import particles.output.report.ResultPageWriter;
+import particles.spec.messages.InvalidInputException;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.GuardedRun;
@@ -98,7 +99,7 @@ abstract class CheckCommand extends ResultsCommand {
         return ChartFormat.PAGE;
     }
 
-    /** @throws Failure if no such class exists; runs the class's own code */
+    /** @throws InvalidInputException if no such class exists; runs the class's own code */
     abstract Checked check();
 
     @Override
@@ -126,7 +127,7 @@ abstract class CheckCommand extends ResultsCommand {
         }
         outcome.lines().forEach(lines::println);
         if (outcome.code() != ExitCode.DONE) {
-            throw new Failure(outcome.code(), List.of());
+            throw new Failure(outcome.code(), "");
         }
     }
 
@@ -161,33 +162,31 @@ abstract class CheckCommand extends ResultsCommand {
         } finally {
             System.setOut(before);
         }
-        if (outcome.failure().isPresent()) {
-            giveUp(screen, outcome.failure().get(), printed.text());
-        }
-        Checked checked = outcome.value().orElseThrow();
-        screen.show(checked.isRight() ? ExitCode.DONE : ExitCode.BAD_INPUT, CheckReport.lines(checked, printed.text(),
-                writeReport(checked)));
-        if (!checked.isRight()) {
-            throw new Failure(ExitCode.BAD_INPUT, List.of());
+        outcome.failure().ifPresent(failure -> giveUp(screen, failure, printed.text()));
+        ExitCode code = show(screen, outcome.value().orElseThrow(), printed.text());
+        if (code != ExitCode.DONE) {
+            throw new Failure(code, "");
         }
     }
 
-    /**
-     * Writes the report of a check that did not finish, and ends the process, in which the class's thread may still be
-     * running.
-     */
+    /** Reports a check that did not finish, and ends the process, in which the class's thread may still be running. */
     private void giveUp(Screen screen, Finding failure, String printed) {
-        ExitCode code = failure.kind() == Kind.UNDECIDED ? ExitCode.STOPPED : ExitCode.BAD_INPUT;
+        Runtime.getRuntime().halt(show(screen, unfinished(failure), printed).code());
+    }
+
+    /** Writes the report and shows the verdict. */
+    private ExitCode show(Screen screen, Checked checked, String printed) {
+        ExitCode code = checked.isRight() ? ExitCode.DONE : checked.findings().stream().allMatch(finding ->
+                !finding.isWrong() || finding.kind() == Kind.UNDECIDED) ? ExitCode.STOPPED : ExitCode.BAD_INPUT;
         List<String> lines;
         try {
-            Checked failed = unfinished(failure);
-            lines = CheckReport.lines(failed, printed, writeReport(failed));
+            lines = CheckReport.lines(checked, printed, writeReport(checked));
         } catch (OutputException e) {
-            lines = List.of(failure.toString(), String.valueOf(e.getMessage()));
+            lines = List.of(e.getMessage());
             code = ExitCode.TROUBLE;
         }
         screen.show(code, lines);
-        Runtime.getRuntime().halt(code.code());
+        return code;
     }
 
     private Checked unfinished(Finding failure) {

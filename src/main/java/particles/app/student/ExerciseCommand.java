@@ -1,10 +1,9 @@
 package particles.app.student;
 
 import java.io.PrintWriter;
-import particles.app.cli.ExitCode;
-import particles.app.cli.Failure;
 import particles.app.cli.Mistakes;
 import particles.app.cli.ProgramCommand;
+import particles.spec.messages.InvalidInputException;
 import particles.teaching.exercises.Exercises;
 import particles.teaching.marking.Draw;
 import particles.teaching.marking.Exercise;
@@ -60,7 +59,7 @@ public final class ExerciseCommand extends ProgramCommand {
         }
         Mark mark = exercise.mark(draw, answer);
         if (!mark.right()) {
-            throw new Failure(ExitCode.BAD_INPUT, mark.lines());
+            throw new InvalidInputException(mark.lines());
         }
         mark.lines().forEach(out::println);
     }

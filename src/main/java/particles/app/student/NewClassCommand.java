@@ -8,9 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Locale;
-import particles.app.cli.ExitCode;
-import particles.app.cli.Failure;
 import particles.app.cli.ProgramCommand;
+import particles.spec.messages.InvalidInputException;
 import particles.teaching.effects.EffectSkeleton;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -51,7 +50,7 @@ public abstract class NewClassCommand extends ProgramCommand {
     public final void run(PrintWriter out) throws IOException {
         String name = (className == null ? usualName() : className).replaceFirst("^exercises[.]", "");
         if (name.isEmpty()) {
-            throw new Failure(ExitCode.BAD_INPUT, "option " + getStyle().option("class") + " needs a value: "
+            throw new InvalidInputException("option " + getStyle().option("class") + " needs a value: "
                     + getStyle().option("class") + "=NAME");
         }
         if (!SolverSkeleton.isClassName(name)) {
@@ -62,7 +61,7 @@ public abstract class NewClassCommand extends ProgramCommand {
         try {
             Files.write(file, text(name).getBytes(StandardCharsets.UTF_8), StandardOpenOption.CREATE_NEW);
         } catch (FileAlreadyExistsException e) {
-            throw new Failure(ExitCode.BAD_INPUT, file
+            throw new InvalidInputException(file
                     + " exists already and was not changed; choose another name or remove it first");
         }
         out.println("written: " + file);

@@ -3,6 +3,7 @@ package particles.app.student;
 import java.io.IOException;
 import java.io.ObjectOutputStream;
 import java.io.Serializable;
+import java.io.UncheckedIOException;
 import java.lang.ProcessBuilder.Redirect;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -60,9 +61,8 @@ public final class StudentProcess {
     record Task(byte[] secret, TreeMap<String, String> sources) implements Serializable {
         private static final long serialVersionUID = 1L;
 
-        /** @return the outcome as a text that only a holder of the secret can write */
-        byte[] sign(Outcome outcome) {
-            String text = outcome.code() + "\n" + String.join("\n", outcome.lines());
+        /** @return the text with a signature that only a holder of the secret can make, on a line before it */
+        private byte[] signed(String text) {
             try {
                 Mac mac = Mac.getInstance("HmacSHA256");
                 mac.init(new SecretKeySpec(secret, "HmacSHA256"));
@@ -73,19 +73,19 @@ public final class StudentProcess {
             }
         }
 
+        /** @return the outcome as a signed text */
+        byte[] sign(Outcome outcome) {
+            return signed(outcome.code() + "\n" + String.join("\n", outcome.lines()));
+        }
+
         /** @return the outcome in a text that {@link #sign} made with this secret; of any other, a wrong one */
         Outcome read(byte[] signed) {
-            List<String> lines = new String(signed, StandardCharsets.UTF_8).lines().toList();
-            for (ExitCode code : ExitCode.values()) {
-                if (lines.size() > 1 && lines.get(1).equals(code.name())) {
-                    Outcome outcome = new Outcome(code, lines.subList(2, lines.size()));
-                    if (MessageDigest.isEqual(sign(outcome), signed)) {
-                        return outcome;
-                    }
-                }
-            }
-            return new Outcome(ExitCode.BAD_INPUT,
-                    List.of("wrong: the check did not finish; the class ended the program"));
+            String text = new String(signed, StandardCharsets.UTF_8).replaceFirst(".*\n", "");
+            List<String> lines = text.lines().toList();
+            return MessageDigest.isEqual(signed(text), signed)
+                    ? new Outcome(ExitCode.valueOf(lines.get(0)), lines.subList(1, lines.size()))
+                    : new Outcome(ExitCode.BAD_INPUT,
+                            List.of("wrong: the check did not finish; the class ended the program"));
         }
     }
 
@@ -96,15 +96,15 @@ public final class StudentProcess {
      * @param args    the command and its options
      * @param sources the text of the student's classes
      * @return the result
-     * @throws IOException if no process can be made
+     * @throws UncheckedIOException if no process can be made
      */
-    public static Outcome run(List<String> args, Map<String, String> sources) throws IOException {
+    public static Outcome run(List<String> args, Map<String, String> sources) {
         byte[] secret = new byte[SECRET];
         new SecureRandom().nextBytes(secret);
         Task task = new Task(secret, new TreeMap<>(sources));
-        Path folder = Files.createTempDirectory("desolver-check");
-        Path verdict = folder.resolve("verdict");
         try {
+            Path folder = Files.createTempDirectory("desolver-check");
+            Path verdict = folder.resolve("verdict");
             List<String> all = new ArrayList<>(args);
             all.add(VERDICT + "=" + verdict);
             Optional<Outcome> stopped = await(builder(all).redirectErrorStream(true).redirectOutput(Redirect.DISCARD),
@@ -112,10 +112,11 @@ public final class StudentProcess {
             boolean isThere = Files.isRegularFile(verdict, LinkOption.NOFOLLOW_LINKS)
                     && Files.size(verdict) <= LONGEST;
             byte[] signed = isThere ? Files.readAllBytes(verdict) : new byte[0];
-            return stopped.orElseGet(() -> task.read(signed));
-        } finally {
             Files.deleteIfExists(verdict);
             Files.deleteIfExists(folder);
+            return stopped.orElseGet(() -> task.read(signed));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
     }
 

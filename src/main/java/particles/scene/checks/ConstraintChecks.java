@@ -120,7 +120,7 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
 
     private Optional<Chosen<RuleKind>> motionOf(String id) {
         return scene.list(SceneFormat.RULES).stream().filter(rule -> rule.values().isSound()
-                && rule.kind().anchor().flatMap(rule.values()::find).filter(id::equals).isPresent()).findFirst();
+                && rule.values().find(RuleKind.ANCHOR).filter(id::equals).isPresent()).findFirst();
     }
 
     private String moving(RodDescription rod) {

@@ -5,16 +5,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import particles.effects.EffectKind;
+import particles.effects.SharedKeys;
 import particles.scene.format.MarkFormat;
 import particles.scene.format.RenderFormat;
 import particles.scene.format.SceneFormat;
 import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RuleKind;
 import particles.scene.parts.ShapeDescription;
-import particles.spec.Chosen;
 import particles.spec.Values;
 import particles.spec.messages.Problems;
 import particles.view.ParticleMark;
@@ -29,21 +29,22 @@ final class LookCheck {
     /** @return the look of a scene without problems, which may leave it out */
     static RenderOptions of(Values scene, ParticleIndex index) {
         RenderOptions look = RenderFormat.of(scene.mapping(SceneFormat.LOOK));
-        double radius = look.particleRadius();
-        for (Chosen<EffectKind> effect : scene.list(SceneFormat.EFFECTS)) {
-            radius = radius > 0 ? radius : effect.kind().ballRadius(effect.values());
-        }
-        for (Chosen<RuleKind> rule : scene.list(SceneFormat.RULES)) {
-            radius = radius > 0 ? radius : rule.kind().ballRadius(rule.values());
-        }
+        DoubleStream ofEffects = scene.list(SceneFormat.EFFECTS).stream()
+                .mapToDouble(effect -> effect.kind().ballRadius(effect.values()));
+        DoubleStream ofRules = scene.list(SceneFormat.RULES).stream().filter(RuleKind::hasBalls)
+                .mapToDouble(rule -> rule.values().get(SharedKeys.BALL_RADIUS));
+        double radius = look.particleRadius() > 0 ? look.particleRadius()
+                : DoubleStream.concat(ofEffects, ofRules).filter(own -> own > 0).findFirst().orElse(0);
         Map<String, ParticleMark> marks = new LinkedHashMap<>();
         index.getParticles().forEach(particle -> mark(particle.radius(), Stream.of(particle.id()), marks));
         index.getShapes().forEach(shape -> mark(shape.radius(), ids(shape), marks));
         for (ParticleMark mark : look.style().marks()) {
             Stream<String> ids = index.shape(mark.particle()).map(LookCheck::ids).orElse(Stream.of(mark.particle()));
-            ids.forEach(id -> marks.merge(id, new ParticleMark(id, mark.colour(), mark.radius(), mark.label()),
-                    (old, given) -> given.radius() > 0 ? given
-                            : new ParticleMark(id, given.colour(), old.radius(), given.label())));
+            ids.forEach(id -> {
+                double own = marks.containsKey(id) ? marks.get(id).radius() : 0;
+                marks.put(id, new ParticleMark(id, mark.colour(), mark.radius() > 0 ? mark.radius() : own,
+                        mark.label()));
+            });
         }
         ParticleStyle style = look.style();
         return look.withBalls(radius, new ParticleStyle(style.kind(), style.ageColours(), style.trail(), style.night(),

@@ -7,6 +7,7 @@ import java.util.Locale;
 import particles.scene.format.OutputDescription.Frames;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
+import particles.scene.parts.RuleKind;
 import particles.scene.parts.ShapeDescription;
 import particles.spec.messages.Problems;
 
@@ -43,7 +44,7 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
     static MemoryEstimate of(SceneDescription scene) {
         double springs = scene.contents().springs().size()
                 + scene.contents().particles().getShapes().stream().mapToLong(ShapeDescription::springCount).sum();
-        boolean removed = scene.contents().rules().stream().anyMatch(rule -> rule.kind().removes());
+        boolean removed = scene.contents().rules().stream().anyMatch(RuleKind::removes);
         // if a rule removes particles, their number is unknown; at least those of one step exist
         double particles = scene.particlesAfter(removed ? scene.deltaT() : scene.duration());
         Frames frames = scene.output().frames();

@@ -23,7 +23,7 @@ import particles.spec.messages.Wording;
 record RuleChecks(List<Chosen<RuleKind>> rules, Values scene, Problems problems, KnownParticles known) {
     /** @return whether a rule makes particles, so that a scene may begin without any */
     boolean giveBirth() {
-        return rules.stream().anyMatch(rule -> rule.kind().alive(rule.values(), 1, 1) > 0);
+        return rules.stream().anyMatch(rule -> RuleKind.alive(rule.values(), 1, 1) > 0);
     }
 
     /** Hard balls are named once, located at their impacts and as many as at the start. */
@@ -41,7 +41,7 @@ record RuleChecks(List<Chosen<RuleKind>> rules, Values scene, Problems problems,
         }
         scene.list(SceneFormat.EFFECTS).stream().filter(e -> e.kind().getName().equals("repulsion")).forEach(effect ->
                 problems.add(effect.place(), "'repulsion' and 'collisions' cannot be combined; keep one of them"));
-        rules.stream().filter(rule -> rule.kind().newIds().isPresent() || rule.kind().removes()).forEach(rule ->
+        rules.stream().filter(rule -> rule.kind().newIds().isPresent() || RuleKind.removes(rule)).forEach(rule ->
                 problems.add(rule.place(), rule.kind().getLabel() + " and 'collisions' cannot be combined:"
                         + " hard balls are neither born nor removed"));
     }
@@ -51,9 +51,10 @@ record RuleChecks(List<Chosen<RuleKind>> rules, Values scene, Problems problems,
         checkBalls();
         Map<String, Place> moved = new HashMap<>();
         for (Chosen<RuleKind> rule : rules) {
-            rule.kind().anchor().filter(key -> known.has(rule.values(), key))
-                    .ifPresent(key -> checkAnchor(rule.values().get(key), rule.values().place(key), moved));
-            if (rule.kind().needsSprings() && !springs && problems.count() == 0) {
+            if (known.has(rule.values(), RuleKind.ANCHOR)) {
+                checkAnchor(rule.values().get(RuleKind.ANCHOR), rule.values().place(RuleKind.ANCHOR), moved);
+            }
+            if (RuleKind.needsSprings(rule) && !springs && problems.count() == 0) {
                 problems.add(rule.place(), rule.kind().getLabel() + " acts on springs, and the scene has none");
             }
         }

@@ -131,6 +131,6 @@ public record SceneDescription(Values values, SolverDescription solving, Content
      */
     public double particlesAfter(double time) {
         return contents.particles.count() + contents.rules.stream()
-                .mapToDouble(rule -> rule.kind().alive(rule.values(), deltaT(), time)).sum();
+                .mapToDouble(rule -> RuleKind.alive(rule.values(), deltaT(), time)).sum();
     }
 }

@@ -1,6 +1,7 @@
 package particles.scene.format;
 
 import java.util.List;
+import java.util.Optional;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
 import particles.scene.parts.ConstraintDescription;
@@ -53,11 +54,9 @@ public final class SceneFormat {
     public static final Key<Values> CONSTRAINTS = ConstraintDescription.TYPE.optional("constraints",
             "How rods and wires are enforced.");
     public static final Key<List<Chosen<EffectKind>>> EFFECTS = ListType.of("an effect", new KindType<>("effect",
-            EffectCatalog.ALL).orByClass(EffectKind.class, "exercises.MyForce").notToConfuseWith("rule", "rules",
-            RuleKind.ALL)).withDefault("effects", List.of(),
+            EffectCatalog.ALL, Optional.of(EffectKind.class))).withDefault("effects", List.of(),
             "Force laws besides springs; only laws named here act. Without gravity, for example, nothing falls.");
-    public static final Key<List<Chosen<RuleKind>>> RULES = ListType.of("a rule", new KindType<>("rule", RuleKind.ALL)
-            .notToConfuseWith("effect", "effects", EffectCatalog.ALL))
+    public static final Key<List<Chosen<RuleKind>>> RULES = ListType.of("a rule", new KindType<>("rule", RuleKind.ALL))
             .withDefault("rules", List.of(),
             "Rules that act between steps, such as bounces; only rules named here act.");
     public static final Key<String> IMPACT = NameType.of("kind of impact", List.of("clamp", "exact"))

@@ -1,6 +1,5 @@
 package particles.scene.parts;
 
-import java.util.Optional;
 import particles.effects.SharedKeys;
 import particles.law.Plane;
 import particles.law.Vector3;
@@ -10,7 +9,6 @@ import particles.rules.ParticleResampler;
 import particles.rules.SpringTear;
 import particles.spec.Key;
 import particles.spec.NumberType;
-import particles.spec.Values;
 import particles.spec.VectorType;
 
 /** The rules for torn springs and for birth and death of particles; {@link RuleKind#ALL} lists them. */
@@ -21,19 +19,10 @@ final class BirthAndDeath {
     private static final Key<Double> STRAIN = NumberType.positive("").required("strain",
             "A spring tears at this strain, stretch divided by rest length: 0.5 means at 1.5 times its rest length.");
 
-    static final RuleKind TEAR = new RuleKind("tear", "Removes springs that are stretched too far.", STRAIN) {
-        @Override
-        public void build(Values values, SceneAssembly assembly) {
-            assembly.add(new SpringTear(assembly.getSprings(), values.get(STRAIN)));
-        }
+    static final RuleKind TEAR = new RuleKind("tear", "Removes springs that are stretched too far.",
+            (values, assembly) -> assembly.add(new SpringTear(assembly.getSprings(), values.get(STRAIN))), STRAIN);
 
-        @Override
-        public boolean needsSprings() {
-            return true;
-        }
-    };
-
-    private static final Key<String> ID = ParticleDescription.NEW_ID.required("id",
+    static final Key<String> ID = ParticleDescription.NEW_ID.required("id",
             "Its name, with which its particles' ids begin: fountain[0], fountain[1] ... It must differ from the"
             + " ids of particles and shapes.");
     private static final Key<Vector3> POSITION = VectorType.of("m").required("position",
@@ -46,59 +35,35 @@ final class BirthAndDeath {
             "The largest angle between a particle's velocity and the direction (degrees).");
     private static final Key<Double> SPEED = NumberType.notNegative("m/s").required("speed",
             "Their speed at birth (m/s).");
-    private static final Key<Double> RATE = NumberType.positive("1/s").required("rate",
+    static final Key<Double> RATE = NumberType.positive("1/s").required("rate",
             "The number of particles born per second (1/s).");
     private static final Key<Double> MASS = NumberType.positive("kg").withDefault("mass", 1.0,
             "The mass of each (kg).");
-    private static final Key<Double> LIFETIME = NumberType.positive("s").optional("lifetime",
+    static final Key<Double> LIFETIME = NumberType.positive("s").optional("lifetime",
             "The lifetime of each (s); unlimited if left out.");
 
-    static final RuleKind EMITTER = new RuleKind("emitter", "A source of particles.", ID, POSITION, RADIUS, DIRECTION,
-            SPREAD, SPEED,
-            RATE, MASS, LIFETIME, SharedKeys.SEED) {
-        @Override
-        public void build(Values values, SceneAssembly assembly) {
-            double lifetime = values.find(LIFETIME).orElse(Double.POSITIVE_INFINITY);
-            Emitter.Jet jet = new Emitter.Jet(values.get(POSITION), values.get(RADIUS), values.get(DIRECTION),
-                    StrictMath.toRadians(values.get(SPREAD)), values.get(SPEED));
-            assembly.add(new Emitter(new Emitter.Nozzle(values.get(ID), jet, values.get(RATE), values.get(MASS),
-                    lifetime, values.get(SharedKeys.SEED))));
-            if (lifetime < Double.POSITIVE_INFINITY) {
-                assembly.letDie();
-            }
-            assembly.noteSpeed(values.get(SPEED));
-            assembly.noteBirths(values.get(RATE) * values.get(MASS));
+    static final RuleKind EMITTER = new RuleKind("emitter", "A source of particles.", (values, assembly) -> {
+        double lifetime = values.find(LIFETIME).orElse(Double.POSITIVE_INFINITY);
+        Emitter.Jet jet = new Emitter.Jet(values.get(POSITION), values.get(RADIUS), values.get(DIRECTION),
+                StrictMath.toRadians(values.get(SPREAD)), values.get(SPEED));
+        assembly.add(new Emitter(new Emitter.Nozzle(values.get(ID), jet, values.get(RATE), values.get(MASS),
+                lifetime, values.get(SharedKeys.SEED))));
+        if (lifetime < Double.POSITIVE_INFINITY) {
+            assembly.letDie();
         }
-
-        @Override
-        public double alive(Values values, double deltaT, double duration) {
-            // deaths come at the end of a step, after all births of that step
-            return values.get(RATE) * Math.min(duration, values.find(LIFETIME).orElse(duration) + deltaT);
-        }
-
-        @Override
-        public Optional<Key<String>> newIds() {
-            return Optional.of(ID);
-        }
-    };
+        assembly.noteSpeed(values.get(SPEED));
+        assembly.noteBirths(values.get(RATE) * values.get(MASS));
+    }, ID, POSITION, RADIUS, DIRECTION, SPREAD, SPEED, RATE, MASS, LIFETIME, SharedKeys.SEED);
 
     private static final Key<Vector3> POINT = VectorType.of("m").required("point", "Any point of the plane (m).");
     private static final Key<Vector3> NORMAL = VectorType.notZero("").withDefault("normal", new Vector3(0, 1, 0),
             "A vector to the side where particles survive; its length does not matter.");
 
-    static final RuleKind KILL = new RuleKind("kill", "Removes particles that get behind a plane.", POINT, NORMAL) {
-        @Override
-        public void build(Values values, SceneAssembly assembly) {
-            assembly.add(new KillPlane(new Plane(values.get(POINT), values.get(NORMAL))));
-        }
+    static final RuleKind KILL = new RuleKind("kill", "Removes particles that get behind a plane.",
+            (values, assembly) -> assembly.add(new KillPlane(new Plane(values.get(POINT), values.get(NORMAL)))),
+            POINT, NORMAL);
 
-        @Override
-        public boolean removes() {
-            return true;
-        }
-    };
-
-    private static final Key<String> SAMPLE_ID = ParticleDescription.NEW_ID.withDefault("id", "sample",
+    static final Key<String> SAMPLE_ID = ParticleDescription.NEW_ID.withDefault("id", "sample",
             "The ids of new particles begin with this name. It must differ from the ids of"
             + " particles, shapes and emitters.");
     private static final Key<Double> FARTHEST = NumberType.positive("m").required("farthest",
@@ -109,19 +74,9 @@ final class BirthAndDeath {
             "No split makes a particle lighter than this (kg).");
 
     static final RuleKind SAMPLES = new RuleKind("samples",
-            "Merges and splits particles to keep them evenly spaced.", FARTHEST,
-            CLOSEST, LIGHTEST, SAMPLE_ID, SharedKeys.SEED) {
-        @Override
-        public void build(Values values, SceneAssembly assembly) {
-            double farthest = values.get(FARTHEST);
-            assembly.add(new ParticleResampler(values.get(SAMPLE_ID), assembly.getSprings(),
-                    farthest * values.get(CLOSEST), farthest,
-                    values.get(LIGHTEST), values.get(SharedKeys.SEED)));
-        }
-
-        @Override
-        public Optional<Key<String>> newIds() {
-            return Optional.of(SAMPLE_ID);
-        }
-    };
+            "Merges and splits particles to keep them evenly spaced.",
+            (values, assembly) -> assembly.add(new ParticleResampler(values.get(SAMPLE_ID), assembly.getSprings(),
+                    values.get(FARTHEST) * values.get(CLOSEST), values.get(FARTHEST), values.get(LIGHTEST),
+                    values.get(SharedKeys.SEED))),
+            FARTHEST, CLOSEST, LIGHTEST, SAMPLE_ID, SharedKeys.SEED);
 }

@@ -7,7 +7,6 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.law.Vector3;
-import particles.view.Surface;
 
 /**
  * A regular grid of particles in one, two or three directions: a rope, a cloth or a block. The first index varies
@@ -52,22 +51,9 @@ public record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vect
                 .map(d -> (code >> d & 1) * (counts.get(d) - 1)).toArray())).toList();
     }
 
-    /** @return the step in particle number for each index */
-    int[] strides() {
-        int[] strides = new int[counts.size()];
-        for (int d = strides.length - 1, stride = 1; d >= 0; stride *= counts.get(d--)) {
-            strides[d] = stride;
-        }
-        return strides;
-    }
-
-    /**
-     * @param first     the index of its first particle in the system
-     * @param ofSprings whether springs connect neighbours along its two or three directions
-     * @return its surface
-     */
-    public Surface surface(int first, boolean ofSprings) {
-        return LatticeSurface.of(this, first, ofSprings);
+    /** @return the step in particle number for an index in this direction */
+    int stride(int direction) {
+        return counts.subList(direction + 1, counts.size()).stream().reduce(1, (a, b) -> a * b);
     }
 
     /** @return the name of particle n */

@@ -11,9 +11,9 @@ import particles.law.Vector3;
 public final class ParticleIndex {
     private final List<ParticleDescription> particles;
     private final List<ShapeDescription> shapes;
+    /** The number of each single particle, and of the first one of each shape. */
     private final Map<String, Integer> numbers = new HashMap<>();
     private final Map<String, ShapeDescription> shapesById = new HashMap<>();
-    private final Map<String, Integer> firsts = new HashMap<>();
     private int count;
 
     /** Indexes single particles and shapes, in this order. */
@@ -25,19 +25,18 @@ public final class ParticleIndex {
         }
         for (ShapeDescription shape : shapes) {
             shapesById.put(shape.lattice().id(), shape);
-            firsts.put(shape.lattice().id(), count);
+            numbers.put(shape.lattice().id(), count);
             count += (int) shape.lattice().size();
         }
     }
 
     /** @return the number of the particle with this id, if there is one */
     public OptionalInt find(String id) {
-        if (numbers.containsKey(id)) {
-            return OptionalInt.of(numbers.get(id));
-        }
-        String shape = shapeOf(id);
-        OptionalInt inShape = shape(shape).map(named -> named.lattice().find(id)).orElse(OptionalInt.empty());
-        return inShape.isPresent() ? OptionalInt.of(firsts.get(shape) + inShape.getAsInt()) : inShape;
+        Optional<ShapeDescription> shape = shape(shapeOf(id));
+        OptionalInt within = shape.isPresent() ? shape.get().lattice().find(id) : OptionalInt.of(0);
+        String start = shape.isPresent() ? shapeOf(id) : id;
+        return within.isPresent() && numbers.containsKey(start)
+                ? OptionalInt.of(numbers.get(start) + within.getAsInt()) : OptionalInt.empty();
     }
 
     /** @return the single particles */
@@ -67,11 +66,8 @@ public final class ParticleIndex {
 
     /** @return the particle with this known id */
     public ParticleDescription particle(String id) {
-        if (numbers.containsKey(id)) {
-            return particles.get(numbers.get(id));
-        }
-        ShapeDescription shape = shapesById.get(shapeOf(id));
-        return shape.particle(shape.lattice().find(id).orElseThrow());
+        return shape(shapeOf(id)).map(shape -> shape.particle(shape.lattice().find(id).orElseThrow()))
+                .orElseGet(() -> particles.get(numbers.get(id)));
     }
 
     /** @return the initial position of the particle with this known id (m) */

@@ -4,7 +4,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.BiConsumer;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import particles.effects.SharedKeys;
 import particles.law.Obstacle;
 import particles.law.Plane;
@@ -18,11 +20,12 @@ import particles.spec.Kind;
 import particles.spec.MappingType;
 import particles.spec.NameType;
 import particles.spec.NumberType;
+import particles.spec.TextType;
 import particles.spec.Values;
 import particles.spec.VectorType;
 
 /** A kind of rule that a scene can name, with its keys; {@link #ALL} lists them. */
-public abstract class RuleKind extends Kind {
+public class RuleKind extends Kind {
     private static final Key<String> LAW = NameType.of("friction law", List.of("slide", "coulomb"))
             .required("law",
             "slide: F = k_f N v, the formula of the lecture's slides; coulomb: F = mu N. N is the normal force.");
@@ -41,20 +44,25 @@ public abstract class RuleKind extends Kind {
     static final Key<Double> REST_SPEED = NumberType.notNegative("m/s").withDefault("restSpeed", 0.01,
             "A particle that would bounce off more slowly than this stays in contact (m/s).");
 
-    RuleKind(String name, String sentence, Key<?>... keys) {
+    /** The anchor that a prescribed motion moves; other rules have no key of this name. */
+    public static final Key<String> ANCHOR = TextType.of("the id of a fixed particle", "\\S").required("particle",
+            "The particle to move, starting from its position. It must be fixed.");
+
+    private final BiConsumer<Values, SceneAssembly> builder;
+
+    /** With a function that builds the rule and adds it to the scene. */
+    RuleKind(String name, String sentence, BiConsumer<Values, SceneAssembly> builder, Key<?>... keys) {
         super(name, sentence, keys);
+        this.builder = builder;
     }
 
     /** Builds the rule and adds it to the scene. */
-    public abstract void build(Values values, SceneAssembly assembly);
+    public final void build(Values values, SceneAssembly assembly) {
+        builder.accept(values, assembly);
+    }
 
     /** @return the rule's solid, in which no particle may begin, if it has one */
     public Optional<Obstacle> obstacle(Values values) {
-        return Optional.empty();
-    }
-
-    /** @return the key that names the fixed particle moved by the rule, if there is one */
-    public Optional<Key<String>> anchor() {
         return Optional.empty();
     }
 
@@ -64,23 +72,20 @@ public abstract class RuleKind extends Kind {
     }
 
     /** @return the key with the prefix of new particles' ids, if the rule makes any */
-    public Optional<Key<String>> newIds() {
-        return Optional.empty();
+    public final Optional<Key<String>> newIds() {
+        return Stream.of(BirthAndDeath.ID, BirthAndDeath.SAMPLE_ID).filter(getKeys()::contains).findFirst();
     }
 
     /**
-     * Returns the largest number of the rule's own particles that are alive at a time.
+     * Returns the largest number of a rule's own particles that are alive at a time.
      *
      * @param deltaT   the time step (s)
      * @param duration the duration of the run (s)
      */
-    public double alive(Values values, double deltaT, double duration) {
-        return 0;
-    }
-
-    /** @return the radius of balls that meet each other unless they have their own (m); 0 if the rule makes none */
-    public double ballRadius(Values values) {
-        return 0;
+    public static double alive(Values rule, double deltaT, double duration) {
+        // deaths come at the end of a step, after all births of that step
+        return rule.find(BirthAndDeath.RATE).orElse(0.0)
+                * Math.min(duration, rule.find(BirthAndDeath.LIFETIME).orElse(duration) + deltaT);
     }
 
     /** @return whether this rule of a scene makes hard balls of particles */
@@ -88,14 +93,14 @@ public abstract class RuleKind extends Kind {
         return rule.kind() == COLLISIONS;
     }
 
-    /** @return whether it removes particles of any origin */
-    public boolean removes() {
-        return false;
+    /** @return whether this rule of a scene removes particles of any origin */
+    public static boolean removes(Chosen<RuleKind> rule) {
+        return rule.kind() == BirthAndDeath.KILL;
     }
 
-    /** @return whether it acts on springs only */
-    public boolean needsSprings() {
-        return false;
+    /** @return whether this rule of a scene acts on springs only */
+    public static boolean needsSprings(Chosen<RuleKind> rule) {
+        return rule.kind() == BirthAndDeath.TEAR;
     }
 
     /** A rule for particles that meet a solid. */
@@ -103,20 +108,15 @@ public abstract class RuleKind extends Kind {
         private final Function<Values, Obstacle> solid;
 
         OfSolid(String name, String sentence, Function<Values, Obstacle> solid, Key<?>... keys) {
-            super(name, sentence, keys);
+            super(name, sentence, (values, assembly) -> assembly.add(new ContactSurface(name, solid.apply(values),
+                    values.get(RESTITUTION), values.find(FRICTION).map(RuleKind::friction).orElse(Friction.NONE),
+                    values.get(REST_SPEED), assembly::radius)), keys);
             this.solid = solid;
         }
 
         @Override
         public Optional<Obstacle> obstacle(Values values) {
             return Optional.of(solid.apply(values));
-        }
-
-        @Override
-        public void build(Values values, SceneAssembly assembly) {
-            assembly.add(new ContactSurface(getName(), solid.apply(values), values.get(RESTITUTION),
-                    values.find(FRICTION).map(RuleKind::friction).orElse(Friction.NONE), values.get(REST_SPEED),
-                    assembly::radius));
         }
     }
 
@@ -152,23 +152,15 @@ public abstract class RuleKind extends Kind {
 
     private static final RuleKind COLLISIONS = new RuleKind("collisions",
             "Particles are hard balls that bounce off each other, and touch solids with their surface.",
-            SharedKeys.BALL_RADIUS, RESTITUTION, IMPACT_FRICTION, REST_SPEED) {
-        @Override
-        public double ballRadius(Values values) {
-            return values.get(SharedKeys.BALL_RADIUS);
-        }
-
-        @Override
-        public void build(Values values, SceneAssembly assembly) {
-            double[] radii = new double[assembly.particles().count()];
-            Arrays.setAll(radii, i -> assembly.ownRadius(i).orElse(ballRadius(values)));
-            assembly.set(new Collisions.Balls(radii, values.get(RESTITUTION), values.get(IMPACT_FRICTION),
-                    values.get(REST_SPEED)));
-        }
-    };
+            (values, assembly) -> {
+                double[] radii = new double[assembly.particles().count()];
+                Arrays.setAll(radii, i -> assembly.ownRadius(i).orElse(values.get(SharedKeys.BALL_RADIUS)));
+                assembly.set(new Collisions.Balls(radii, values.get(RESTITUTION), values.get(IMPACT_FRICTION),
+                        values.get(REST_SPEED)));
+            }, SharedKeys.BALL_RADIUS, RESTITUTION, IMPACT_FRICTION, REST_SPEED);
 
     /** All rules. */
     public static final List<RuleKind> ALL = List.of(GROUND, PLANE, SPHERE, COLLISIONS, BirthAndDeath.TEAR,
-            MotionKinds.SHAKE, MotionKinds.CIRCLE, MotionKinds.GLIDE, BirthAndDeath.EMITTER, BirthAndDeath.KILL,
+            MotionKind.SHAKE, MotionKind.CIRCLE, MotionKind.GLIDE, BirthAndDeath.EMITTER, BirthAndDeath.KILL,
             BirthAndDeath.SAMPLES);
 }

@@ -7,9 +7,14 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.snakeyaml.engine.v2.api.Load;
+import org.snakeyaml.engine.v2.api.LoadSettings;
 
 /** Writes JSON. NaN and infinity are written as {@code null}, since JSON cannot express them. */
 public final class JsonText {
+    /** The last character that JSON which is read as YAML may contain as it is. */
+    private static final char LAST = '\ufffd';
+
     private JsonText() {
     }
 
@@ -30,6 +35,15 @@ public final class JsonText {
      */
     public static String compact(Object value) {
         return write(value, "");
+    }
+
+    /**
+     * @param text JSON, which is YAML too
+     * @return its maps, lists, numbers, booleans and texts
+     * @throws RuntimeException if it is not valid
+     */
+    public static Object read(String text) {
+        return new Load(LoadSettings.builder().build()).loadFromString(text);
     }
 
     /** @param line begins a line of what is around the value; empty without lines */
@@ -64,7 +78,8 @@ public final class JsonText {
     private static String quote(String text) {
         StringBuilder quoted = new StringBuilder("\"");
         for (char c : text.toCharArray()) {
-            quoted.append(c == '"' || c == '\\' ? "\\" + c : c < ' ' ? String.format("\\u%04x", (int) c) : "" + c);
+            quoted.append(c == '"' || c == '\\' ? "\\" + c : Character.isISOControl(c) || c > LAST
+                    ? String.format("\\u%04x", (int) c) : "" + c);
         }
         return quoted.append('"').toString();
     }

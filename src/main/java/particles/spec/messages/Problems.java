@@ -39,6 +39,13 @@ public final class Problems {
         return count;
     }
 
+    /** @throws InvalidInputException with all problems, if there are any */
+    public void throwIfAny() {
+        if (count > 0) {
+            throw new InvalidInputException(lines());
+        }
+    }
+
     /** @return the problems in the order of their places, one line each: place, colon, message */
     public List<String> lines() {
         List<String> lines = new ArrayList<>();

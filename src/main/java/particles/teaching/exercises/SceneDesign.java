@@ -19,9 +19,9 @@ import particles.experiments.runs.SceneRun.Outcome;
 import particles.law.Particles;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.SceneException;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
+import particles.spec.messages.InvalidInputException;
 import particles.teaching.marking.Draw;
 import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.Exercise;
@@ -93,7 +93,7 @@ final class SceneDesign implements Exercise {
                         + description.solver() + ")");
             }
             scene = SceneBuilder.build(description);
-        } catch (SceneException e) {
+        } catch (InvalidInputException e) {
             return new Mark(false, e.getLines());
         } catch (InvalidPathException e) {
             return Mark.wrong("'" + answer.strip() + "' is no path of a file: " + e.getReason());

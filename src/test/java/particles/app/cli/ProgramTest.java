@@ -27,6 +27,7 @@ import particles.SimulationException;
 import particles.app.Main;
 import particles.app.run.StopRequest;
 import particles.output.files.OutputException;
+import particles.spec.messages.InvalidInputException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -143,7 +144,7 @@ class ProgramTest {
                 arguments(ExitCode.TROUBLE, "build/out: permission denied", new AccessDeniedException("build/out")),
                 arguments(ExitCode.TROUBLE, "a.yaml: no such file or folder", new NoSuchFileException("a.yaml")),
                 arguments(ExitCode.BAD_INPUT, "one" + System.lineSeparator() + "two",
-                        new Failure(ExitCode.BAD_INPUT, List.of("one", "two"))),
+                        new InvalidInputException(List.of("one", "two"))),
                 arguments(ExitCode.TROUBLE, "out of memory: Java may use " + (most >> 20)
                         + " MiB; use fewer particles, frames or runs, or give Java more: JAVA_TOOL_OPTIONS=-Xmx"
                         + ((most >> 30) + 1) + "g", new OutOfMemoryError("Java heap space")));

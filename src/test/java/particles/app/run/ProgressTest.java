@@ -3,34 +3,49 @@ package particles.app.run;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.EulerSolver;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import particles.Motion;
 import particles.Observer;
-import particles.ParticleSystem;
 import particles.Simulation;
-import particles.law.Vector3;
+import particles.scene.SceneBuilder;
+import particles.scene.TestScenes;
+import particles.scene.format.SceneDescription;
 
+/** The lines on a run's time, with a fake clock. */
 class ProgressTest {
     private final StringWriter out = new StringWriter();
+    private SceneDescription scene = scene("");
 
-    /** Runs 100 steps with a fake clock of the given wall-clock time. */
+    private static SceneDescription scene(String more) {
+        SceneDescription scene = TestScenes.read("""
+                title: a
+                teaches: b
+                solver: euler
+                deltaT: 0.5
+                duration: 50
+                particles: [{id: bob, position: [0, 1, 0], fixed: true}]
+                """ + more);
+        return more.startsWith("output") ? scene : scene.withOutput(scene.output().withoutFrames());
+    }
+
+    /** Runs 100 steps in the given time on the clock. */
     private List<String> linesOf(double seconds) {
         AtomicLong nanos = new AtomicLong(123);
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("a", 1, Vector3.ZERO, Vector3.ZERO, false);
-        Simulation simulation = new Simulation(system, EulerSolver::new, 0.5, 50);
+        Simulation simulation = SceneBuilder.build(scene).simulation();
         simulation.addObserver(new Observer() {
             @Override
             public void moved(Motion motion) {
                 nanos.addAndGet((long) (seconds * 1e7));
             }
         });
-        simulation.addObserver(new Progress(new PrintWriter(out), 50, nanos::get));
+        simulation.addObserver(new Progress(new PrintWriter(out), scene, nanos::get));
         simulation.run();
         return out.toString().lines().toList();
     }
@@ -41,16 +56,47 @@ class ProgressTest {
     }
 
     @Test
+    void aRunOfAFewSecondsIsNotAnnounced() {
+        assertEquals("t = 12.5 s of 50 s, 25 %, about 6 s to go", linesOf(8).get(0));
+    }
+
+    @Test
     void aLongRunPrintsItsProgress() {
         List<String> lines = linesOf(20);
-        assertEquals("t = 5 s of 50 s, 10 %, about 18 s to go", lines.get(0));
-        assertEquals("t = 10 s of 50 s, 20 %, about 16 s to go", lines.get(1));
-        assertTrue(lines.size() >= 8 && lines.size() <= 10, lines.toString());
+        assertEquals(List.of("this takes about 20 s: 100 steps of 1 particle",
+                "t = 5 s of 50 s, 10 %, about 18 s to go", "t = 10 s of 50 s, 20 %, about 16 s to go"),
+                lines.subList(0, 3));
+        assertTrue(lines.size() >= 9 && lines.size() <= 11, lines.toString());
     }
 
     @Test
     void aVeryLongRunPrintsEveryTenSeconds() {
-        List<String> lines = linesOf(1100);
-        assertEquals(99, lines.size());         // a step takes 11 s, and after the last one there is nothing to say
+        assertEquals(100, linesOf(1100).size());        // after the last step there is nothing to say
+    }
+
+    @Test
+    void picturesAndBirthsAreCounted() {
+        scene = scene("output: {frameRate: 5.01}\nrules: [emitter: {id: jet, position: [0, 0, 0], speed: 1, rate: 4}]");
+        assertEquals("this takes about 40 s: 100 steps of up to 201 particles and 251 pictures", linesOf(20).get(0));
+    }
+
+    /** The first step ends only after the line was printed: all 100 steps take at least 2 s each. */
+    @Test
+    @Tag("slow")
+    void aStepThatDoesNotEndIsNotWaitedFor() {
+        SceneDescription slow = scene;
+        StringWriter lines = new StringWriter();
+        new Progress(new PrintWriter(lines), slow, System::nanoTime).started(SceneBuilder.build(slow).system());
+        long begin = System.nanoTime();
+        while (lines.toString().isEmpty() && System.nanoTime() - begin < 60e9) {
+            Thread.onSpinWait();
+        }
+        assertEquals("this takes about 4 min: 100 steps of 1 particle", lines.toString().strip());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"42.1, 43 s", "343, 6 min", "1e4, 3 h", "1e6, 12 days"})
+    void timesAreInTheUnitThatSuits(double seconds, String text) {
+        assertEquals(text, Progress.time(seconds));
     }
 }
