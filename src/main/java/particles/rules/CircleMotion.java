@@ -1,6 +1,7 @@
 package particles.rules;
 
 import particles.law.AnchorMotion;
+import particles.law.Require;
 import particles.law.Vector3;
 
 /** Uniform motion of an anchor on a circle, as of a crank: counter-clockwise when the axis points at the viewer. */
@@ -18,19 +19,13 @@ public final class CircleMotion implements AnchorMotion {
      * @throws IllegalArgumentException if the axis has no direction, the period is 0 or a number not finite
      */
     public CircleMotion(Vector3 start, Vector3 centre, Vector3 axis, double period) {
-        if (!start.isFinite() || !centre.isFinite() || !(Math.abs(period) > 0)
-                || !(Math.abs(period) <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("a circle needs finite points and a period other than 0, not "
-                    + start + ", "
-                    + centre + ", " + period);
-        }
         Vector3 unit = axis.normalized();
-        Vector3 radius = start.minus(centre);
+        Vector3 radius = start.minus(centre).requireFinite("the radius of a circle");
         Vector3 along = unit.times(radius.dot(unit));
         this.centre = centre.plus(along);
         cosine = radius.minus(along);
         sine = unit.cross(cosine);
-        omega = 2 * Math.PI / period;
+        omega = 2 * Math.PI / (Math.signum(period) * Require.positive("the length of a period", Math.abs(period)));
     }
 
     @Override

@@ -2,6 +2,7 @@ package particles.rules;
 
 import particles.ParticleSystem;
 import particles.Rule;
+import particles.law.Require;
 import particles.law.SeededRandom;
 import particles.law.Vector3;
 
@@ -30,11 +31,9 @@ public final class Emitter implements Rule {
     public record Nozzle(String id, Jet jet, double rate, double mass, double lifetime, long seed) {
         /** @throws IllegalArgumentException if a number is out of its range */
         public Nozzle {
-            if (!(rate > 0 && rate <= Double.MAX_VALUE) || !(mass > 0 && mass <= Double.MAX_VALUE)
-                    || !(lifetime > 0)) {
-                throw new IllegalArgumentException("emitter '" + id + "' needs a positive rate, mass and lifetime, not "
-                        + rate + ", " + mass + ", " + lifetime);
-            }
+            Require.positive("the rate of emitter '" + id + "'", rate);
+            Require.positive("the mass of its particles", mass);
+            Require.positive("their lifetime", Math.min(Double.MAX_VALUE, lifetime));
         }
     }
 
@@ -51,11 +50,11 @@ public final class Emitter implements Rule {
         /** @throws IllegalArgumentException if a number is out of its range or the direction has none */
         public Jet {
             direction = direction.normalized();
-            if (!position.isFinite() || !(radius >= 0 && radius <= Double.MAX_VALUE)
-                    || !(spread >= 0 && spread <= Math.PI) || !(speed >= 0 && speed <= Double.MAX_VALUE)) {
-                throw new IllegalArgumentException("an emitter needs a finite position, radius and speed of 0 or more"
-                        + " and a spread from 0 to pi, not " + position + ", " + radius + ", " + speed + ", " + spread);
-            }
+            position.requireFinite("the position of an emitter");
+            Require.notNegative("its radius", radius);
+            Require.notNegative("its speed", speed);
+            Require.notNegative("its spread", spread);
+            Require.notNegative("pi minus its spread", Math.PI - spread);
         }
     }
 

@@ -1,6 +1,7 @@
 package particles.rules;
 
 import particles.law.AnchorMotion;
+import particles.law.Require;
 import particles.law.Vector3;
 
 /**
@@ -16,10 +17,9 @@ import particles.law.Vector3;
 public record GlideMotion(Vector3 from, Vector3 to, double duration) implements AnchorMotion {
     /** @throws IllegalArgumentException if the duration is not positive or a number not finite */
     public GlideMotion {
-        if (!from.isFinite() || !to.isFinite() || !(duration > 0) || !(duration <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("a glide needs finite places and a positive duration, not " + from
-                    + ", " + to + ", " + duration);
-        }
+        from.requireFinite("the beginning of a glide");
+        to.requireFinite("its end");
+        Require.positive("its duration", duration);
     }
 
     @Override

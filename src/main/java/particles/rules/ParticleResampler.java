@@ -5,6 +5,7 @@ import particles.ParticleSystem;
 import particles.Rule;
 import particles.effects.NeighbourGrid;
 import particles.law.Particles;
+import particles.law.Require;
 import particles.law.SeededRandom;
 import particles.law.Vector3;
 import particles.view.SpringView;
@@ -45,15 +46,12 @@ public final class ParticleResampler implements Rule {
      */
     public ParticleResampler(String id, SpringView springs, double closest, double farthest, double lightest,
             long seed) {
-        if (!(closest > 0 && farthest > 2 * closest && farthest <= Double.MAX_VALUE && lightest > 0)) {
-            throw new IllegalArgumentException("even samples need positive distances, the farthest more than twice the"
-                    + " closest, and a positive mass, not " + closest + ", " + farthest + ", " + lightest);
-        }
         this.id = id;
         this.springs = springs;
-        this.closest = closest;
+        this.closest = Require.positive("the closest distance", closest);
         this.farthest = farthest;
-        this.lightest = lightest;
+        Require.positive("the farthest distance minus twice the closest", farthest - 2 * closest);
+        this.lightest = Require.positive("the lightest mass", lightest);
         random = new SeededRandom(seed);
     }
 
@@ -69,15 +67,15 @@ public final class ParticleResampler implements Rule {
         boolean[] gone = new boolean[n];
         long before = made;
         for (int i = 0; i < n; i++) {
-            boolean merges = mayChange(system, i) && square[i] < closest * closest && partner[i] > i
-                    && mayChange(system, partner[i]) && partner[partner[i]] == i;
-            boolean splits = mayChange(system, i) && square[i] > farthest * farthest
-                    && system.getParticles().mass(i) >= 2 * lightest;
-            if (merges) {
+            if (!mayChange(system, i)) {
+                continue;
+            }
+            int other = partner[i];
+            if (square[i] < closest * closest && other > i && mayChange(system, other) && partner[other] == i) {
                 gone[i] = true;
-                gone[partner[i]] = true;
-                merge(system, i, partner[i]);
-            } else if (splits) {
+                gone[other] = true;
+                merge(system, i, other);
+            } else if (square[i] > farthest * farthest && system.getParticles().mass(i) >= 2 * lightest) {
                 gone[i] = true;
                 split(system, i);
             }

@@ -1,6 +1,7 @@
 package particles.rules;
 
 import particles.law.AnchorMotion;
+import particles.law.Require;
 import particles.law.Vector3;
 
 /**
@@ -13,11 +14,9 @@ import particles.law.Vector3;
 public record SineMotion(Vector3 centre, Vector3 amplitude, double period) implements AnchorMotion {
     /** @throws IllegalArgumentException if the period is not positive or a number not finite */
     public SineMotion {
-        if (!centre.isFinite() || !amplitude.isFinite() || !(period > 0) || !(period <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException(
-                    "an oscillation needs a finite centre and amplitude and a positive period,"
-                    + " not " + centre + ", " + amplitude + ", " + period);
-        }
+        centre.requireFinite("the centre of an oscillation");
+        amplitude.requireFinite("its amplitude");
+        Require.positive("its period", period);
     }
 
     @Override

@@ -113,10 +113,10 @@ class WiresTest {
         for (GraphWire.Profile profile : new GraphWire.Profile[] {GraphWire.parabola(2),
                 GraphWire.sine(-0.5, Math.PI)}) {
             double start = Math.PI / 4;
-            boolean parabola = profile.bend(0) == 2;
+            boolean parabola = profile.bend().applyAsDouble(0) == 2;
             double bottom = parabola ? 0 : Math.PI / 4;
             double from = parabola ? -start : 0.1;
-            ParticleSystem system = bead(new Vector3(from, profile.value(from), 0), Vector3.ZERO,
+            ParticleSystem system = bead(new Vector3(from, profile.value().applyAsDouble(from), 0), Vector3.ZERO,
                     new GraphWire(Vector3.ZERO, X, Y, profile));
             RK4Solver solver = new RK4Solver();
             while (system.getOwnState()[0] < bottom) {
@@ -126,13 +126,13 @@ class WiresTest {
                 solver.stepState(system, (bottom - system.getOwnState()[0]) / system.getOwnState()[3]);
             }
             double[] state = system.getOwnState();
-            double square = 2 * G * (profile.value(from) - profile.value(bottom));
+            double square = 2 * G * (profile.value().applyAsDouble(from) - profile.value().applyAsDouble(bottom));
             assertEquals(Math.sqrt(square), state[3], 2e-10);           // measured 2.7e-11
-            assertEquals(profile.value(bottom), state[1], 3e-11);    // measured 3.6e-12
+            assertEquals(profile.value().applyAsDouble(bottom), state[1], 3e-11);    // measured 3.6e-12
             double[] dSdt = new double[6];
             system.getStateDerivative(dSdt);
             // measured 6.6e-10
-            assertEquals(profile.bend(bottom) * square, dSdt[4], 5e-9, "normal force minus weight");
+            assertEquals(profile.bend().applyAsDouble(bottom) * square, dSdt[4], 5e-9, "normal force minus weight");
         }
     }
 

@@ -33,10 +33,14 @@ public final class ActiveSetMethod {
     private static final double YIELDING = 1e-4;
 
     private final MinimumNormSolution dense = new MinimumNormSolution();
-    private boolean[] wrong = {};
-    private boolean[] barred = {};                      // from being added next
+    private EnvelopeMatrix a;                           // the problem, as given to solve
+    private double[] b;
+    private boolean[] contact;
     private boolean[] active;
-    private double[] work = {};
+    private double[] lambda;
+    private double[] w;
+    private int n;                                      // the number of rows
+    private boolean[] wrong = {};
     private double largest;                             // entry of b
     private double left;
     private boolean regular;
@@ -59,13 +63,13 @@ public final class ActiveSetMethod {
      */
     public boolean solve(EnvelopeMatrix a, double[] b, boolean[] contact, boolean signed, boolean[] active,
             double[] lambda, double[] w) {
-        int n = a.size();
+        this.a = a;
+        this.b = b;
+        this.contact = contact;
         this.active = active;
-        if (wrong.length < n) {
-            wrong = new boolean[n];
-            barred = new boolean[n];
-            work = new double[n];
-        }
+        this.lambda = lambda;
+        this.w = w;
+        n = a.size();
         if (n == 1 && contact[0] && a.get(0, 0) != 0) { // a single row needs no search
             double force = b[0] / a.get(0, 0);
             lambda[0] = signed ? Math.max(0, force) : force;
@@ -73,16 +77,15 @@ public final class ActiveSetMethod {
             left = 0;
             return true;
         }
+        wrong = wrong.length < n ? new boolean[n] : wrong;
         largest = 0;
         for (int r = 0; r < n; r++) {
             largest = Math.max(largest, Math.abs(b[r]));
         }
-        return search(a, b, contact, signed, lambda, w) || searchElastic(a, b, contact, lambda, w);
+        return search(signed) || searchElastic();
     }
 
-    private boolean search(EnvelopeMatrix a, double[] b, boolean[] contact, boolean signed, double[] lambda,
-            double[] w) {
-        int n = a.size();
+    private boolean search(boolean signed) {
         int contacts = 0;
         for (int r = 0; r < n; r++) {
             active[r] = a.get(r, r) != 0 && (active[r] || !contact[r]);
@@ -90,13 +93,13 @@ public final class ActiveSetMethod {
         }
         int fewest = contacts + 1;
         for (int pivots = 0; pivots <= 50 + 20 * contacts; pivots++) {
-            solveActive(a, b, lambda, w);
+            solveActive();
             if (contacts == 0 || !signed && pivots == 0 && regular) {
                 return true;
             }
-            int count = findWrong(n, contact, lambda, w);
+            int count = findWrong();
             if (count == 0) {
-                return isConsistent(n, contact, w);
+                return isConsistent();
             }
             boolean all = count < fewest;
             fewest = Math.min(fewest, count);
@@ -109,7 +112,7 @@ public final class ActiveSetMethod {
     }
 
     /** Whether contacts alone do not contradict each other; if rods do, no other set of contacts helps. */
-    private boolean isConsistent(int n, boolean[] contact, double[] w) {
+    private boolean isConsistent() {
         boolean contactsAgree = true;
         boolean rodsAgree = true;
         for (int r = 0; r < n; r++) {
@@ -120,8 +123,7 @@ public final class ActiveSetMethod {
         return contactsAgree || !rodsAgree;
     }
 
-    private boolean searchElastic(EnvelopeMatrix a, double[] b, boolean[] contact, double[] lambda, double[] w) {
-        int n = a.size();
+    private boolean searchElastic() {
         double[] rigid = new double[n];
         double[] pushing = new double[n];
         for (int r = 0; r < n; r++) {
@@ -129,20 +131,20 @@ public final class ActiveSetMethod {
             a.set(r, r, rigid[r] * (contact[r] ? 1 + SOFT : 1), 0);
             active[r] = rigid[r] != 0 && !contact[r];
         }
-        Arrays.fill(barred, false);
+        boolean[] barred = new boolean[n];              // from being added next
         int added = -1;
         boolean found = false;
         for (int pivots = 0; pivots <= 50 + 20 * n && !found; pivots++) {
-            solveActive(a, b, lambda, w);
+            solveActive();
             boolean enters = added >= 0 && pushing[added] == 0;
-            int dropped = dropFirst(contact, lambda, pushing, n);
+            int dropped = dropFirst(pushing);
             if (enters && dropped == added) {
                 barred[added] = true;                   // round-off: it would come and go for ever
             } else if (dropped < 0) {
                 if (enters) {
                     Arrays.fill(barred, false);
                 }
-                added = addWorst(contact, w, n);
+                added = addWorst(barred);
                 found = added < 0;
             }
         }
@@ -152,10 +154,10 @@ public final class ActiveSetMethod {
         if (!found) {
             return false;
         }
-        solveActive(a, b, lambda, w);
-        if (findWrong(n, contact, lambda, w) > 0 || !isConsistent(n, contact, w)) {
+        solveActive();
+        if (findWrong() > 0 || !isConsistent()) {
             System.arraycopy(pushing, 0, lambda, 0, n);
-            findResidual(a, b, lambda, w);
+            findResidual();
         }
         for (int r = 0; r < n; r++) {
             if (contact[r] && w[r] < -YIELDING * largest) {     // huge forces: the contacts give way to a jam
@@ -166,7 +168,7 @@ public final class ActiveSetMethod {
     }
 
     /** Goes towards a solution until the first contact would pull, which is dropped; returns it, or -1. */
-    private int dropFirst(boolean[] contact, double[] lambda, double[] pushing, int n) {
+    private int dropFirst(double[] pushing) {
         double part = 1;
         int first = -1;
         for (int r = 0; r < n; r++) {
@@ -177,15 +179,13 @@ public final class ActiveSetMethod {
         }
         for (int r = 0; r < n; r++) {
             pushing[r] = r == first ? 0 : pushing[r] + part * (lambda[r] - pushing[r]);
-        }
-        if (first >= 0) {
-            active[first] = false;
+            active[r] &= r != first;
         }
         return first;
     }
 
     /** Adds the contact that lets its particle in fastest, but for barred ones; returns it, or -1. */
-    private int addWorst(boolean[] contact, double[] w, int n) {
+    private int addWorst(boolean[] barred) {
         int worst = -1;
         for (int r = 0; r < n; r++) {
             if (contact[r] && !active[r] && !barred[r] && w[r] < (worst < 0 ? -ROUNDING * largest : w[worst])) {
@@ -199,7 +199,7 @@ public final class ActiveSetMethod {
     }
 
     /** Finds the contacts that pull or let their particle in; returns their number. */
-    private int findWrong(int n, boolean[] contact, double[] lambda, double[] w) {
+    private int findWrong() {
         double force = 0;
         for (int r = 0; r < n; r++) {
             force = Math.max(force, Math.abs(lambda[r]));
@@ -213,55 +213,28 @@ public final class ActiveSetMethod {
         return count;
     }
 
-    private void solveActive(EnvelopeMatrix a, double[] b, double[] lambda, double[] w) {
-        int n = a.size();
+    private void solveActive() {
         for (int r = 0; r < n; r++) {
             lambda[r] = active[r] ? b[r] : 0;
         }
         regular = a.factorise(active, SINGULAR);
         if (regular) {
             a.solve(lambda);
-            findResidual(a, b, lambda, w);
+            findResidual();
         }
         if (regular && left <= ACCURATE * largest) {
             left = 0;
         } else {
-            solveDense(a, b, lambda);
-            findResidual(a, b, lambda, w);
+            dense.solve(a, active, b, lambda);
+            findResidual();
         }
     }
 
-    private void findResidual(EnvelopeMatrix a, double[] b, double[] lambda, double[] w) {
+    private void findResidual() {
         a.residual(lambda, b, w);
         left = 0;
-        for (int r = 0; r < a.size(); r++) {
+        for (int r = 0; r < n; r++) {
             left = active[r] ? Math.max(left, Math.abs(w[r])) : left;
-        }
-    }
-
-    private void solveDense(EnvelopeMatrix a, double[] b, double[] lambda) {
-        int m = 0;
-        for (int r = 0; r < a.size(); r++) {
-            m += active[r] ? 1 : 0;
-        }
-        dense.begin(m);
-        int row = 0;
-        for (int r = 0; r < a.size(); r++) {
-            if (active[r]) {
-                int column = 0;
-                for (int c = 0; c < a.size(); c++) {
-                    if (active[c]) {
-                        dense.set(row, column++, a.get(r, c));
-                    }
-                }
-                work[row++] = b[r];
-            }
-        }
-        dense.factorise();
-        dense.solve(work);
-        row = 0;
-        for (int r = 0; r < a.size(); r++) {
-            lambda[r] = active[r] ? work[row++] : 0;
         }
     }
 }

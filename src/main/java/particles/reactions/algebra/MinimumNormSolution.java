@@ -1,5 +1,7 @@
 package particles.reactions.algebra;
 
+import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.MatrixFeatures_DDRM;
 import org.ejml.dense.row.decomposition.qr.QRColPivDecompositionHouseholderColumn_DDRM;
@@ -13,49 +15,36 @@ public final class MinimumNormSolution {
     private QRColPivDecompositionHouseholderColumn_DDRM decomposition;
     private SolvePseudoInverseQrp_DDRM solver;
     private final DMatrixRMaj matrix = new DMatrixRMaj(0, 0);
-    private final DMatrixRMaj decomposed = new DMatrixRMaj(0, 0);
     private final DMatrixRMaj right = new DMatrixRMaj(0, 1);
     private final DMatrixRMaj result = new DMatrixRMaj(0, 1);
-
-    /** Creates a solver without a matrix. */
-    public MinimumNormSolution() {
-        renew();
-    }
 
     private void renew() {
         decomposition = new QRColPivDecompositionHouseholderColumn_DDRM(SINGULAR);
         solver = new SolvePseudoInverseQrp_DDRM(decomposition, true);
     }
 
-    /** Starts a matrix of zeros. */
-    public void begin(int n) {
-        if (n != matrix.numRows) {                      // the library's decomposition does not shrink with its matrix
-            renew();
-        }
+    /** Solves A x = b in the active rows and columns. @param x receives the solution, 0 where a row is not active */
+    public void solve(EnvelopeMatrix a, boolean[] active, double[] b, double[] x) {
+        int[] rows = IntStream.range(0, a.size()).filter(r -> active[r]).toArray();
+        int n = rows.length;
+        boolean resized = n != matrix.numRows;          // the library's decomposition does not shrink with its matrix
         matrix.reshape(n, n);
-        matrix.zero();
         right.reshape(n, 1);
         result.reshape(n, 1);
-    }
-
-    /** Sets an entry of the matrix. */
-    public void set(int row, int column, double value) {
-        matrix.set(row, column, value);
-    }
-
-    /** Factorises the matrix, which may be overwritten. */
-    public void factorise() {
-        if (MatrixFeatures_DDRM.isZeros(matrix, 0)) {   // the library keeps the rank of the matrix before
+        for (int r = 0; r < n; r++) {
+            right.set(r, 0, b[rows[r]]);
+            for (int c = 0; c < n; c++) {
+                matrix.set(r, c, a.get(rows[r], rows[c]));
+            }
+        }
+        if (resized || MatrixFeatures_DDRM.isZeros(matrix, 0)) {        // and it keeps the rank of the matrix before
             renew();
         }
-        decomposed.setTo(matrix);
-        solver.setA(decomposed);
-    }
-
-    /** @param x holds b, receives x; the first n entries */
-    public void solve(double[] x) {
-        System.arraycopy(x, 0, right.data, 0, matrix.numRows);
+        solver.setA(matrix);
         solver.solve(right, result);
-        System.arraycopy(result.data, 0, x, 0, matrix.numRows);
+        Arrays.fill(x, 0, a.size(), 0.0);
+        for (int r = 0; r < n; r++) {
+            x[rows[r]] = result.get(r);
+        }
     }
 }

@@ -108,17 +108,21 @@ public final class ContactModes {
         return modes.length;
     }
 
+    /** The mode of a particle at any surface: it sticks if it sticks at one, and is free if it touches none. */
+    private Mode get(int particle) {
+        Mode most = Mode.FREE;
+        for (int p = 0; p < surfaces; p++) {
+            most = get(p, particle).compareTo(most) > 0 ? get(p, particle) : most;
+        }
+        return most;
+    }
+
     /**
      * @param particle index of a particle
      * @return true if it touches any surface
      */
     public boolean isTouching(int particle) {
-        for (int p = 0; p < surfaces; p++) {
-            if (get(p, particle) != Mode.FREE) {
-                return true;
-            }
-        }
-        return false;
+        return get(particle) != Mode.FREE;
     }
 
     /**
@@ -126,11 +130,6 @@ public final class ContactModes {
      * @return true if it touches a surface and static friction holds it there
      */
     public boolean isSticking(int particle) {
-        for (int p = 0; p < surfaces; p++) {
-            if (get(p, particle) == Mode.STICKING) {
-                return true;
-            }
-        }
-        return false;
+        return get(particle) == Mode.STICKING;
     }
 }

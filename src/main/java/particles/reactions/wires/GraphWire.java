@@ -1,20 +1,20 @@
 package particles.reactions.wires;
 
+import java.util.function.DoubleUnaryOperator;
+import particles.law.Require;
 import particles.law.Vector3;
 
 /** A wire in the shape of a graph, y = f(x), in a plane with an origin and two orthogonal directions for x and y. */
 public final class GraphWire implements Curve {
 
-    /** A smooth function of one variable. */
-    public interface Profile {
-        /** @return f(x) (m) */
-        double value(double x);
-
-        /** @return f'(x) */
-        double slope(double x);
-
-        /** @return f''(x) (1/m) */
-        double bend(double x);
+    /**
+     * A smooth function of one variable.
+     *
+     * @param value f(x) (m)
+     * @param slope f'(x)
+     * @param bend  f''(x) (1/m)
+     */
+    public record Profile(DoubleUnaryOperator value, DoubleUnaryOperator slope, DoubleUnaryOperator bend) {
     }
 
     private final Vector3 origin;
@@ -47,22 +47,7 @@ public final class GraphWire implements Curve {
      * @return f(x) = f'' x&sup2; / 2
      */
     public static Profile parabola(double curvature) {
-        return new Profile() {
-            @Override
-            public double value(double x) {
-                return curvature * x * x / 2;
-            }
-
-            @Override
-            public double slope(double x) {
-                return curvature * x;
-            }
-
-            @Override
-            public double bend(double x) {
-                return curvature;
-            }
-        };
+        return new Profile(x -> curvature * x * x / 2, x -> curvature * x, x -> curvature);
     }
 
     /**
@@ -72,34 +57,17 @@ public final class GraphWire implements Curve {
      * @throws IllegalArgumentException if the wavelength is zero or a number not finite
      */
     public static Profile sine(double amplitude, double wavelength) {
-        if (!Double.isFinite(amplitude) || !(Math.abs(wavelength) > 0) || !(Math.abs(wavelength) <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException(
-                    "a sine needs a finite amplitude and a finite wavelength other than 0, not "
-                    + amplitude + " and " + wavelength);
-        }
+        Require.notNegative("the size of a sine's amplitude", Math.abs(amplitude));
+        Require.positive("the size of its wavelength", Math.abs(wavelength));
         double k = 2 * Math.PI / wavelength;
-        return new Profile() {
-            @Override
-            public double value(double x) {
-                return amplitude * StrictMath.sin(k * x);
-            }
-
-            @Override
-            public double slope(double x) {
-                return amplitude * k * StrictMath.cos(k * x);
-            }
-
-            @Override
-            public double bend(double x) {
-                return -amplitude * k * k * StrictMath.sin(k * x);
-            }
-        };
+        return new Profile(x -> amplitude * StrictMath.sin(k * x), x -> amplitude * k * StrictMath.cos(k * x),
+                x -> -amplitude * k * k * StrictMath.sin(k * x));
     }
 
     /** {@inheritDoc} Here u is x. */
     @Override
     public Vector3 at(double u) {
-        return origin.plus(along.times(u)).plus(up.times(profile.value(u)));
+        return origin.plus(along.times(u)).plus(up.times(profile.value.applyAsDouble(u)));
     }
 
     @Override
@@ -115,8 +83,8 @@ public final class GraphWire implements Curve {
         values[0] = d.dot(across);
         across.put(gradients, 0);
         bends[0] = 0;
-        values[1] = d.dot(up) - profile.value(s);
-        up.minus(along.times(profile.slope(s))).put(gradients, 3);
-        bends[1] = -profile.bend(s) * speed * speed;
+        values[1] = d.dot(up) - profile.value.applyAsDouble(s);
+        up.minus(along.times(profile.slope.applyAsDouble(s))).put(gradients, 3);
+        bends[1] = -profile.bend.applyAsDouble(s) * speed * speed;
     }
 }

@@ -1,7 +1,6 @@
 package particles.reactions.algebra;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
-import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -12,24 +11,25 @@ class MinimumNormSolutionTest {
 
     /** Solves A x = A (1, 2, 3), where A is the sum of u u^T over the first vectors u = (1, k, k^2). */
     private static double[] solve(MinimumNormSolution system, int rank) {
-        system.begin(N);
-        double[][] a = new double[N][N];
-        double[] x = new double[N];
+        EnvelopeMatrix matrix = new EnvelopeMatrix();
+        double[] b = new double[N];
         for (int row = 0; row < N; row++) {
-            for (int column = 0; column < N; column++) {
+            matrix.add(0);
+            for (int column = 0; column <= row; column++) {
+                double sum = 0;
                 for (int k = 0; k < rank; k++) {
-                    a[row][column] += Math.pow(k, row + column);
+                    sum += Math.pow(k, row + column);
                 }
-                system.set(row, column, a[row][column]);
-                x[row] += a[row][column] * (column + 1);
+                matrix.set(row, column, sum, sum);
+                b[row] += sum * (column + 1);
+                b[column] += row == column ? 0 : sum * (row + 1);
             }
         }
-        system.factorise();
-        double[] b = x.clone();
-        system.solve(x);
-        for (int row = 0; row < N; row++) {
-            assertEquals(b[row], a[row][0] * x[0] + a[row][1] * x[1] + a[row][2] * x[2], 1e-13, "measured: 1.1e-14");
-        }
+        double[] x = new double[N];
+        system.solve(matrix, new boolean[] {true, true, true}, b, x);
+        double[] residual = new double[N];
+        matrix.residual(x, b, residual);
+        assertArrayEquals(new double[N], residual, 1e-13, "measured: 1.1e-14");
         return x;
     }
 
