@@ -164,6 +164,6 @@ final class FrameMarks {
     private Optional<Place> place(double x, double y, double z) {
         Place place = view.place(x, y, z);
         boolean near = Math.abs(place.x()) < FARTHEST && Math.abs(place.y()) < FARTHEST;      // false for NaN
-        return view.isInFront(place.depth()) && near ? Optional.of(place) : Optional.empty();
+        return place.visible() && near ? Optional.of(place) : Optional.empty();
     }
 }

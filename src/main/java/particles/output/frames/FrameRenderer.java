@@ -71,7 +71,8 @@ public final class FrameRenderer {
         image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         pixels = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
         view = new CameraProjection(stage.camera(), width, height);
-        shapes = new RoundShapes(new Raster(width, height), view, new Lighting(view, stage.camera().up()));
+        shapes = new RoundShapes(new Raster(width, height), new CameraProjection(stage.camera(),
+                Raster.SAMPLES * width, Raster.SAMPLES * height), new Lighting(view, stage.camera().up()));
         shown = new VisibilityFilter(stage.look(), stage.scenery().surfaces());
         blobs = style().kind() == ParticleStyle.Kind.BLOBS
                 ? Optional.of(new BlobPainter(stage.look().colours().particle())) : Optional.empty();

@@ -2,6 +2,7 @@ package particles.output.painters;
 
 import java.util.stream.IntStream;
 import particles.law.Vector3;
+import particles.output.raster.CameraProjection.Place;
 import particles.output.raster.Colours;
 import particles.output.raster.Direction;
 import particles.output.raster.Lighting;
@@ -39,17 +40,14 @@ public final class BlobPainter {
 
     /** Draws the surface as a camera sees it. */
     void paint(RoundShapes shapes) {
-        ProjectedParticles projected = new ProjectedParticles(shapes.view(), surface.places, surface.vertices);
+        Place[] places = shapes.view().places(surface.places, surface.vertices);
         int[] colours = new int[surface.vertices];
         for (int i = 0, x = 0; i < surface.vertices; i++, x += 3) {
             Vector3 normal = new Vector3(surface.normals[x], surface.normals[x + 1], surface.normals[x + 2]);
             colours[i] = colour(shapes.view().turned(normal), shapes.lighting());
         }
-        int[] t = surface.corners;
         for (int k = 0; k < surface.cornerCount; k += 3) {
-            if (projected.visible[t[k]] && projected.visible[t[k + 1]] && projected.visible[t[k + 2]]) {
-                shapes.raster().triangle(t, k, projected.x, projected.y, projected.near, colours);
-            }
+            shapes.raster().triangle(surface.corners, k, places, colours);
         }
     }
 

@@ -2,10 +2,10 @@ package particles.output.painters;
 
 import java.util.List;
 import particles.output.raster.CameraProjection;
+import particles.output.raster.CameraProjection.Place;
 import particles.output.raster.Colours;
 import particles.output.raster.Foreground;
 import particles.output.raster.LightLayer;
-import particles.output.raster.Raster;
 
 /**
  * Draws particles as spots of light, whose colour and brightness depend on their age relative to their lifetime.
@@ -31,14 +31,12 @@ public record GlowPainter(List<Integer> colours, LightLayer layer) {
     /** Adds the particles' light to a layer. */
     public void paint(FrameState state, CameraProjection view, VisibilityFilter shown, double radius,
             Foreground foreground, int[] pixels) {
-        ProjectedParticles projected = new ProjectedParticles(view, state.positions, state.particles);
+        Place[] places = view.places(state.positions, state.particles);
         layer.clear(foreground);
         for (int i = 0; i < state.particles; i++) {
-            if (projected.visible[i] && !state.fixed[i] && shown.particle(i)) {
+            if (places[i].visible() && !state.fixed[i] && shown.particle(i)) {
                 double age = age(state.time, state.birth[i], state.death[i]);
-                layer.spot(projected.x[i] / Raster.SAMPLES, projected.y[i] / Raster.SAMPLES,
-                        radius * projected.scale[i] / Raster.SAMPLES, projected.near[i], colour(colours, age),
-                        BRIGHTNESS * (1 - age));
+                layer.spot(places[i], radius * places[i].scale(), colour(colours, age), BRIGHTNESS * (1 - age));
             }
         }
         layer.addTo(pixels);

@@ -3,6 +3,7 @@ package particles.output.painters;
 import java.util.List;
 import java.util.Optional;
 import particles.law.Vector3;
+import particles.output.raster.CameraProjection.Place;
 import particles.output.raster.RoundShapes;
 import particles.view.RenderOptions;
 import particles.view.Scenery;
@@ -41,11 +42,11 @@ public record OpaquePainter(RoundShapes shapes, VisibilityFilter shown, SurfaceP
      * @return whether a spring is visible whose colour shows its strain
      */
     public boolean paint(FrameState state, Optional<BlobPainter> blobs) {
-        ProjectedParticles projected = new ProjectedParticles(shapes.view(), state.positions, state.particles);
-        surfaces.paint(state, projected);
-        boolean strained = springs.paint(state, projected, shown);
+        Place[] places = shapes.view().places(state.positions, state.particles);
+        surfaces.paint(state, places);
+        boolean strained = springs.paint(state, places, shown);
         wires.paint();
-        particles.paint(state, projected);
+        particles.paint(state, places);
         blobs.ifPresent(painter -> painter.paint(shapes));
         return strained;
     }

@@ -5,7 +5,6 @@ import java.util.Optional;
 import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.output.raster.CameraProjection;
-import particles.output.raster.Raster;
 import particles.output.raster.RoundShapes;
 import particles.output.raster.ShadowMap;
 
@@ -27,9 +26,7 @@ public record ShadowPainter(ShadowMap map, OpaquePainter shapes, List<Sphere> sp
             if (!sphere.hollow()) {
                 Vector3 c = sphere.centre();
                 CameraProjection.Place place = lamp.view().place(c.x(), c.y(), c.z());
-                double scale = Raster.SAMPLES * place.scale();
-                lamp.ball(Raster.SAMPLES * place.x(), Raster.SAMPLES * place.y(), scale * sphere.radius(),
-                        place.depth(), sphere.radius(), 0);
+                lamp.ball(place, place.scale() * sphere.radius(), sphere.radius(), 0);
             }
         }
         map.blur();

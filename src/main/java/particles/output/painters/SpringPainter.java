@@ -2,6 +2,7 @@ package particles.output.painters;
 
 import particles.law.Vector3;
 import particles.output.raster.CameraProjection;
+import particles.output.raster.CameraProjection.Place;
 import particles.output.raster.Colours;
 import particles.output.raster.RoundShapes;
 import particles.view.RenderOptions;
@@ -23,26 +24,21 @@ public record SpringPainter(RoundShapes shapes, RenderOptions look, DrawnSizes s
     private static final double LIFT = 0.004;
 
     /** @return whether any spring with strain is visible so far */
-    boolean paint(FrameState state, ProjectedParticles projected, VisibilityFilter shown) {
+    boolean paint(FrameState state, Place[] places, VisibilityFilter shown) {
         boolean seen = false;
         for (int s = 0; s < state.springs.count(); s++) {
             if (shown.spring(state.springs.from()[s], state.springs.to()[s])) {
-                seen |= paint(state, projected, s);
+                seen |= paint(state, places, s);
             }
         }
         return seen;
     }
 
-    private boolean paint(FrameState state, ProjectedParticles projected, int s) {
+    private boolean paint(FrameState state, Place[] places, int s) {
         int a = state.springs.from()[s];
         int b = state.springs.to()[s];
-        if (!projected.visible[a] || !projected.visible[b]) {
-            return false;
-        }
         if (state.springs.isRigid(s) || state.fixed[a] && state.fixed[b]) {
-            double radius = sizes.rod() * (projected.scale[a] + projected.scale[b]) / 2;
-            shapes.tube(projected.x[a], projected.y[a], projected.near[a], projected.x[b], projected.y[b],
-                    projected.near[b], radius, ROD);
+            shapes.tube(places[a], places[b], sizes.rod(), ROD);
             return false;
         }
         Vector3 from = state.place(a);
@@ -54,14 +50,13 @@ public record SpringPainter(RoundShapes shapes, RenderOptions look, DrawnSizes s
         if (sizes.isCoil(state, s) && length > 4 * sizes.wire() && rest > 0) {
             return paintCoil(from, whole, rest, rgb);
         }
-        double radius = sizes.tube() * (projected.scale[a] + projected.scale[b]) / 2;
-        return shapes.tube(projected.x[a], projected.y[a], lifted(projected, a), projected.x[b], projected.y[b],
-                lifted(projected, b), radius, rgb);
+        return shapes.tube(lifted(places[a]), lifted(places[b]), sizes.tube(), rgb);
     }
 
-    /** The nearness of an end, a little increased, so that a surface spanned by springs does not hide half of each. */
-    private double lifted(ProjectedParticles projected, int i) {
-        return shapes.view().nearness(projected.depth[i] - LIFT * shapes.view().viewHeight);
+    /** The place of an end, a little nearer, so that a surface spanned by springs does not hide half of each. */
+    private Place lifted(Place at) {
+        double near = shapes.view().nearness(at.depth() - LIFT * shapes.view().viewHeight);
+        return new Place(at.x(), at.y(), at.depth(), at.scale(), near, at.visible());
     }
 
     /** Draws a helix from particle to particle; the number of turns does not change with length. */
@@ -83,14 +78,6 @@ public record SpringPainter(RoundShapes shapes, RenderOptions look, DrawnSizes s
             from.plus(whole.times(t)).plus(second.times(radius * Math.sin(angle)))
                     .plus(first.times(radius * Math.cos(angle))).put(helix, 3 * k);
         }
-        ProjectedParticles coil = new ProjectedParticles(view, helix, segments + 1);
-        boolean seen = false;
-        for (int k = 0; k < segments; k++) {
-            if (coil.visible[k] && coil.visible[k + 1]) {
-                seen |= shapes.tube(coil.x[k], coil.y[k], coil.near[k], coil.x[k + 1], coil.y[k + 1], coil.near[k + 1],
-                        sizes.wire() * coil.scale[k], rgb);
-            }
-        }
-        return seen;
+        return shapes.tubes(view.places(helix, segments + 1), sizes.wire(), rgb);
     }
 }

@@ -3,6 +3,7 @@ package particles.output.painters;
 import java.util.Arrays;
 import java.util.List;
 import particles.law.Vector3;
+import particles.output.raster.CameraProjection.Place;
 import particles.output.raster.RoundShapes;
 import particles.view.RenderOptions;
 
@@ -16,11 +17,11 @@ public record SurfacePainter(RoundShapes shapes, RenderOptions look, List<Intact
     private static final double SMOOTH = 0.85;
 
     /** Draws all surfaces. */
-    void paint(FrameState state, ProjectedParticles projected) {
-        surfaces.forEach(surface -> paint(surface, state, projected));
+    void paint(FrameState state, Place[] places) {
+        surfaces.forEach(surface -> paint(surface, state, places));
     }
 
-    private void paint(IntactTriangles surface, FrameState state, ProjectedParticles projected) {
+    private void paint(IntactTriangles surface, FrameState state, Place[] places) {
         Vector3[] normals = new Vector3[state.particles];
         Arrays.fill(normals, Vector3.ZERO);
         int[] corners = surface.getCorners();
@@ -38,10 +39,9 @@ public record SurfacePainter(RoundShapes shapes, RenderOptions look, List<Intact
         }
         int[] colours = new int[normals.length];
         for (int t = 0; t + 2 < corners.length; t += 3) {
-            if (whole[t / 3] && projected.visible[corners[t]] && projected.visible[corners[t + 1]]
-                    && projected.visible[corners[t + 2]]) {
-                shade(corners, t, isFront(corners, t, projected), normal(state, corners, t), normals, colours);
-                shapes.raster().triangle(corners, t, projected.x, projected.y, projected.near, colours);
+            if (whole[t / 3]) {
+                shade(corners, t, isFront(corners, t, places), normal(state, corners, t), normals, colours);
+                shapes.raster().triangle(corners, t, places, colours);
             }
         }
     }
@@ -56,13 +56,11 @@ public record SurfacePainter(RoundShapes shapes, RenderOptions look, List<Intact
     }
 
     /** Whether the viewer sees the front; y points down in the picture, so counter-clockwise is a negative area. */
-    private static boolean isFront(int[] corners, int t, ProjectedParticles projected) {
-        double[] x = projected.x;
-        double[] y = projected.y;
-        int a = corners[t];
-        int b = corners[t + 1];
-        int c = corners[t + 2];
-        return (x[b] - x[a]) * (y[c] - y[a]) - (x[c] - x[a]) * (y[b] - y[a]) < 0;
+    private static boolean isFront(int[] corners, int t, Place[] places) {
+        Place a = places[corners[t]];
+        Place b = places[corners[t + 1]];
+        Place c = places[corners[t + 2]];
+        return (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y()) < 0;
     }
 
     /** Computes the colours of a triangle's corners. */

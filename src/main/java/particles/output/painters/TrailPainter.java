@@ -2,6 +2,7 @@ package particles.output.painters;
 
 import java.util.Arrays;
 import particles.output.raster.CameraProjection;
+import particles.output.raster.CameraProjection.Place;
 import particles.output.raster.Colours;
 import particles.output.raster.Foreground;
 
@@ -44,13 +45,13 @@ public final class TrailPainter {
 
     /** Draws one path backwards in time from the particle. */
     private void follow(FrameState state, int i, int rgb, Foreground foreground) {
-        double[] from = point(state.positions[3 * i], state.positions[3 * i + 1], state.positions[3 * i + 2]);
+        Place from = view.place(state.positions[3 * i], state.positions[3 * i + 1], state.positions[3 * i + 2]);
         double fromShare = 1;
         int index = state.trailIndex.length == 0 ? i : state.trailIndex[i];
         for (int k = state.trail.length - 1; k >= 0 && index >= 0 && fromShare > 0; k--) {
             TrailSample sample = state.trail[k];
             float[] places = sample.places();
-            double[] to = point(places[3 * index], places[3 * index + 1], places[3 * index + 2]);
+            Place to = view.place(places[3 * index], places[3 * index + 1], places[3 * index + 2]);
             double share = 1 - (state.time - sample.time()) / duration;
             line(from, to, STRONGEST * fromShare, STRONGEST * Math.max(0, share), rgb, foreground);
             from = to;
@@ -59,30 +60,23 @@ public final class TrailPainter {
         }
     }
 
-    /** @return the picture coordinates (pixels) and nearness, or NaN if it cannot be drawn */
-    private double[] point(double x, double y, double z) {
-        CameraProjection.Place place = view.place(x, y, z);
-        return new double[] {view.isInFront(place.depth()) ? place.x() : Double.NaN, place.y(),
-            view.nearness(place.depth())};
-    }
-
-    private void line(double[] a, double[] b, double opacityA, double opacityB, int rgb,
-            Foreground foreground) {
-        double dx = b[0] - a[0];
-        double dy = b[1] - a[1];
+    private void line(Place a, Place b, double opacityA, double opacityB, int rgb, Foreground foreground) {
+        double dx = b.x() - a.x();
+        double dy = b.y() - a.y();
         double square = dx * dx + dy * dy;
-        if (!(square < 1e10) || !(Math.abs(a[0]) < 1e6) || !(Math.abs(a[1]) < 1e6)) {
+        boolean near = square < 1e10 && Math.abs(a.x()) < 1e6 && Math.abs(a.y()) < 1e6;      // false for NaN
+        if (!near || !a.visible() || !b.visible()) {
             return;
         }
         double reach = half + 0.5;
-        int x0 = (int) Math.max(0, Math.floor(Math.min(a[0], b[0]) - reach));
-        int x1 = (int) Math.min(view.width - 1, Math.ceil(Math.max(a[0], b[0]) + reach));
-        int y0 = (int) Math.max(0, Math.floor(Math.min(a[1], b[1]) - reach));
-        int y1 = (int) Math.min(view.height - 1, Math.ceil(Math.max(a[1], b[1]) + reach));
+        int x0 = (int) Math.max(0, Math.floor(Math.min(a.x(), b.x()) - reach));
+        int x1 = (int) Math.min(view.width - 1, Math.ceil(Math.max(a.x(), b.x()) + reach));
+        int y0 = (int) Math.max(0, Math.floor(Math.min(a.y(), b.y()) - reach));
+        int y1 = (int) Math.min(view.height - 1, Math.ceil(Math.max(a.y(), b.y()) + reach));
         for (int y = y0; y <= y1; y++) {
             for (int x = x0; x <= x1; x++) {
-                double px = x + 0.5 - a[0];
-                double py = y + 0.5 - a[1];
+                double px = x + 0.5 - a.x();
+                double py = y + 0.5 - a.y();
                 double along = square > 1e-12 ? Math.max(0, Math.min(1, (px * dx + py * dy) / square)) : 0;
                 double ox = px - along * dx;
                 double oy = py - along * dy;
@@ -94,8 +88,8 @@ public final class TrailPainter {
                 double off = Math.sqrt(offSquare);
                 float covered = (float) (Math.min(1, reach - off) * (opacityA + along * (opacityB - opacityA)));
                 int p = y * view.width + x;
-                double near = a[2] + along * (b[2] - a[2]);
-                if (covered > cover[p] && foreground.shows(near, x, y)) {
+                double nearness = a.near() + along * (b.near() - a.near());
+                if (covered > cover[p] && foreground.shows(nearness, x, y)) {
                     cover[p] = covered;
                     colours[p] = rgb;
                 }

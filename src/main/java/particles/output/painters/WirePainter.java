@@ -3,6 +3,7 @@ package particles.output.painters;
 import java.util.List;
 import particles.law.Vector3;
 import particles.output.raster.CameraProjection;
+import particles.output.raster.CameraProjection.Place;
 import particles.output.raster.RoundShapes;
 import particles.view.CurveView;
 
@@ -13,7 +14,7 @@ import particles.view.CurveView;
  * @param radius the radius of the wires (m)
  * @param wires  each wire's points
  */
-public record WirePainter(RoundShapes shapes, double radius, List<ProjectedParticles> wires) {
+public record WirePainter(RoundShapes shapes, double radius, List<Place[]> wires) {
     static final int COLOUR = 0x75808d;
     /** Pieces per height of the picture. */
     private static final int PIECES = 120;
@@ -32,7 +33,7 @@ public record WirePainter(RoundShapes shapes, double radius, List<ProjectedParti
     static WirePainter of(RoundShapes shapes, List<CurveView> curves, Vector3 target, double radius) {
         CameraProjection view = shapes.view();
         return new WirePainter(shapes, radius, curves.stream().map(curve -> points(curve, view, target))
-                .map(wire -> new ProjectedParticles(view, wire, wire.length / 3)).toList());
+                .map(wire -> view.places(wire, wire.length / 3)).toList());
     }
 
     private static double[] points(CurveView curve, CameraProjection view, Vector3 target) {
@@ -63,13 +64,6 @@ public record WirePainter(RoundShapes shapes, double radius, List<ProjectedParti
 
     /** Draws all wires. */
     void paint() {
-        for (ProjectedParticles wire : wires) {
-            for (int k = 0; k + 1 < wire.x.length; k++) {
-                if (wire.visible[k] && wire.visible[k + 1]) {
-                    shapes.tube(wire.x[k], wire.y[k], wire.near[k], wire.x[k + 1], wire.y[k + 1], wire.near[k + 1],
-                            radius * wire.scale[k], COLOUR);
-                }
-            }
-        }
+        wires.forEach(wire -> shapes.tubes(wire, radius, COLOUR));
     }
 }

@@ -123,9 +123,11 @@ public final class Backdrop {
                 sky.horizon, haze);
         near[p] = (float) view.nearness(depth);
         CameraProjection.Place seen = setting.lampView.place(hit.x(), hit.y(), hit.z());
-        if (isLit(plane, lighting) && haze < 0.9 && ShadowMap.contains(seen.x(), seen.y())) {
-            column[p] = (float) seen.x();
-            row[p] = (float) seen.y();
+        double seenX = seen.x() / Raster.SAMPLES;
+        double seenY = seen.y() / Raster.SAMPLES;
+        if (isLit(plane, lighting) && haze < 0.9 && ShadowMap.contains(seenX, seenY)) {
+            column[p] = (float) seenX;
+            row[p] = (float) seenY;
         }
     }
 

@@ -1,12 +1,13 @@
 package particles.output.raster;
 
+import java.util.stream.IntStream;
 import particles.law.Vector3;
 import particles.view.Camera;
 
 /**
- * Projects points of space to samples of the picture, and back to rays. Nearness decides visibility: 1 / distance in a
- * perspective view, -distance in an orthographic one, so that on a plane it is an affine function of the picture
- * coordinates.
+ * Projects points of space to pixels of a picture, or to samples of a raster, and back to rays. Nearness decides
+ * visibility: 1 / distance in a perspective view, -distance in an orthographic one, so that on a plane it is an affine
+ * function of the picture coordinates.
  */
 public final class CameraProjection {
     /** Near clipping distance of a perspective view, as a fraction of the distance to the target. */
@@ -50,8 +51,8 @@ public final class CameraProjection {
         return -((x - eye.x()) * back.x() + (y - eye.y()) * back.y() + (z - eye.z()) * back.z());
     }
 
-    /** @return whether a point at this depth can be drawn */
-    public boolean isInFront(double depth) {
+    /** Whether a point at this depth can be drawn. */
+    boolean isInFront(double depth) {
         return !perspective || depth > nearest;
     }
 
@@ -68,12 +69,14 @@ public final class CameraProjection {
     /**
      * A point as the camera sees it.
      *
-     * @param x     its distance from the left edge (pixels); may be far outside, or not finite
-     * @param y     its distance from the top edge
-     * @param depth its depth (m)
-     * @param scale pixels per metre there
+     * @param x       its distance from the left edge (pixels); may be far outside, or not finite
+     * @param y       its distance from the top edge
+     * @param depth   its depth (m)
+     * @param scale   pixels per metre there
+     * @param near    its nearness
+     * @param visible whether it is in front of the camera
      */
-    public record Place(double x, double y, double depth, double scale) {
+    public record Place(double x, double y, double depth, double scale, double near, boolean visible) {
     }
 
     /** @return where the camera sees a point, in front of it or not */
@@ -83,7 +86,17 @@ public final class CameraProjection {
         return new Place(width / 2.0
                 + scale * ((x - eye.x()) * right.x() + (y - eye.y()) * right.y() + (z - eye.z()) * right.z()),
                 height / 2.0 - scale * ((x - eye.x()) * up.x() + (y - eye.y()) * up.y() + (z - eye.z()) * up.z()),
-                depth, scale);
+                depth, scale, nearness(depth), isInFront(depth));
+    }
+
+    /**
+     * @param points the points, three coordinates each (m)
+     * @param count  their number
+     * @return where the camera sees each of them
+     */
+    public Place[] places(double[] points, int count) {
+        return IntStream.range(0, count).mapToObj(i -> place(points[3 * i], points[3 * i + 1], points[3 * i + 2]))
+                .toArray(Place[]::new);
     }
 
     /** @return a direction in space as the camera sees it */
@@ -94,7 +107,7 @@ public final class CameraProjection {
     /** @return whether the point is inside the middle part of the picture, 1 for all of it */
     public boolean isInPicture(double x, double y, double z, double part) {
         Place place = place(x, y, z);
-        return isInFront(place.depth) && Math.abs(place.x - width / 2.0) <= part * width / 2
+        return place.visible && Math.abs(place.x - width / 2.0) <= part * width / 2
                 && Math.abs(place.y - height / 2.0) <= part * height / 2;
     }
 

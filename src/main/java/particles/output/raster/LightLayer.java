@@ -33,14 +33,14 @@ public final class LightLayer {
     /**
      * Adds a round spot with brightness (1 - d&sup2;/r&sup2;)&sup2;, where nothing nearer hides it.
      *
-     * @param x          the middle, in pixels from the left
-     * @param y          the middle, from the top
+     * @param at         the place of the middle
      * @param radius     r, in pixels
-     * @param near       the spot's nearness
      * @param rgb        its colour
      * @param brightness the brightness of its centre; 1 turns black into most of the colour
      */
-    public void spot(double x, double y, double radius, double near, int rgb, double brightness) {
+    public void spot(CameraProjection.Place at, double radius, int rgb, double brightness) {
+        double x = at.x();
+        double y = at.y();
         int x0 = Raster.first(x - radius, 0);
         int x1 = Raster.last(x + radius, width - 1);
         int y0 = Raster.first(y - radius, 0);
@@ -54,7 +54,7 @@ public final class LightLayer {
                 double dx = (px + 0.5 - x) / radius;
                 double rest = 1 - dx * dx - dy * dy;
                 int p = py * width + px;
-                if (rest > 0 && foreground.shows(near, px, py)) {
+                if (rest > 0 && foreground.shows(at.near(), px, py)) {
                     float share = (float) (rest * rest);
                     light[3 * p] += share * red;
                     light[3 * p + 1] += share * green;

@@ -35,8 +35,8 @@ public final class ShadowMap {
         Arrays.fill(ground, Float.NEGATIVE_INFINITY);
         for (Plane plane : planes) {
             for (int p = 0; p < ground.length; p++) {
-                double depth = Backdrop.depth(plane, view.rayStart(p % SIZE + 0.5, p / SIZE + 0.5),
-                        view.rayDirection(0, 0));
+                double depth = Backdrop.depth(plane, view.rayStart(Raster.SAMPLES * (p % SIZE + 0.5),
+                        Raster.SAMPLES * (p / SIZE + 0.5)), view.rayDirection(0, 0));
                 ground[p] = Math.max(ground[p], (float) view.nearness(depth));
             }
         }
@@ -45,12 +45,12 @@ public final class ShadowMap {
     /**
      * @param camera     the camera of the picture
      * @param viewHeight the height of the picture at its target (m)
-     * @return how the lamp sees the scene
+     * @return how the lamp sees the scene, in samples
      */
     static CameraProjection view(Lighting lighting, Camera camera, double viewHeight) {
         Camera lamp = new Camera(camera.target().plus(lighting.lamp), camera.target(), camera.up(), false, 0,
                 EXTENT * viewHeight);
-        return new CameraProjection(lamp, SIZE, SIZE);
+        return new CameraProjection(lamp, Raster.SAMPLES * SIZE, Raster.SAMPLES * SIZE);
     }
 
     /** @return draws what the lamp sees */

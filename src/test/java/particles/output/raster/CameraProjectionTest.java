@@ -63,9 +63,9 @@ class CameraProjectionTest {
     @Test
     void pointsBehindTheCameraAreNotDrawn() {
         CameraProjection view = new CameraProjection(camera(true), 100, 100);
-        assertTrue(view.isInFront(view.place(0, 0, 0).depth()));
-        assertFalse(view.isInFront(view.place(0, 0, 4).depth()));
-        assertFalse(view.isInFront(view.place(0, 0, 5).depth()));
+        assertTrue(view.place(0, 0, 0).visible());
+        assertFalse(view.place(0, 0, 4).visible());
+        assertFalse(view.place(0, 0, 5).visible());
         assertTrue(view.nearness(1) > view.nearness(2));
         CameraProjection flat = new CameraProjection(camera(false), 100, 100);
         assertTrue(flat.nearness(1) > flat.nearness(2));

@@ -5,11 +5,18 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import particles.output.raster.CameraProjection.Place;
 
 /** Triangles on samples. */
 class RasterTest {
-    private static final int[] CORNERS = {0, 1, 2};
-    private static final double[] NEAR = {1, 1, 1};
+
+    private static Place place(double x, double y, double near) {
+        return new Place(x, y, 1, 1, near, true);
+    }
+
+    private static void triangle(Raster raster, int[] rgb, Place... corners) {
+        raster.triangle(new int[] {0, 1, 2}, 0, corners, rgb);
+    }
 
     private static int red(Raster raster, int x, int y) {
         return raster.colour[y * raster.width + x] >> 16;
@@ -21,24 +28,21 @@ class RasterTest {
         Random random = new Random(715);
         int n = 12;
         Raster raster = new Raster(50, 50);
-        double[] xs = new double[(n + 1) * (n + 1)];
-        double[] ys = new double[xs.length];
-        double[] ns = new double[xs.length];
-        int[] rgb = new int[xs.length];
-        for (int k = 0; k < xs.length; k++) {
+        Place[] places = new Place[(n + 1) * (n + 1)];
+        int[] rgb = new int[places.length];
+        for (int k = 0; k < places.length; k++) {
             int i = k % (n + 1);
             int j = k / (n + 1);
             boolean inside = i > 0 && i < n && j > 0 && j < n;
-            xs[k] = 100.0 * i / n + (inside ? 6 * random.nextDouble() - 3 : 0);
-            ys[k] = 100.0 * j / n + (inside ? 6 * random.nextDouble() - 3 : 0);
-            ns[k] = 1;
+            places[k] = place(100.0 * i / n + (inside ? 6 * random.nextDouble() - 3 : 0),
+                    100.0 * j / n + (inside ? 6 * random.nextDouble() - 3 : 0), 1);
             rgb[k] = 0xffffff;
         }
         for (int j = 0; j < n; j++) {
             for (int i = 0; i < n; i++) {
                 int a = j * (n + 1) + i;
-                raster.triangle(new int[] {a, a + 1, a + n + 1}, 0, xs, ys, ns, rgb);
-                raster.triangle(new int[] {a + 1, a + n + 2, a + n + 1}, 0, xs, ys, ns, rgb);
+                raster.triangle(new int[] {a, a + 1, a + n + 1}, 0, places, rgb);
+                raster.triangle(new int[] {a + 1, a + n + 2, a + n + 1}, 0, places, rgb);
             }
         }
         for (int p = 0; p < raster.near.length; p++) {
@@ -54,9 +58,7 @@ class RasterTest {
     @Test
     void coloursAndNearnessChangeEvenly() {
         Raster raster = new Raster(50, 50);
-        double[] near = {0, 1, 0};
-        raster.triangle(CORNERS, 0, new double[] {0, 100, 0}, new double[] {0, 0, 100}, near,
-                new int[] {0, 0xff0000, 0x00ff00});
+        triangle(raster, new int[] {0, 0xff0000, 0x00ff00}, place(0, 0, 0), place(100, 0, 1), place(0, 100, 0));
         for (int x = 0; x < 99; x++) {
             assertEquals(255 * (x + 0.5) / 100, red(raster, x, 0), 1);
             assertEquals((x + 0.5) / 100, raster.near[x], 1e-6);
@@ -71,10 +73,10 @@ class RasterTest {
             Raster raster = new Raster(50, 50);
             for (int k = 0; k < 2; k++) {
                 boolean front = k == order;
-                double[] near = front ? new double[] {2, 2, 2} : NEAR;
+                int near = front ? 2 : 1;
                 int colour = front ? 0xff0000 : 0x0000ff;
-                raster.triangle(CORNERS, 0, new double[] {0, 100, 0}, new double[] {0, 0, 100}, near,
-                        new int[] {colour, colour, colour});
+                triangle(raster, new int[] {colour, colour, colour}, place(0, 0, near), place(100, 0, near),
+                        place(0, 100, near));
             }
             assertEquals(0xff0000, raster.colour[10 * 100 + 10]);
         }
@@ -84,13 +86,14 @@ class RasterTest {
     void farOrNonFiniteShapesAreNotDrawn() {
         Raster raster = new Raster(50, 50);
         int[] rgb = {-1, -1, -1};
-        raster.triangle(CORNERS, 0, new double[] {1e300, -1e300, 0}, new double[] {1e300, 0, -1e300}, NEAR, rgb);
-        raster.triangle(CORNERS, 0, new double[] {Double.NaN, 1, 2}, new double[] {5, 8, 2}, NEAR, rgb);
-        raster.triangle(CORNERS, 0, new double[] {5, 5, 5}, new double[] {5, 5, 5}, NEAR, rgb);
+        triangle(raster, rgb, place(1e300, 1e300, 1), place(-1e300, 0, 1), place(0, -1e300, 1));
+        triangle(raster, rgb, place(Double.NaN, 5, 1), place(1, 8, 1), place(2, 2, 1));
+        triangle(raster, rgb, place(5, 5, 1), place(5, 5, 1), place(5, 5, 1));
+        triangle(raster, rgb, place(0, 0, 1), place(9, 0, 1), new Place(0, 9, -1, 1, 1, false));
         for (float near : raster.near) {
             assertEquals(Float.NEGATIVE_INFINITY, near);
         }
-        raster.triangle(CORNERS, 0, new double[] {-1e6, 1e6, 0}, new double[] {-1e6, -1e6, 1e6}, NEAR, rgb);
+        triangle(raster, rgb, place(-1e6, -1e6, 1), place(1e6, -1e6, 1), place(0, 1e6, 1));
         assertTrue(raster.firstColumn() == 0 && raster.endColumn() == 50 && raster.firstRow() == 0
                 && raster.endRow() == 50);
         assertEquals(1, raster.near[0]);
@@ -98,7 +101,7 @@ class RasterTest {
 
     /**
      * The colour of any triangle lies between those of its corners: round-off neither wraps it around nor lets it
-     * differ by more than the truncation of one step. Thin triangles have the colour of a corner.
+     * leave their range.
      */
     @Test
     void coloursStayBetweenThoseOfTheCorners() {
@@ -107,15 +110,14 @@ class RasterTest {
             Raster raster = new Raster(50, 50);
             double size = Math.pow(10, 8 * random.nextDouble() - 2);
             double thickness = Math.pow(10, -6 * random.nextDouble());
-            double[] xs = new double[3];
-            double[] ys = new double[3];
+            Place[] corners = new Place[3];
             for (int c = 0; c < 3; c++) {
-                xs[c] = 50 + size * (random.nextDouble() - 0.5);
-                ys[c] = 50 + (xs[c] - 50) * (k % 7 - 3) + size * thickness * (random.nextDouble() - 0.5);
+                double x = size * (random.nextDouble() - 0.5);
+                corners[c] = place(50 + x, 50 + x * (k % 7 - 3) + size * thickness * (random.nextDouble() - 0.5), 1);
             }
             int low = k % 2 == 0 ? 0 : 100;
             int high = k % 3 == 0 ? 255 : 180;
-            raster.triangle(CORNERS, 0, xs, ys, NEAR, new int[] {low * 0x010101, high * 0x010101, low * 0x010101});
+            triangle(raster, new int[] {low * 0x010101, high * 0x010101, low * 0x010101}, corners);
             for (int p = 0; p < raster.near.length; p++) {
                 int colour = raster.colour[p];
                 int red = colour >> 16;
