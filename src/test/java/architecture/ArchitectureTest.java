@@ -150,7 +150,7 @@ class ArchitectureTest {
                                            particles.spec particles.spec.messages particles.view
             particles.scene.format:        deSolvers deSolvers.adaptive deSolvers.catalog particles.effects
                                            particles.law particles.scene.parts particles.spec
-                                           particles.spec.documents particles.spec.messages particles.view
+                                           particles.spec.messages particles.view
             particles.scene.parts:         particles particles.effects particles.effects.springs particles.law
                                            particles.reactions particles.reactions.contact particles.reactions.wires
                                            particles.rules particles.spec particles.spec.messages particles.view

@@ -24,14 +24,14 @@ public final class Javac {
     }
 
     /**
-     * Compiles a source and the sources that it needs.
+     * Compiles sources.
      *
-     * @param source  the source
+     * @param sources the sources
      * @param manager reads and writes files in place of the usual one, which it is given
      * @param more    further options
      * @throws IllegalArgumentException with the errors, if it does not compile
      */
-    public static void compile(JavaFileObject source, UnaryOperator<JavaFileManager> manager, String... more) {
+    public static void compile(List<Source> sources, UnaryOperator<JavaFileManager> manager, String... more) {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         if (compiler == null) {                         // null on a Java that only runs programs
             throw new IllegalArgumentException("this Java has no compiler: your own classes need a JDK, not a JRE");
@@ -41,7 +41,7 @@ public final class Javac {
         DiagnosticCollector<JavaFileObject> messages = new DiagnosticCollector<>();
         try (StandardJavaFileManager files = compiler.getStandardFileManager(messages, Locale.ROOT, null);
                 JavaFileManager used = manager.apply(files)) {
-            if (!compiler.getTask(null, used, messages, options, null, List.of(source)).call()) {
+            if (!compiler.getTask(null, used, messages, options, null, sources).call()) {
                 throw new IllegalArgumentException("it does not compile: " + messages.getDiagnostics().stream()
                         .filter(message -> message.getKind() == Diagnostic.Kind.ERROR).limit(MOST_ERRORS)
                         .map(Javac::line).collect(Collectors.joining("\n  ")));

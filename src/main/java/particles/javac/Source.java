@@ -16,11 +16,6 @@ public final class Source extends SimpleJavaFileObject {
         this.text = text;
     }
 
-    /** @return the simple name of the class that the file's name promises */
-    public String simpleName() {
-        return getName().replaceFirst(".*/", "").replace(Kind.SOURCE.extension, "");
-    }
-
     @Override
     public CharSequence getCharContent(boolean ignoreEncodingErrors) {
         return text;

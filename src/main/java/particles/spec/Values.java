@@ -17,7 +17,8 @@ public final class Values {
     private final Map<String, Found> found = new HashMap<>();
     private boolean sound = true;
 
-    Values(Place place) {
+    /** @param place the place where the mapping begins */
+    public Values(Place place) {
         this.place = place;
     }
 

@@ -13,6 +13,7 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import particles.scene.format.SceneFormat;
 import particles.spec.JsonSchema;
+import particles.spec.documents.Reference;
 
 class SceneSchemaTest {
 
@@ -29,7 +30,7 @@ class SceneSchemaTest {
     /** GalleryTest compares the reference with the page; its links lead to its sections. */
     @Test
     void everyLinkOfTheReferenceLeadsToASection() {
-        String reference = SceneFormat.reference("###");
+        String reference = Reference.of(SceneFormat.SCENE, "###");
         List<String> links = Pattern.compile("\\(#([^)]*)\\)").matcher(reference).results()
                 .map(link -> link.group(1)).distinct().toList();
         assertTrue(links.containsAll(List.of("a-particle", "friction", "the-camera")), links.toString());

@@ -1,6 +1,5 @@
 package particles.app.course;
 
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.DateTimeException;
@@ -23,6 +22,7 @@ import particles.spec.SourceText;
 import particles.spec.TextType;
 import particles.spec.Type;
 import particles.spec.Values;
+import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
 import particles.teaching.exercises.Exercises;
 
@@ -40,7 +40,6 @@ import particles.teaching.exercises.Exercises;
  * effects: {MyForce: 2}                     # class and weight; without this key, none
  * </pre>
  *
- * @param text      the text of the file
  * @param deadline  the time after which a hand-in is late, if there is one
  * @param shows     what {@code grade} shows a student
  * @param sheets    whether the numbers are those of handouts, so that marking needs the key file
@@ -48,7 +47,7 @@ import particles.teaching.exercises.Exercises;
  * @param solvers   each solver that counts; empty for every class with such a name
  * @param effects   the weight of each effect that counts
  */
-record Assignment(String text, Optional<OffsetDateTime> deadline, String shows, boolean sheets,
+record Assignment(Optional<OffsetDateTime> deadline, String shows, boolean sheets,
         Map<Integer, Double> exercises, Optional<Map<String, Asked>> solvers, Map<String, Double> effects) {
     static final String FILE = "assignment.yaml";
     private static final String COMMENTS = "comments";
@@ -95,9 +94,8 @@ record Assignment(String text, Optional<OffsetDateTime> deadline, String shows, 
         Path path = file.orElse(Path.of(FILE));
         Problems problems = new Problems();
         Reading in = new Reading(path.toString().replace('\\', '/'), problems);
-        Optional<byte[]> bytes = file.isEmpty() && !Files.exists(path) ? Optional.of("{}".getBytes(
-                StandardCharsets.UTF_8)) : SourceText.read(path, in);
-        Optional<Values> values = bytes.flatMap(text -> FORMAT.read(text, in));
+        Optional<Values> values = file.isEmpty() && !Files.exists(path) ? Optional.of(new Values(Place.of(FILE)))
+                : SourceText.read(path, in).flatMap(text -> FORMAT.read(text, in));
         Optional<OffsetDateTime> deadline = values.flatMap(all -> all.find(DEADLINE).flatMap(text -> {
             try {
                 return Optional.of(OffsetDateTime.parse(text));
@@ -114,10 +112,13 @@ record Assignment(String text, Optional<OffsetDateTime> deadline, String shows, 
         Map<Integer, Double> exercises = new TreeMap<>();
         EXERCISES.forEach(key -> all.find(COUNTED).map(counted -> counted.find(key)).orElse(Optional.of(1.0))
                 .ifPresent(weight -> exercises.put(Integer.valueOf(key.name()), weight)));
-        return new Assignment(new String(bytes.orElseThrow(), StandardCharsets.UTF_8), deadline, all.get(SHOWS),
-                all.get(NUMBERS).equals(SHEET), exercises, all.find(SOLVERS).map(asked -> asked.entrySet().stream()
-                .collect(Collectors.toMap(Map.Entry::getKey, entry -> new Asked(entry.getValue().get(METHOD),
-                entry.getValue().get(WEIGHT)), (a, b) -> a, TreeMap::new))), all.get(EFFECTS));
+        Optional<Map<String, Asked>> solvers = all.find(SOLVERS).map(asked -> {
+            Map<String, Asked> byName = new TreeMap<>();
+            asked.forEach((name, solver) -> byName.put(name, new Asked(solver.get(METHOD), solver.get(WEIGHT))));
+            return byName;
+        });
+        return new Assignment(deadline, all.get(SHOWS), all.get(NUMBERS).equals(SHEET), exercises, solvers,
+                all.get(EFFECTS));
     }
 
     /** @return the solvers that count, if a student has these classes */

@@ -36,7 +36,7 @@ final class HandInMarking {
         Map<String, String> files = new TreeMap<>();
         handIn.files().forEach((name, bytes) -> files.put(name, Marking.digest(new String(bytes,
                 StandardCharsets.ISO_8859_1))));
-        String digest = Marking.digest(Version.CURRENT + '\0' + assignment.text() + '\0' + numbers + files);
+        String digest = Marking.digest(Version.CURRENT + '\0' + assignment + '\0' + numbers + files);
         Optional<Result> earlier = earlier(results.resolve(Result.FILE)).filter(result -> result.isDecided()
                 && result.digest().equals(digest) && result.student().equals(student));
         if (earlier.isPresent()) {

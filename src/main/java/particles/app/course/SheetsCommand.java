@@ -58,15 +58,16 @@ public final class SheetsCommand extends ResultsCommand {
         Map<Integer, Double> wanted = course.assignment().exercises();
         Path key = course.key().orElseThrow(() -> wrong("key", "the file is missing that this makes, or adds to"));
         Map<String, List<String>> keys = Files.exists(key) ? CourseList.key(key) : new TreeMap<>();
-        Map<Integer, List<Question>> taken = new TreeMap<>();
-        keys.values().forEach(secrets -> wanted.keySet().forEach(number -> taken(taken, number).addAll(question(number,
-                secrets.get(number)).toList())));
+        List<List<Question>> taken = IntStream.rangeClosed(0, Exercises.all().size())
+                .<List<Question>>mapToObj(number -> new ArrayList<>()).toList();
+        keys.values().forEach(secrets -> wanted.keySet().forEach(number ->
+                question(number, secrets.get(number)).forEach(taken.get(number)::add)));
         try (OutputFolder files = OutputFolder.open(getFolder())) {
             int sheet = 0;
             for (String student : CourseList.read(students).keySet()) {
                 List<String> secrets = keys.computeIfAbsent(student, id -> Stream.concat(Stream.of(id), IntStream
-                        .rangeClosed(1, Exercises.all().size()).mapToObj(number -> secret(number, taken(taken,
-                        number)))).toList());
+                        .rangeClosed(1, Exercises.all().size()).mapToObj(number -> secret(number,
+                        taken.get(number)))).toList());
                 sheet++;
                 files.write("sheet-" + sheet + "-" + student.replaceAll("[^\\w-]", "_") + ".html",
                         Html.fill(PAGE, Map.of("student", student, "parts", wanted.keySet().stream().map(number ->
@@ -80,10 +81,6 @@ public final class SheetsCommand extends ResultsCommand {
             Files.move(whole, key, StandardCopyOption.REPLACE_EXISTING);
             out.println(sheet + " sheets: " + getFolder() + "; mark with " + getStyle().option("key") + "=" + key);
         }
-    }
-
-    private static List<Question> taken(Map<Integer, List<Question>> all, int number) {
-        return all.computeIfAbsent(number, n -> new ArrayList<>());
     }
 
     private static Stream<Question> question(int number, String secret) {

@@ -7,6 +7,7 @@ import particles.scene.SceneName;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
+import particles.spec.documents.Reference;
 
 /** The text of {@code scenes/README.md}: the gallery of scenes, and the reference of all keys of a scene file. */
 public final class GalleryPage {
@@ -51,14 +52,13 @@ public final class GalleryPage {
         for (Path file : SceneFiles.list(folder)) {
             page.append(row(SceneName.of(file), SceneReader.read(file, new StudentClasses()))).append('\n');
         }
-        return page + KEYS + SceneFormat.reference("###");
+        return page + KEYS + Reference.of(SceneFormat.SCENE, "###");
     }
 
     private static String row(SceneName name, SceneDescription scene) {
         String words = String.join(" ", scene.values().get(SceneFormat.TEACHES).strip().split("\\s+"));
         String teaches = words.replace("|", "\\|");
-        return "| ![" + scene.title() + "](" + PICTURES + "/" + name.whole() + ".png) | [" + name.whole() + "]("
-                + name.whole()
-                + ".yaml): **" + scene.title() + "**<br>" + teaches + "<br>Solver: " + scene.solver() + " |";
+        return "| ![%2$s](%3$s/%1$s.png) | [%1$s](%1$s.yaml): **%2$s**<br>%4$s<br>Solver: %5$s |".formatted(
+                name.whole(), scene.title(), PICTURES, teaches, scene.solver());
     }
 }

@@ -181,7 +181,7 @@ public final class RunCommand extends ResultsCommand {
             Optional<String> early;
             try (observers) {
                 observers.attach(progress, stop);
-                early = simulateOrDiscard(scene, folder, observers);
+                early = simulate(scene, folder, observers);
             }
             Summary summary = new Summary(name, hash, scene, observers.getEnergy(), progress.seconds());
             folder.write(Summary.FILE, summary.json());
@@ -199,18 +199,8 @@ public final class RunCommand extends ResultsCommand {
         }
     }
 
-    /** If a run fails, for example on a full disk, incomplete files are deleted. */
-    private Optional<String> simulateOrDiscard(Scene scene, OutputFolder folder, RunObservers observers) {
-        try {
-            return simulate(scene, observers);
-        } catch (RuntimeException | Error e) {
-            folder.discard();
-            throw e;
-        }
-    }
-
     /** @return the reason why the run ended early, if it did */
-    private Optional<String> simulate(Scene scene, RunObservers observers) {
+    private Optional<String> simulate(Scene scene, OutputFolder folder, RunObservers observers) {
         ParallelForces.use(scene.system(),
                 description.values().find(SceneFormat.THREADS).orElseGet(Runtime.getRuntime()::availableProcessors));
         try {
@@ -226,6 +216,9 @@ public final class RunCommand extends ResultsCommand {
         } catch (StoppedException e) {
             return Optional.of(e.getMessage() + " at t = " + Digits.few(scene.system().getTime()) + " s of "
                     + Digits.few(description.duration()) + " s");
+        } catch (RuntimeException | Error e) {          // such as a full disk: no incomplete file stays
+            folder.discard();
+            throw e;
         }
     }
 }

@@ -4,6 +4,7 @@ import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import particles.Observer;
 import particles.energy.EnergyRecorder;
 import particles.experiments.phase.Axis;
@@ -51,7 +52,7 @@ final class RunObservers implements AutoCloseable {
     private final Optional<Replay> replay;
     private final Optional<PhaseHistory> phase;
     private Optional<FrameObserver> frames = Optional.empty();
-    private Optional<LastSteps> lastSteps = Optional.empty();
+    private Consumer<String> end = headline -> { };
 
     /**
      * @param output the scene's output settings
@@ -130,8 +131,8 @@ final class RunObservers implements AutoCloseable {
         frames = Optional.of(observer);
         others.add(observer);
         LastSteps last = new LastSteps(camera, format.width(), format.height());
-        lastSteps = Optional.of(last);
         others.add(last);
+        end = headline -> observer.replay(scene.system(), last, headline);
     }
 
     /**
@@ -140,7 +141,7 @@ final class RunObservers implements AutoCloseable {
      * @param headline the text that says when the run ended early
      */
     void showEnd(String headline) {
-        frames.ifPresent(observer -> observer.replay(scene.system(), lastSteps.orElseThrow(), headline));
+        end.accept(headline);
     }
 
     EnergyRecorder getEnergy() {

@@ -10,19 +10,22 @@ import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Supplier;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
 import javax.tools.FileObject;
 import javax.tools.ForwardingJavaFileManager;
 import javax.tools.JavaFileManager;
 import javax.tools.JavaFileObject;
 import javax.tools.SimpleJavaFileObject;
-import javax.tools.StandardLocation;
 import particles.javac.Javac;
 import particles.javac.Source;
 
@@ -36,6 +39,8 @@ public final class StudentLoader extends ClassLoader {
     private static final String PACKAGE = "exercises";
     private static final String JAVA = ".java";
     private static final int LARGEST = 1 << 20;
+    private static final Pattern WORD = Pattern.compile("\\w+");
+    private static final Pattern COMMENT = Pattern.compile("(?s)/[*].*?[*]/|//[^\n]*");
 
     private final Supplier<Map<String, String>> sources;
     private final Map<String, ByteArrayOutputStream> compiled = new HashMap<>();
@@ -99,8 +104,7 @@ public final class StudentLoader extends ClassLoader {
             throw new ClassNotFoundException(name);
         }
         if (!compiled.containsKey(name)) {
-            Map<String, String> all = sources.get();
-            Javac.compile(source(source, all.get(source)), files -> new InMemory(files, all));
+            Javac.compile(withUsed(source, sources.get()), InMemory::new);
         }
         if (!compiled.containsKey(name)) {
             String bare = name.replace(PACKAGE + ".", "");
@@ -116,53 +120,34 @@ public final class StudentLoader extends ClassLoader {
         return defineClass(name, bytes, 0, bytes.length);
     }
 
-    private static Source source(String name, String text) {
-        return new Source(Path.of(PACKAGE, name + JAVA), text);
+    /** @return the text of a class with a space in place of each comment */
+    public static String withoutComments(String source) {
+        return COMMENT.matcher(source).replaceAll(" ");
     }
 
-    /** Keeps compiled classes in memory and shows the compiler only students' sources. */
+    /** A class and those that it names, directly or not; others may not compile. */
+    private static List<Source> withUsed(String name, Map<String, String> all) {
+        Set<String> used = new LinkedHashSet<>();
+        Deque<String> open = new ArrayDeque<>(List.of(name));
+        while (!open.isEmpty()) {
+            String next = open.remove();
+            if (used.add(next)) {
+                WORD.matcher(withoutComments(all.get(next))).results().map(MatchResult::group)
+                        .filter(all::containsKey).forEach(open::add);
+            }
+        }
+        return used.stream().map(each -> new Source(Path.of(PACKAGE, each + JAVA), all.get(each))).toList();
+    }
+
+    /** Keeps compiled classes in memory. */
     private final class InMemory extends ForwardingJavaFileManager<JavaFileManager> {
-        private final Map<String, String> all;
-
-        InMemory(JavaFileManager files, Map<String, String> all) {
+        InMemory(JavaFileManager files) {
             super(files);
-            this.all = all;
-        }
-
-        @Override
-        public boolean hasLocation(JavaFileManager.Location location) {
-            return location == StandardLocation.SOURCE_PATH || super.hasLocation(location);
-        }
-
-        @Override
-        public String inferBinaryName(JavaFileManager.Location location, JavaFileObject file) {
-            return file instanceof Source source ? PACKAGE + "." + source.simpleName()
-                    : super.inferBinaryName(location, file);
-        }
-
-        /** Compares in-memory files, which the usual manager does not know. */
-        @Override
-        public boolean isSameFile(FileObject a, FileObject b) {
-            return a.toUri().equals(b.toUri());
-        }
-
-        @Override
-        public Iterable<JavaFileObject> list(JavaFileManager.Location location, String packageName,
-                Set<JavaFileObject.Kind> kinds, boolean recurse) throws IOException {
-            if (location != StandardLocation.SOURCE_PATH) {
-                return super.list(location, packageName, kinds, recurse);
-            }
-            List<JavaFileObject> found = new ArrayList<>();
-            if (packageName.equals(PACKAGE)) {
-                all.forEach((name, text) -> found.add(source(name, text)));
-            }
-            return found;
         }
 
         @Override
         public JavaFileObject getJavaFileForOutput(JavaFileManager.Location location, String name,
-                JavaFileObject.Kind kind,
-                FileObject sibling) {
+                JavaFileObject.Kind kind, FileObject sibling) {
             return new SimpleJavaFileObject(URI.create("memory:///" + name.replace('.', '/') + kind.extension), kind) {
                 @Override
                 public OutputStream openOutputStream() {

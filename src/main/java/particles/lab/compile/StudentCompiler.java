@@ -40,8 +40,8 @@ final class StudentCompiler {
             }
         }
         Path classes = Files.createDirectories(folder.resolve("classes"));
-        Javac.compile(new Source(list, list(contents)), files -> files, "-sourcepath", sources.toString(), "-d",
-                classes.toString());
+        Javac.compile(List.of(new Source(list, list(contents))), files -> files, "-sourcepath", sources.toString(),
+                "-d", classes.toString());
         return new OwnFirst(classes);
     }
 

@@ -21,7 +21,6 @@ import particles.spec.NumberType;
 import particles.spec.TextType;
 import particles.spec.Values;
 import particles.spec.WholeNumberType;
-import particles.spec.documents.Reference;
 
 /** The format of scene files. The reader, its messages, the JSON Schema for editors
  * and the reference tables all follow from it. */
@@ -81,13 +80,5 @@ public final class SceneFormat {
             SPRINGS, RODS, WIRES, CONSTRAINTS, EFFECTS, RULES, IMPACT, CAMERA, LOOK, OUTPUT, BLOW_UP_FACTOR, THREADS);
 
     private SceneFormat() {
-    }
-
-    /**
-     * @param heading the beginning of each heading, such as {@code ###}
-     * @return the reference of scene files, as Markdown tables
-     */
-    public static String reference(String heading) {
-        return Reference.of(SCENE, heading);
     }
 }

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import particles.experiments.work.EffectCost.Cost;
 import particles.scene.Scene;
 import particles.scene.format.SceneFormat;
+import particles.spec.documents.Reference;
 import particles.view.ChartData;
 
 /** The measurement by a clock of the test's own, and the hand-written springs against the system's. */
@@ -47,7 +48,7 @@ class EffectCostTest {
     @Test
     void everyEffectOfTheSceneFormatIsMeasured() {
         Matcher list = Pattern.compile("(?m)^\\| `effects` \\| a list of: ([^|]*?), or the full name")
-                .matcher(SceneFormat.reference("###"));
+                .matcher(Reference.of(SceneFormat.SCENE, "###"));
         assertTrue(list.find());
         String measured = EffectCost.names().toString().replace(" ", "").toLowerCase(Locale.ROOT);
         for (String effect : list.group(1).replace("`", "").toLowerCase(Locale.ROOT).split(", ")) {
