@@ -1,8 +1,6 @@
 package particles.scene;
 
 import java.util.Collections;
-import java.util.DoubleSummaryStatistics;
-import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.effects.springs.SpringForce;
 import particles.law.Effect;
@@ -82,8 +80,13 @@ final class EnergyEstimate {
 
     private static double extent(ParticleSystem system, Vector3 direction) {
         double[] state = system.getOwnState();
-        DoubleSummaryStatistics along = IntStream.range(0, system.getParticles().count())
-                .mapToDouble(i -> direction.dot(Vector3.at(state, Particles.STRIDE * i))).summaryStatistics();
-        return along.getMax() - along.getMin();
+        double least = Double.POSITIVE_INFINITY;
+        double most = Double.NEGATIVE_INFINITY;
+        for (int x = 0; x < system.getStateSize(); x += Particles.STRIDE) {
+            double along = direction.x() * state[x] + direction.y() * state[x + 1] + direction.z() * state[x + 2];
+            least = Math.min(least, along);
+            most = Math.max(most, along);
+        }
+        return most - least;
     }
 }
