@@ -2,8 +2,6 @@ package particles;
 
 import deSolvers.text.Digits;
 import particles.SimulationException.End;
-import particles.law.Particles;
-import particles.law.Vector3;
 
 /**
  * Ends a run that has blown up: the last of its rules, which changes nothing. The observer {@code NumericalErrorLimit}
@@ -32,23 +30,9 @@ public record EnergyLimit(double joules) implements Rule {
         if (energy <= joules) {
             return false;
         }
-        int fastest = fastest(system.getParticles(), state);
+        int fastest = system.getParticles().fastest(state);
         throw new SimulationException(End.ENERGY_LIMIT, system.getTime(), fastest, "the kinetic energy is "
                 + Digits.few(energy) + " J, above the limit of " + Digits.few(joules)
                 + " J; the fastest particle is '" + system.getParticles().id(fastest) + "'");
-    }
-
-    private static int fastest(Particles particles, double[] state) {
-        int fastest = 0;
-        double most = -1;
-        for (int i = 0; i < particles.count(); i++) {
-            Vector3 v = Vector3.at(state, Particles.STRIDE * i + 3);
-            double square = v.dot(v);
-            if (!particles.isFixed(i) && !(square <= most)) {
-                most = square;
-                fastest = i;
-            }
-        }
-        return fastest;
     }
 }

@@ -14,6 +14,7 @@ import particles.law.Effect;
 import particles.law.Effect.Trait;
 import particles.law.Particles;
 import particles.law.Reaction;
+import particles.law.Vector3;
 
 /**
  * Energy balance of a run: kinetic and potential energy, and the work done on the system - continuously by drag,
@@ -45,14 +46,16 @@ public final class EnergyLedger implements Observer {
     private static final class Account {
         private final String name;
         private final Power power;
+        private final Power stored;                     // in the system's energy, though its change is this work (J)
         private final boolean changesBetweenSteps;
         private double powerBefore;
         private double work;
 
-        Account(String name, boolean changesBetweenSteps, Power power) {
+        Account(String name, boolean changesBetweenSteps, Power power, Power stored) {
             this.name = name;
             this.changesBetweenSteps = changesBetweenSteps;
             this.power = power;
+            this.stored = stored;
         }
     }
 
@@ -62,7 +65,6 @@ public final class EnergyLedger implements Observer {
     }
 
     private final List<Account> accounts = new ArrayList<>();
-    private final Map<Effect, Account> undeclared = new LinkedHashMap<>();
     private final Map<String, Double> jumps = new LinkedHashMap<>();
     private double[] middle = {};                       // the state in the middle of a step
     private double startEnergy;
@@ -82,8 +84,9 @@ public final class EnergyLedger implements Observer {
                 open(effect.getName() + " (driven)", false, effect::getDrivenPower);
             }
             if (Collections.disjoint(effect.getTraits(), Trait.OF_ENERGY)) {
-                undeclared.put(effect, open(effect.getName(), false,
-                        (state, time) -> power(effect, system.getParticles(), state, time)));
+                accounts.add(new Account(effect.getName(), false,
+                        (state, time) -> power(effect, system.getParticles(), state, time),
+                        effect::getPotentialEnergy));
             }
         }
         for (Reaction reaction : system.getReactions()) {
@@ -103,10 +106,8 @@ public final class EnergyLedger implements Observer {
         startEnergy = energy;
     }
 
-    private Account open(String name, boolean changesBetweenSteps, Power power) {
-        Account account = new Account(name, changesBetweenSteps, power);
-        accounts.add(account);
-        return account;
+    private void open(String name, boolean changesBetweenSteps, Power power) {
+        accounts.add(new Account(name, changesBetweenSteps, power, (state, time) -> 0));
     }
 
     @Override
@@ -142,13 +143,11 @@ public final class EnergyLedger implements Observer {
             if (motion.isAdaptive() && difference > 0) {
                 uncertainty += difference * Math.min(1, difference / Math.abs(trapezoid));
             }
-            account.work += work;
+            account.work += work + (account.stored.at(motion.getEndState(), t1)
+                    - account.stored.at(motion.getStartState(), t0));
             account.powerBefore = after;
         }
         powersKnown = true;
-        // the potential energy of such a law is in that energy too: its change must not count twice
-        undeclared.forEach((effect, account) -> account.work += effect.getPotentialEnergy(motion.getEndState(), t1)
-                - effect.getPotentialEnergy(motion.getStartState(), t0));
     }
 
     @Override
@@ -200,8 +199,7 @@ public final class EnergyLedger implements Observer {
     }
 
     private static double power(int particle, double[] force, double[] state) {
-        int v = STRIDE * particle + 3;
-        return force[v] * state[v] + force[v + 1] * state[v + 1] + force[v + 2] * state[v + 2];
+        return Vector3.at(force, STRIDE * particle + 3).dot(Vector3.at(state, STRIDE * particle + 3));
     }
 
     /** @return the total energy at the beginning (J) */

@@ -2,8 +2,10 @@ package particles.energy;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.function.DoubleUnaryOperator;
+import java.util.stream.Stream;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 
@@ -16,73 +18,73 @@ public final class MinMaxThinning {
     private record Sample(long index, double time, double value) {
     }
 
-    private final Sample[] low;
-    private final Sample[] high;
-    private int buckets;
+    private record Bucket(Sample low, Sample high) {
+        Bucket and(Bucket later) {
+            return new Bucket(later.low.value < low.value ? later.low : low,
+                    later.high.value > high.value ? later.high : high);
+        }
+    }
+
+    private final int capacity;
+    private final List<Bucket> buckets = new ArrayList<>();
     private long perBucket = 1;
-    private long samples;
-    private Sample first;
-    private double lastTime;
-    private double last;
+    private Sample first = new Sample(-1, 0, 0);
+    private Sample last = first;
 
     /** @param capacity the number of buckets, even; at most 2 capacity + 2 points are kept */
     public MinMaxThinning(int capacity) {
-        low = new Sample[capacity];
-        high = new Sample[capacity];
+        this.capacity = capacity;
     }
 
     /** Adds a sample; times must not fall. */
     public void add(double time, double value) {
-        lastTime = time;
-        last = value;
-        boolean begins = samples == perBucket * buckets;
-        if (begins && buckets == low.length) {
+        last = new Sample(last.index + 1, time, value);
+        first = last.index == 0 ? last : first;
+        Bucket own = new Bucket(last, last);
+        int b = (int) (last.index / perBucket);
+        if (b == capacity) {
             merge();
+            b = buckets.size();
         }
-        buckets += begins ? 1 : 0;
-        int b = buckets - 1;
-        if (begins || value < low[b].value || value > high[b].value) {
-            Sample sample = new Sample(samples, time, value);
-            first = samples == 0 ? sample : first;
-            low[b] = begins || value < low[b].value ? sample : low[b];
-            high[b] = begins || value > high[b].value ? sample : high[b];
+        if (b < buckets.size()) {
+            buckets.set(b, buckets.get(b).and(own));
+        } else {
+            buckets.add(own);
         }
-        samples++;
     }
 
     /** Joins neighbouring buckets in pairs. */
     private void merge() {
-        for (int b = 0; b < buckets; b += 2) {
-            low[b / 2] = low[b + 1].value < low[b].value ? low[b + 1] : low[b];
-            high[b / 2] = high[b + 1].value > high[b].value ? high[b + 1] : high[b];
+        for (int b = 0; b < capacity / 2; b++) {
+            buckets.set(b, buckets.get(2 * b).and(buckets.get(2 * b + 1)));
         }
-        buckets /= 2;
+        buckets.subList(capacity / 2, capacity).clear();
         perBucket *= 2;
     }
 
     /** @return whether there is no sample */
     public boolean isEmpty() {
-        return samples == 0;
+        return buckets.isEmpty();
     }
 
     /** @return the first sample's value */
     public double first() {
-        return isEmpty() ? 0 : first.value;
+        return first.value;
     }
 
     /** @return the last sample's value */
     public double getLast() {
-        return last;
+        return last.value;
     }
 
     /** @return the smallest value */
     public double smallest() {
-        return Arrays.stream(low, 0, buckets).mapToDouble(Sample::value).reduce(first(), Math::min);
+        return buckets.stream().mapToDouble(bucket -> bucket.low.value).reduce(first(), Math::min);
     }
 
     /** @return the largest value */
     public double largest() {
-        return Arrays.stream(high, 0, buckets).mapToDouble(Sample::value).reduce(first(), Math::max);
+        return buckets.stream().mapToDouble(bucket -> bucket.high.value).reduce(first(), Math::max);
     }
 
     /** @return the largest size of a value */
@@ -92,18 +94,9 @@ public final class MinMaxThinning {
 
     /** @return the times and the values of the points kept: the extremes of each bucket, the first and the last */
     public double[][] points() {
-        List<Sample> kept = new ArrayList<>(isEmpty() ? List.of() : List.of(first));
-        for (int b = 0; b < buckets; b++) {
-            boolean lowFirst = low[b].index <= high[b].index;
-            for (Sample next : lowFirst ? List.of(low[b], high[b]) : List.of(high[b], low[b])) {
-                if (next.index > kept.get(kept.size() - 1).index) {
-                    kept.add(next);
-                }
-            }
-        }
-        if (!isEmpty() && kept.get(kept.size() - 1).index < samples - 1) {
-            kept.add(new Sample(samples - 1, lastTime, last));
-        }
+        Stream<Sample> extremes = buckets.stream().flatMap(bucket -> Stream.of(bucket.low, bucket.high));
+        List<Sample> kept = isEmpty() ? List.of() : Stream.concat(Stream.of(first, last), extremes)
+                .distinct().sorted(Comparator.comparingLong(Sample::index)).toList();
         return new double[][] {kept.stream().mapToDouble(Sample::time).toArray(),
             kept.stream().mapToDouble(Sample::value).toArray()};
     }

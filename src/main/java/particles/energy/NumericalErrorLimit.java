@@ -6,8 +6,6 @@ import particles.Observer;
 import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.SimulationException.End;
-import particles.law.Particles;
-import particles.law.Vector3;
 
 /**
  * Fails a run whose numerical error, as a gain of energy, became larger than its energy. It fails at the end if the
@@ -80,6 +78,10 @@ public final class NumericalErrorLimit implements Observer {
         }
     }
 
+    private void find(Motion motion) {
+        fastest = motion.getSystem().getParticles().fastest(motion.getEndState());
+    }
+
     private void fail(double time, double error) {
         throw new SimulationException(End.NUMERICAL_ERROR, time, fastest, "the numerical error of its energy is "
                 + Digits.few(error) + (Double.isNaN(error) ? "" : " J"));
@@ -98,20 +100,5 @@ public final class NumericalErrorLimit implements Observer {
             sum += Math.max(0, work);
         }
         return sum;
-    }
-
-    /** Notes the particle with the largest kinetic energy. */
-    private void find(Motion motion) {
-        Particles particles = motion.getSystem().getParticles();
-        double[] state = motion.getEndState();
-        double most = -1;
-        for (int i = 0; i < particles.count(); i++) {
-            Vector3 v = Vector3.at(state, Particles.STRIDE * i + 3);
-            double twice = particles.mass(i) * v.dot(v);
-            if (!particles.isFixed(i) && twice > most) {
-                most = twice;
-                fastest = i;
-            }
-        }
     }
 }

@@ -126,6 +126,21 @@ public final class Particles {
         return mass;
     }
 
+    /** @return the index of the fastest particle that is not fixed, or of one whose velocity is not a number; 0 if none */
+    public int fastest(double[] state) {
+        int fastest = 0;
+        double most = -1;
+        for (int i = 0; i < count(); i++) {
+            Vector3 v = Vector3.at(state, STRIDE * i + 3);
+            double square = v.dot(v);
+            if (!isFixed(i) && !(square <= most)) {
+                most = square;
+                fastest = i;
+            }
+        }
+        return fastest;
+    }
+
     /** The sum of m v&sup2;/2 over all particles that are not fixed, in the order of their indices (J). */
     public double kineticEnergy(double[] state) {
         double twice = 0;
