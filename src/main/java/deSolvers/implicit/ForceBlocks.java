@@ -6,10 +6,11 @@ import deSolvers.linear.BlockMatrix;
 import deSolvers.linear.BlockPattern;
 import deSolvers.linear.SolverWork;
 import java.util.Arrays;
+import java.util.stream.LongStream;
 
 /**
  * The force derivatives of particles, K = dF/dx and C = dF/dv, as sparse matrices. The source names its blocks one by
- * one, in the same order every time; where it names others than before, the pattern is found anew. The mass of a held
+ * one; where it names others than before, the pattern is found anew. The mass of a held
  * particle counts as 1, and its rows are 0, so that nothing moves it.
  */
 final class ForceBlocks implements ForceDerivatives {
@@ -24,10 +25,10 @@ final class ForceBlocks implements ForceDerivatives {
     private boolean[] held = {};
     private boolean projects;
     private int named;                                  // pairs so far
-    private boolean matches;                            // whether they are those of the pattern
+    private int known;                                  // pairs from which the pattern was made
+    private boolean matches;                            // whether all pairs so far have a place in the pattern
     private boolean recording;
-    private int[] first = {};
-    private int[] second = {};
+    private LongStream.Builder pairs = LongStream.builder();
 
     ForceBlocks(SolverWork work) {
         this.work = work;
@@ -42,9 +43,9 @@ final class ForceBlocks implements ForceDerivatives {
     void collect(JacobianStateSource source, int particles, boolean projects) {
         this.projects = projects;
         receive(source, particles);
-        if (!matches || named != pattern.getPairs()) {
+        if (!matches || named != known) {
             recording = true;
-            named = 0;
+            pairs = LongStream.builder();
             source.addJacobianBlocks(this);
             recording = false;
             setPattern(particles);
@@ -66,7 +67,9 @@ final class ForceBlocks implements ForceDerivatives {
     }
 
     private void setPattern(int particles) {
-        pattern = new BlockPattern(particles, named, first, second);
+        long[] recorded = pairs.build().toArray();
+        known = recorded.length;
+        pattern = new BlockPattern(particles, recorded);
         stiffness = new BlockMatrix(pattern, work);
         damping = new BlockMatrix(pattern, work);
     }
@@ -120,27 +123,24 @@ final class ForceBlocks implements ForceDerivatives {
         return condition;
     }
 
-    /** The number of the pair that is named now, or -1 if it has no place (yet). */
-    private int next(int i, int j) {
+    /** The slot of a block beside the diagonal that is named now; negative if it has none (yet). */
+    private int slot(int i, int j) {
+        named++;
         if (recording) {
-            if (named == first.length) {
-                first = Arrays.copyOf(first, Math.max(64, 2 * named));
-                second = Arrays.copyOf(second, first.length);
-            }
-            first[named] = i;
-            second[named++] = j;
+            pairs.add(BlockPattern.place(i, j));
             return -1;
         }
-        matches = matches && pattern.isPair(named, i, j);
-        return matches ? named++ : -1;
+        int slot = matches ? pattern.find(i, j) : -1;
+        matches = slot >= 0;
+        return slot;
     }
 
     @Override
     public void add(int i, int j, double[] dFdX, double[] dFdV) {
         if (i != j) {
-            int p = next(i, j);
-            if (p >= 0) {
-                addTo(pattern.slot(p), dFdX, dFdV, 1);
+            int slot = slot(i, j);
+            if (slot >= 0) {
+                addTo(slot, dFdX, dFdV, 1);
             }
         } else if (!recording && matches) {
             // any pattern has the diagonal, so that contacts come and go without a new one
@@ -150,8 +150,8 @@ final class ForceBlocks implements ForceDerivatives {
 
     @Override
     public void addPair(int i, int j, double[] dFdX, double[] dFdV) {
-        int p = next(i, j);
-        if (p >= 0) {
+        int slot = slot(i, j);
+        if (slot >= 0) {
             double[] k = dFdX;
             if (projects) {
                 projection.compute(dFdX, projected);
@@ -159,8 +159,8 @@ final class ForceBlocks implements ForceDerivatives {
             }
             addTo(pattern.diagonal(i), k, dFdV, 1);
             addTo(pattern.diagonal(j), k, dFdV, 1);
-            addTo(pattern.slot(p), k, dFdV, -1);
-            addTo(pattern.mirrorSlot(p), k, dFdV, -1);
+            addTo(slot, k, dFdV, -1);
+            addTo(pattern.find(j, i), k, dFdV, -1);
         }
     }
 

@@ -88,7 +88,7 @@ class BlockFactorsTest {
                 assertArrayEquals(IntStream.range(0, rows).toArray(), order, rows + " rows, " + pairs + " pairs");
             }
         }
-        assertEquals(0, NestedDissection.order(new BlockPattern(0, 0, new int[0], new int[0])).length);
+        assertEquals(0, NestedDissection.order(new BlockPattern(0)).length);
     }
 
     /**
@@ -112,8 +112,8 @@ class BlockFactorsTest {
     @Test
     void aChainFillsInLittle() {
         int n = 1000;
-        BlockPattern chain = new BlockPattern(n, n - 1, IntStream.range(0, n - 1).toArray(),
-                IntStream.range(1, n).toArray());
+        BlockPattern chain = new BlockPattern(n, IntStream.range(0, n - 1)
+                .mapToLong(i -> BlockPattern.place(i, i + 1)).toArray());
         assertTrue(new BlockFactors(chain, work).blocks() < 7 * n, "blocks " + new BlockFactors(chain, work).blocks());
     }
 

@@ -1,6 +1,8 @@
 package deSolvers.linear;
 
+import java.util.Arrays;
 import java.util.Random;
+import java.util.stream.LongStream;
 
 /** Random sparse matrices of 3 x 3 blocks, and what they have in common with full ones. */
 final class SparseCases {
@@ -9,30 +11,24 @@ final class SparseCases {
 
     /** The pattern of a square grid whose points touch those next to them and across. */
     static BlockPattern grid(int edge) {
-        int[] first = new int[4 * edge * edge];
-        int[] second = new int[first.length];
-        int pairs = 0;
+        LongStream.Builder pairs = LongStream.builder();
         for (int i = 0; i < edge * edge; i++) {
             for (int[] step : new int[][] {{0, 1}, {1, 0}, {1, 1}, {1, -1}}) {
                 int row = i / edge + step[0];
                 int column = i % edge + step[1];
                 if (row < edge && column >= 0 && column < edge) {
-                    first[pairs] = i;
-                    second[pairs++] = row * edge + column;
+                    pairs.add(BlockPattern.place(i, row * edge + column));
                 }
             }
         }
-        return new BlockPattern(edge * edge, pairs, first, second);
+        return new BlockPattern(edge * edge, pairs.build().toArray());
     }
 
     /** A pattern of random pairs, some of them twice, and some rows alone. */
     static BlockPattern random(int rows, int pairs, Random random) {
         int[] first = random.ints(pairs, 0, rows).toArray();
-        int[] second = new int[pairs];
-        for (int p = 0; p < pairs; p++) {
-            second[p] = (first[p] + 1 + random.nextInt(rows - 1)) % rows;
-        }
-        return new BlockPattern(rows, pairs, first, second);
+        return new BlockPattern(rows, Arrays.stream(first).mapToLong(i -> BlockPattern.place(i,
+                (i + 1 + random.nextInt(rows - 1)) % rows)).toArray());
     }
 
     /** Springs of this stiffness between all that touch, and a mass of 1 on each: positive definite. */
