@@ -126,7 +126,7 @@ public final class Particles {
         return mass;
     }
 
-    /** @return the index of the fastest particle that is not fixed, or of one whose velocity is not a number; 0 if none */
+    /** @return the index of the fastest particle that can move, or of one whose velocity is not a number; 0 if none */
     public int fastest(double[] state) {
         int fastest = 0;
         double most = -1;
