@@ -47,30 +47,16 @@ public final class Gmres {
             preconditioned = new double[n];
         }
         Arrays.fill(x, 0);
-        double residual = norm(b);
-        double goal = tolerance * residual;
-        if (!(residual <= Double.MAX_VALUE)) {
-            return false;
-        }
-        double residualBefore = Double.POSITIVE_INFINITY;
+        System.arraycopy(b, 0, vector(0, n), 0, n);
+        double goal = tolerance * norm(b);
+        double last = Double.POSITIVE_INFINITY;         // the residual before the last restart
         int iterations = 0;
-        while (residual > goal) {
-            if (iterations >= MOST_ITERATIONS || residual > 0.9 * residualBefore) {
-                return false;                           // a restart that gains less than a tenth goes nowhere
-            }
-            residualBefore = residual;
-            if (iterations == 0) {
-                System.arraycopy(b, 0, vector(0, n), 0, n);
-            } else {
-                a.apply(x, image);
-                for (int i = 0; i < n; i++) {
-                    basis[0][i] = b[i] - image[i];
-                }
-            }
+        while (goal <= Double.MAX_VALUE) {
             double beta = norm(basis[0]);
-            if (!(beta > goal)) {
-                return beta <= goal;
+            if (!(beta > goal) || iterations >= MOST_ITERATIONS || beta > 0.9 * last) {
+                return beta <= goal;                    // a restart that gains less than a tenth goes nowhere
             }
+            last = beta;
             scale(basis[0], 1 / beta);
             Arrays.fill(right, 0);
             right[0] = beta;
@@ -88,12 +74,15 @@ public final class Gmres {
                 }
             }
             addCombination(x, k, preconditioner);
-            residual = Math.abs(right[k]);
-            if (!(residual < Double.POSITIVE_INFINITY)) {
-                return false;
+            if (Math.abs(right[k]) <= goal) {
+                return true;
+            }
+            a.apply(x, image);
+            for (int i = 0; i < n; i++) {
+                basis[0][i] = b[i] - image[i];
             }
         }
-        return true;
+        return false;
     }
 
     /** Modified Gram-Schmidt, then the Givens rotation that keeps the Hessenberg matrix triangular. */

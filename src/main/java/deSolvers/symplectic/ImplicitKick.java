@@ -63,7 +63,7 @@ final class ImplicitKick {
         for (int block = d; block < s.length; block += 2 * d) {
             for (int v = block; v < block + d; v++) {
                 double kicked = before[v] + h * a[v];
-                largest = larger(Math.abs(kicked - s[v]), largest);
+                largest = Math.max(largest, Math.abs(kicked - s[v]));
                 s[v] = kicked;
             }
         }
@@ -75,14 +75,9 @@ final class ImplicitKick {
         double largest = 0;
         for (int block = first; block < s.length; block += 2 * d) {
             for (int i = block; i < block + d; i++) {
-                largest = larger(Math.abs(s[i]), largest);
+                largest = Math.max(largest, Math.abs(s[i]));
             }
         }
         return largest;
-    }
-
-    /** The larger one, NaN if one is. */
-    private static double larger(double size, double largest) {
-        return size <= largest ? largest : Double.isNaN(largest) ? largest : size;
     }
 }

@@ -30,16 +30,16 @@ public final class Anchors {
 
     /** Writes the anchors' positions and velocities at a time into a state. */
     public void put(double time, double[] state) {
-        for (int a = 0; a < anchors.size(); a++) {
-            anchors.get(a).motion().at(time, values);
-            System.arraycopy(values, 0, state, STRIDE * anchors.get(a).particle(), STRIDE);
+        for (Anchor anchor : anchors) {
+            anchor.motion.at(time, values);
+            System.arraycopy(values, 0, state, STRIDE * anchor.particle, STRIDE);
         }
     }
 
     /** Sets the anchors' entries of a state or derivative to 0, as solvers see them. */
     public void hide(double[] vector) {
-        for (int a = 0; a < anchors.size(); a++) {
-            int x = STRIDE * anchors.get(a).particle();
+        for (Anchor anchor : anchors) {
+            int x = STRIDE * anchor.particle;
             Arrays.fill(vector, x, x + STRIDE, 0.0);
         }
     }
@@ -78,9 +78,9 @@ public final class Anchors {
 
     /** Writes the anchors' accelerations into a derivative. */
     public void accelerate(double time, double[] dSdt) {
-        for (int a = 0; a < anchors.size(); a++) {
-            anchors.get(a).motion().at(time, values);
-            System.arraycopy(values, STRIDE, dSdt, STRIDE * anchors.get(a).particle() + 3, 3);
+        for (Anchor anchor : anchors) {
+            anchor.motion.at(time, values);
+            System.arraycopy(values, STRIDE, dSdt, STRIDE * anchor.particle + 3, 3);
         }
     }
 

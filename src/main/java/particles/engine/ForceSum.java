@@ -39,8 +39,8 @@ public final class ForceSum {
         }
         int n = particles.count();
         begin(state, time, dSdt, 0, n);
-        for (int e = 0; e < others.size(); e++) {
-            others.get(e).addForces(state, time, dSdt);
+        for (Effect effect : others) {
+            effect.addForces(state, time, dSdt);
         }
         addReactions(state, time, dSdt);
         finish(dSdt, 0, n);
@@ -79,8 +79,8 @@ public final class ForceSum {
                 dSdt[c + 3] = 0;
             }
         }
-        for (int e = 0; e < perParticle.size(); e++) {
-            perParticle.get(e).addForces(state, time, dSdt, first, end);
+        for (PerParticleEffect effect : perParticle) {
+            effect.addForces(state, time, dSdt, first, end);
         }
     }
 
@@ -99,27 +99,29 @@ public final class ForceSum {
     public void effects(double[] state, double time, double[] force) {
         int n = particles.count();
         Arrays.fill(force, 0, STRIDE * n, 0.0);
-        for (int e = 0; e < effects.size(); e++) {
-            effects.get(e).addForces(state, time, force);
+        for (Effect effect : effects) {
+            effect.addForces(state, time, force);
         }
     }
 
     /** @return whether any effect or reaction depends on velocities */
     public boolean dependOnVelocity() {
-        boolean depend = false;
-        for (int e = 0; e < effects.size(); e++) {
-            depend |= effects.get(e).dependsOnVelocity();
+        for (Effect effect : effects) {
+            if (effect.dependsOnVelocity()) {
+                return true;
+            }
         }
-        for (int r = 0; r < reactions.size(); r++) {
-            depend |= reactions.get(r).dependsOnVelocity();
+        for (Reaction reaction : reactions) {
+            if (reaction.dependsOnVelocity()) {
+                return true;
+            }
         }
-        return depend;
+        return false;
     }
 
     /** Adds the forces of all active reactions. */
     public void addReactions(double[] state, double time, double[] force) {
-        for (int r = 0; r < reactions.size(); r++) {
-            Reaction reaction = reactions.get(r);
+        for (Reaction reaction : reactions) {
             if (reaction.isActive()) {
                 reaction.addForces(state, time, force);
             }
@@ -128,13 +130,13 @@ public final class ForceSum {
 
     /** Whether all effects and active reactions know their derivatives. */
     public boolean hasDerivatives() {
-        for (int e = 0; e < effects.size(); e++) {
-            if (!(effects.get(e) instanceof DifferentiableEffect)) {
+        for (Effect effect : effects) {
+            if (!(effect instanceof DifferentiableEffect)) {
                 return false;
             }
         }
-        for (int r = 0; r < reactions.size(); r++) {
-            if (reactions.get(r).isActive() && !reactions.get(r).hasForceDerivatives()) {
+        for (Reaction reaction : reactions) {
+            if (reaction.isActive() && !reaction.hasForceDerivatives()) {
                 return false;
             }
         }
@@ -143,14 +145,13 @@ public final class ForceSum {
 
     /** Adds the derivatives of all effects and active reactions that know them. */
     public void addDerivatives(double[] state, double time, ForceDerivatives derivatives) {
-        for (int e = 0; e < effects.size(); e++) {
-            if (effects.get(e) instanceof DifferentiableEffect effect) {
-                effect.addForceDerivatives(state, time, derivatives);
+        for (Effect effect : effects) {
+            if (effect instanceof DifferentiableEffect known) {
+                known.addForceDerivatives(state, time, derivatives);
             }
         }
         boolean forceKnown = false;
-        for (int r = 0; r < reactions.size(); r++) {
-            Reaction reaction = reactions.get(r);
+        for (Reaction reaction : reactions) {
             if (!reaction.isActive()) {
                 continue;
             }

@@ -58,19 +58,15 @@ public record Sphere(Vector3 centre, double radius, boolean hollow) implements O
      */
     @Override
     public int separation(double[] points, double[] coefficients) {
+        double side = hollow ? -1 : 1;
         for (int k = 0; k <= 6; k++) {
-            coefficients[k] = -radius * radius;
+            coefficients[k] = -side * radius * radius;
         }
         for (int a = 0; a < 4; a++) {
             for (int b = 0; b < 4; b++) {
-                double product = (points[3 * a] - centre.x()) * (points[3 * b] - centre.x())
-                        + (points[3 * a + 1] - centre.y()) * (points[3 * b + 1] - centre.y())
-                        + (points[3 * a + 2] - centre.z()) * (points[3 * b + 2] - centre.z());
-                coefficients[a + b] += CUBIC[a] * CUBIC[b] / SEXTIC[a + b] * product;
+                double product = Vector3.at(points, 3 * a).minus(centre).dot(Vector3.at(points, 3 * b).minus(centre));
+                coefficients[a + b] += side * CUBIC[a] * CUBIC[b] / SEXTIC[a + b] * product;
             }
-        }
-        for (int k = 0; hollow && k <= 6; k++) {
-            coefficients[k] = -coefficients[k];
         }
         return 7;
     }

@@ -83,9 +83,8 @@ public final class ParallelForces implements ParallelDerivative {
     @Override
     public boolean pays() {
         long items = (long) forces.getPerParticle().size() * particles.count();
-        List<Effect> others = forces.getOthers();
-        for (int e = 0; e < others.size(); e++) {
-            items += others.get(e) instanceof DivisibleEffect effect ? effect.size() : 0;
+        for (Effect other : forces.getOthers()) {
+            items += other instanceof DivisibleEffect effect ? effect.size() : 0;
         }
         return items >= paysFrom;
     }

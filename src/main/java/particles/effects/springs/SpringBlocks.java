@@ -1,6 +1,8 @@
 package particles.effects.springs;
 
 import particles.law.DivisibleEffect;
+import java.util.Arrays;
+import java.util.stream.IntStream;
 import particles.law.Particles;
 
 /**
@@ -40,26 +42,27 @@ final class SpringBlocks {
         return order;
     }
 
-    /** Counting sort of the springs by block or joint. */
+    /** Sorts the springs by block or joint. */
     private int[] collect(int[] from, int[] to, int total) {
         for (int b = 1; b < count; b++) {
             firstParticles[b] = from[(int) ((long) total * b / count)] / Particles.STRIDE;
         }
-        int[] home = new int[total];
-        int[] next = new int[2 * count];
-        for (int s = 0; s < total; s++) {
-            home[s] = home(blockOf(from[s] / Particles.STRIDE), blockOf(to[s] / Particles.STRIDE));
-            next[home[s] + 1]++;
+        int[] home = IntStream.range(0, total).map(s -> home(blockOf(from[s] / Particles.STRIDE),
+                blockOf(to[s] / Particles.STRIDE))).toArray();
+        Arrays.fill(starts, 0);
+        for (int part : home) {
+            starts[part + 1]++;
         }
-        for (int b = 0; b < 2 * count - 1; b++) {
-            next[b + 1] += next[b];
+        for (int part = 1; part < starts.length; part++) {
+            starts[part] += starts[part - 1];
         }
-        System.arraycopy(next, 0, starts, 0, 2 * count);
-        int[] order = new int[total];
-        for (int s = 0; s < total; s++) {
-            order[next[home[s]]++] = s;
-        }
-        return order;
+        return order(home, total);
+    }
+
+    /** The springs in the order of their keys; those with the same key keep theirs. */
+    static int[] order(int[] key, int total) {
+        return IntStream.range(0, total).mapToLong(s -> (long) key[s] << Integer.SIZE | s).sorted()
+                .mapToInt(place -> (int) place).toArray();
     }
 
     private int blockOf(int particle) {

@@ -64,8 +64,7 @@ final class SpringTable {
         if (arranged) {
             return;
         }
-        put(IntStream.range(0, count).mapToLong(s -> (long) from[s] << Integer.SIZE | s).sorted()
-                .mapToInt(key -> (int) key).toArray());
+        put(SpringBlocks.order(from, count));
         put(blocks.divide(from, to, count));
         arranged = true;
         owners = 0;
