@@ -1,7 +1,5 @@
 package deSolvers;
 
-import java.util.Arrays;
-
 /**
  * A step that either succeeds as a whole or changes nothing: the parts of the contract of {@link DESolver} that are the
  * same for every method, as two calls around the method itself.
@@ -249,11 +247,5 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
     @Override
     public void incTime(double deltaT) {
         client.incTime(deltaT);
-    }
-
-    @Override
-    public String toString() {
-        return "a step of " + solver.getSimpleName() + " from t = " + startTime + " with "
-                + Arrays.toString(getStartState());
     }
 }

@@ -36,11 +36,11 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
     private final boolean round;
     private final double radius;
     private final double side;
-    private final Vector3 origin;
+    private final double[] origin;
     private final double stiffness;
     private final double loss;
     private final double[] normal = new double[3];
-    private final double[] change = new double[3];
+    private final double[] turning = new double[3];
     private final double[] dFdX = new double[9];
     private final double[] dFdV = new double[9];
 
@@ -58,7 +58,8 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
         round = solid instanceof Sphere;
         radius = solid instanceof Sphere ball ? ball.radius() : 0;
         side = solid instanceof Sphere ball && ball.hollow() ? -1 : 1;
-        origin = solid instanceof Sphere ball ? ball.centre() : solid.normal(0, 0, 0);
+        Vector3 v = solid instanceof Sphere ball ? ball.centre() : solid.normal(0, 0, 0);
+        origin = new double[] {v.x(), v.y(), v.z()};
         this.stiffness = Require.notNegative("a penalty's stiffness", stiffness);
         this.loss = Require.notNegative("a penalty's loss", loss);
     }
@@ -71,35 +72,37 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
     @Override
     public void addForces(double[] state, double time, double[] force, int from, int to) {
         for (int x = STRIDE * from; x < STRIDE * to; x += STRIDE) {
-            Vector3 r = r(state, x);
-            double length = length(r);
+            double length = length(state, x);
             double depth = depth(state, x, length);
             if (depth > 0 && length > 0) {
+                double rx = r(state, x, 0);
+                double ry = r(state, x, 1);
+                double rz = r(state, x, 2);
                 double out = side / length;
-                double push = out * push(depth, out * r.dot(Vector3.at(state, x + 3)));
-                force[x + 3] += push * r.x();
-                force[x + 4] += push * r.y();
-                force[x + 5] += push * r.z();
+                double speed = out * (rx * state[x + 3] + ry * state[x + 4] + rz * state[x + 5]);
+                double push = out * push(depth, speed);
+                force[x + 3] += push * rx;
+                force[x + 4] += push * ry;
+                force[x + 5] += push * rz;
             }
         }
     }
 
-    /** The vector from a ball's centre, or a plane's normal: N = side r / |r|. A particle's state begins at x. */
-    private Vector3 r(double[] state, int x) {
-        return round ? Vector3.at(state, x).minus(origin) : origin;
+    /** A component of r, the vector from a ball's centre, or a plane's normal: N = side r / |r|. */
+    private double r(double[] state, int x, int c) {
+        return round ? state[x + c] - origin[c] : origin[c];
     }
 
-    private double length(Vector3 r) {
-        return round ? Math.sqrt(r.dot(r)) : 1;
+    /** |r|; a particle's state begins at x. */
+    private double length(double[] state, int x) {
+        double rx = r(state, x, 0);
+        double ry = r(state, x, 1);
+        double rz = r(state, x, 2);
+        return round ? Math.sqrt(rx * rx + ry * ry + rz * rz) : 1;
     }
 
     private double depth(double[] state, int x, double length) {
         return round ? side * (radius - length) : -solid.distance(state[x], state[x + 1], state[x + 2]);
-    }
-
-    private Vector3 normal(double[] state, int x) {
-        Vector3 r = r(state, x);
-        return length(r) > 0 ? r.times(side / length(r)) : Vector3.ZERO;
     }
 
     /** The push along the normal (N) for d > 0. */
@@ -109,7 +112,8 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
 
     /** The depth of a free particle, at most 0 outside. */
     private double depth(double[] state, int i) {
-        return particles.isFixed(i) ? 0 : depth(state, STRIDE * i, length(r(state, STRIDE * i)));
+        int x = STRIDE * i;
+        return particles.isFixed(i) ? 0 : depth(state, x, length(state, x));
     }
 
     @Override
@@ -139,11 +143,21 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
         for (int i = 0; loss > 0 && i < particles.count(); i++) {
             double depth = depth(state, i);
             if (depth > 0) {
-                double speed = normal(state, STRIDE * i).dot(Vector3.at(state, STRIDE * i + 3));
+                double speed = normalSpeed(state, i);
                 power += speed * (stiffness * depth - push(depth, speed));
             }
         }
         return power;
+    }
+
+    /** The speed outwards; also sets the normal. */
+    private double normalSpeed(double[] state, int i) {
+        int x = STRIDE * i;
+        double length = length(state, x);
+        for (int c = 0; c < 3; c++) {
+            normal[c] = length > 0 ? side * r(state, x, c) / length : 0;
+        }
+        return normal[0] * state[x + 3] + normal[1] * state[x + 4] + normal[2] * state[x + 5];
     }
 
     @Override
@@ -153,18 +167,18 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
             if (!(depth > 0)) {
                 continue;
             }
-            Vector3 n = normal(state, STRIDE * i);
-            Vector3 v = Vector3.at(state, STRIDE * i + 3);
-            double speed = n.dot(v);
+            double speed = normalSpeed(state, i);
             double push = push(depth, speed);
             double bySpeed = push > 0 ? -stiffness * depth * loss : 0;
-            double curvature = round && !n.isZero() ? side / (radius - side * depth) : 0;
-            // d(push)/dx = -dpush/dd N + ...
-            Vector3 turning = n.times(-push / depth).plus(v.minus(n.times(speed)).times(bySpeed * curvature));
-            n.put(normal, 0);
-            turning.put(change, 0);
+            int x = STRIDE * i;
+            double length = length(state, x);
+            double curvature = round && length > 0 ? side / length : 0;
+            for (int c = 0; c < 3; c++) {               // d(push)/dx = -dpush/dd N + ...
+                turning[c] = -push / depth * normal[c]
+                        + bySpeed * curvature * (state[x + 3 + c] - speed * normal[c]);
+            }
             for (int e = 0; e < 9; e++) {
-                dFdX[e] = normal[e / 3] * change[e % 3]
+                dFdX[e] = normal[e / 3] * turning[e % 3]
                         + push * curvature * ((e % 4 == 0 ? 1 : 0) - normal[e / 3] * normal[e % 3]);
                 dFdV[e] = bySpeed * normal[e / 3] * normal[e % 3];
             }

@@ -73,23 +73,23 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
             if (particles.isFixed(i)) {
                 continue;                               // a sun that is drawn may stand at the very centre
             }
-            Vector3 r = r(state, x);
-            double square = square(r);
+            double rx = state[x] - centre.x();
+            double ry = state[x + 1] - centre.y();
+            double rz = state[x + 2] - centre.z();
+            double square = rx * rx + ry * ry + rz * rz + softeningSquare;
             double pull = masses[i] * strength / (square * Math.sqrt(square));
-            force[x + 3] -= pull * r.x();
-            force[x + 4] -= pull * r.y();
-            force[x + 5] -= pull * r.z();
+            force[x + 3] -= pull * rx;
+            force[x + 4] -= pull * ry;
+            force[x + 5] -= pull * rz;
         }
     }
 
-    /** r of the particle whose state begins at x. */
-    private Vector3 r(double[] state, int x) {
-        return Vector3.at(state, x).minus(centre);
-    }
-
-    /** |r|&sup2; + s&sup2;. */
-    private double square(Vector3 r) {
-        return r.dot(r) + softeningSquare;
+    /** Writes r of the particle whose state begins at x; returns |r|&sup2; + s&sup2;. */
+    private double findPlace(double[] state, int x) {
+        r[0] = state[x] - centre.x();
+        r[1] = state[x + 1] - centre.y();
+        r[2] = state[x + 2] - centre.z();
+        return r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + softeningSquare;
     }
 
     /** {@inheritDoc} dF/dx = -m mu (1 - 3 r r<sup>T</sup>/q&sup2;)/q&sup3; with q&sup2; = |r|&sup2; + s&sup2;. */
@@ -99,9 +99,7 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
             if (particles.isFixed(i)) {
                 continue;
             }
-            Vector3 way = r(state, x);
-            way.put(r, 0);
-            double square = square(way);
+            double square = findPlace(state, x);
             double pull = particles.mass(i) * strength / (square * Math.sqrt(square));
             for (int e = 0; e < 9; e++) {
                 dFdX[e] = pull * (3 * r[e / 3] * r[e % 3] / square - (e % 4 == 0 ? 1 : 0));
@@ -116,7 +114,7 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
         double energy = 0;
         for (int i = 0, x = 0; i < particles.count(); i++, x += STRIDE) {
             if (!particles.isFixed(i)) {
-                energy -= particles.mass(i) * strength / Math.sqrt(square(r(state, x)));
+                energy -= particles.mass(i) * strength / Math.sqrt(findPlace(state, x));
             }
         }
         return energy;

@@ -1,8 +1,6 @@
 package particles.engine;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
 import particles.law.AnchorMotion;
 import particles.law.Particles;
 
@@ -14,7 +12,7 @@ import particles.law.Particles;
 public final class Anchors {
     private static final int STRIDE = Particles.STRIDE;
 
-    private final List<Anchor> anchors = new ArrayList<>();
+    private Anchor[] anchors = {};                      // loops over a list would allocate
     private final double[] values = new double[9];
     private double[] shown = {};
     private double[] hidden = {};
@@ -24,7 +22,8 @@ public final class Anchors {
 
     /** Adds an anchor and moves it to its position at a time. */
     public void add(int particle, AnchorMotion motion, double[] state, double time) {
-        anchors.add(new Anchor(particle, motion));
+        anchors = Arrays.copyOf(anchors, anchors.length + 1);
+        anchors[anchors.length - 1] = new Anchor(particle, motion);
         put(time, state);
     }
 
@@ -49,7 +48,7 @@ public final class Anchors {
      * copy, valid until the next call.
      */
     public double[] shownIn(double[] state, double time) {
-        if (anchors.isEmpty()) {
+        if (anchors.length == 0) {
             return state;
         }
         shown = copy(state, shown);
@@ -62,7 +61,7 @@ public final class Anchors {
      * call.
      */
     public double[] hiddenIn(double[] state) {
-        if (anchors.isEmpty()) {
+        if (anchors.length == 0) {
             return state;
         }
         hidden = copy(state, hidden);
@@ -86,12 +85,12 @@ public final class Anchors {
 
     /** Updates the anchors' indices after particles were removed. */
     public void reindex(int[] newIndex) {
-        anchors.removeIf(anchor -> newIndex[anchor.particle()] < 0);
-        anchors.replaceAll(anchor -> new Anchor(newIndex[anchor.particle()], anchor.motion()));
+        anchors = Arrays.stream(anchors).filter(anchor -> newIndex[anchor.particle] >= 0)
+                .map(anchor -> new Anchor(newIndex[anchor.particle], anchor.motion)).toArray(Anchor[]::new);
     }
 
     /** The particle indices of the anchors. */
     public int[] particles() {
-        return anchors.stream().mapToInt(Anchor::particle).toArray();
+        return Arrays.stream(anchors).mapToInt(Anchor::particle).toArray();
     }
 }

@@ -1,7 +1,6 @@
 package particles.engine;
 
 import deSolvers.ForceDerivatives;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -18,10 +17,12 @@ public final class ForceSum {
     private final List<Effect> effects;
     private final List<Reaction> reactions;
     private Optional<ParallelDerivative> parallel = Optional.empty();
-    private final List<PerParticleEffect> perParticle = new ArrayList<>();
-    private final List<Effect> others = new ArrayList<>();
+    // the lists as arrays, since loops over lists allocate
+    private Effect[] all = {};
+    private PerParticleEffect[] perParticle = {};
+    private Effect[] others = {};
+    private Reaction[] reacting = {};
     private double[] force = {};
-    private int sorted;                                 // how many effects are in the two lists
 
     /** Keeps the lists, which may grow later. */
     public ForceSum(Particles particles, List<Effect> effects, List<Reaction> reactions) {
@@ -32,7 +33,7 @@ public final class ForceSum {
 
     /** Computes the derivative (v, F/m) of a state. */
     public void derivative(double[] state, double time, double[] dSdt) {
-        sortEffects();
+        copyLists();
         if (parallel.isPresent() && parallel.get().pays()) {
             parallel.get().derivative(state, time, dSdt);
             return;
@@ -47,12 +48,12 @@ public final class ForceSum {
     }
 
     /** The effects that act on each particle separately. */
-    public List<PerParticleEffect> getPerParticle() {
+    public PerParticleEffect[] getPerParticle() {
         return perParticle;
     }
 
     /** All other effects, in the order of evaluation. */
-    public List<Effect> getOthers() {
+    public Effect[] getOthers() {
         return others;
     }
 
@@ -61,13 +62,14 @@ public final class ForceSum {
         parallel = other;
     }
 
-    private void sortEffects() {
-        for (; sorted < effects.size(); sorted++) {
-            if (effects.get(sorted) instanceof PerParticleEffect effect) {
-                perParticle.add(effect);
-            } else {
-                others.add(effects.get(sorted));
-            }
+    /** Copies the lists where they have grown. */
+    private void copyLists() {
+        if (all.length != effects.size() || reacting.length != reactions.size()) {
+            all = effects.toArray(Effect[]::new);
+            perParticle = effects.stream().filter(PerParticleEffect.class::isInstance)
+                    .toArray(PerParticleEffect[]::new);
+            others = effects.stream().filter(effect -> !(effect instanceof PerParticleEffect)).toArray(Effect[]::new);
+            reacting = reactions.toArray(Reaction[]::new);
         }
     }
 
@@ -97,21 +99,23 @@ public final class ForceSum {
 
     /** Computes the forces of all effects, with 0 in the entries of positions. */
     public void effects(double[] state, double time, double[] force) {
+        copyLists();
         int n = particles.count();
         Arrays.fill(force, 0, STRIDE * n, 0.0);
-        for (Effect effect : effects) {
+        for (Effect effect : all) {
             effect.addForces(state, time, force);
         }
     }
 
     /** @return whether any effect or reaction depends on velocities */
     public boolean dependOnVelocity() {
-        for (Effect effect : effects) {
+        copyLists();
+        for (Effect effect : all) {
             if (effect.dependsOnVelocity()) {
                 return true;
             }
         }
-        for (Reaction reaction : reactions) {
+        for (Reaction reaction : reacting) {
             if (reaction.dependsOnVelocity()) {
                 return true;
             }
@@ -121,7 +125,8 @@ public final class ForceSum {
 
     /** Adds the forces of all active reactions. */
     public void addReactions(double[] state, double time, double[] force) {
-        for (Reaction reaction : reactions) {
+        copyLists();
+        for (Reaction reaction : reacting) {
             if (reaction.isActive()) {
                 reaction.addForces(state, time, force);
             }
@@ -130,12 +135,13 @@ public final class ForceSum {
 
     /** Whether all effects and active reactions know their derivatives. */
     public boolean hasDerivatives() {
-        for (Effect effect : effects) {
+        copyLists();
+        for (Effect effect : all) {
             if (!(effect instanceof DifferentiableEffect)) {
                 return false;
             }
         }
-        for (Reaction reaction : reactions) {
+        for (Reaction reaction : reacting) {
             if (reaction.isActive() && !reaction.hasForceDerivatives()) {
                 return false;
             }
@@ -145,13 +151,14 @@ public final class ForceSum {
 
     /** Adds the derivatives of all effects and active reactions that know them. */
     public void addDerivatives(double[] state, double time, ForceDerivatives derivatives) {
-        for (Effect effect : effects) {
+        copyLists();
+        for (Effect effect : all) {
             if (effect instanceof DifferentiableEffect known) {
                 known.addForceDerivatives(state, time, derivatives);
             }
         }
         boolean forceKnown = false;
-        for (Reaction reaction : reactions) {
+        for (Reaction reaction : reacting) {
             if (!reaction.isActive()) {
                 continue;
             }

@@ -1,6 +1,5 @@
 package particles.threads;
 
-import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.RecursiveAction;
 import java.util.function.IntConsumer;
@@ -82,7 +81,7 @@ public final class ParallelForces implements ParallelDerivative {
 
     @Override
     public boolean pays() {
-        long items = (long) forces.getPerParticle().size() * particles.count();
+        long items = (long) forces.getPerParticle().length * particles.count();
         for (Effect other : forces.getOthers()) {
             items += other instanceof DivisibleEffect effect ? effect.size() : 0;
         }
@@ -94,17 +93,17 @@ public final class ParallelForces implements ParallelDerivative {
         this.state = state;
         this.time = time;
         this.dSdt = dSdt;
-        List<Effect> others = forces.getOthers();
+        Effect[] others = forces.getOthers();
         int next = 0;
-        if (!others.isEmpty() && takeUp(others.get(0), threads)) {
+        if (others.length > 0 && takeUp(others[0], threads)) {
             run(beginningByBlocks);             // saves one barrier
             addJoints(NOBODY);
             next = 1;
         } else {
             run(beginning);
         }
-        for (int e = next; e < others.size(); e++) {
-            Effect effect = others.get(e);
+        for (int e = next; e < others.length; e++) {
+            Effect effect = others[e];
             if (takeUp(effect, 2)) {
                 run(middle);
                 addJoints(NOBODY);
