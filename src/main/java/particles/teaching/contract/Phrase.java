@@ -12,7 +12,7 @@ import particles.teaching.Formula;
 public enum Phrase {
     NOTHING_YET, NOT_FINITE, EXCEPTION, NOT_REPEATABLE, CLOCK_STILL, CLOCK_FIXED, CLOCK_NEW_TIME, CLOCK_BACK,
     CLOCK_ENDS, STAGE_TIMES, TIME_OF_STAGE, REJECTED_CLOCK, STAGE_CLOCKS, NO_DERIVATIVE,
-    ARRAY_LENGTH, ODD_SIZE, NEVER_SET, LEFT_AT_TRIAL, SET_TOO_EARLY, OLD_STATE,
+    ARRAY_LENGTH, NEVER_SET, LEFT_AT_TRIAL, SET_TOO_EARLY, OLD_STATE,
     LEFT_OUT, DIGITS, CUT_OFF, ENTRY_BY_ENTRY, DELTA_T, MISSING, TOO_MANY,
     DIFFERS, CHANGED, PARTS, WEIGHTS_SUM, LOW_ORDER, OTHER_STEPS, CONTRADICTS, EXPLICIT, ROUNDS, OLD_VELOCITY,
     NEW_VELOCITY, NOTHING_EARLIER, NO_CONTROL, NAME_ORDER, EQUATION, EQUATION_TIME, LOOSE, STALE,
@@ -50,8 +50,6 @@ public enum Phrase {
                 where to go
             state ARRAY_LENGTH: an array of %s numbers was handed to a source whose state has 24: arrays have to be \
                 source.getStateSize() long
-            state ODD_SIZE: with a source of 3 numbers the step ends in an exception, though the formula is the same \
-                for all entries: a loop has to go through them one by one, to source.getStateSize(): %s
             state NEVER_SET: the new state never reaches the source: setState(state) is missing
             state LEFT_AT_TRIAL: the state is left at a trial state, %s, that of the last evaluation: setState with \
                 the new state is missing at the end

@@ -44,15 +44,15 @@ public record SolverContract(Supplier<DESolver> maker) {
 
     /**
      * Steps a source much larger than that of a first example - smaller where the work in a step grows with the square
-     * of the size - and one in the plane. Their particles are equal, and so are the coordinates of each.
+     * of the size - and one on a line. Their particles are equal, and so are the coordinates of each.
      */
     private Optional<Finding> ofAnySize() {
         int particles = solvesWithMatrix() ? SOME : MANY;
         return unlike(new WindyOscillators(particles), particles + " particles, " + 6 * particles, "an array or a loop"
                 + " has a fixed length; source.getStateSize() has to be asked in every step").or(() -> unlike(
-                WindyOscillators.inThePlane(2), "2 particles in the plane, 8", "three coordinates are taken for"
-                + " granted; ((SecondOrderStateSource) source).getDimension() says how many positions and then"
-                + " velocities each particle has"));
+                WindyOscillators.onLine(5), "5 particles on a line, 10", "three coordinates are taken for granted;"
+                + " ((SecondOrderStateSource) source).getDimension() says how many positions and then velocities"
+                + " each particle has"));
     }
 
     /** @return the number of evaluations in a step of nonlinear particles; -1 if it is too long for the solver */

@@ -8,9 +8,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
-import particles.teaching.StudentFailure;
 import particles.teaching.contract.Phrase;
-import particles.teaching.sources.Probe;
 import particles.teaching.sources.Springs;
 import particles.teaching.sources.StiffDecay;
 import particles.teaching.sources.StudentSource;
@@ -52,10 +50,9 @@ record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<Or
     private Diagnosis diagnosis(StepReading step, StepRules rules) {
         Scheme read = step.scheme();
         boolean still = step.evaluations() == 0;
-        Optional<Finding> rule = Search.first(() -> step.calls().wrongLength().map(
-                Phrase.ARRAY_LENGTH::of), () -> step.findings().stream().findFirst(), () -> Phrase.NO_DERIVATIVE.when(
-                still), () -> oddSize().filter(finding -> !read.isOfParticles()), rules::notSet, rules::oldState, ()
-                -> rules.deltaT().map(finding -> promise.isImplicit() && read.size() > 1 ? unsolved(read) : finding));
+        Optional<Finding> rule = Search.first(() -> step.calls().wrongLength().map(Phrase.ARRAY_LENGTH::of),
+                () -> step.findings().stream().findFirst(), () -> Phrase.NO_DERIVATIVE.when(still), rules::notSet,
+                rules::oldState, () -> rules.deltaT().map(finding -> promise.isImplicit() && read.size() > 1 ? unsolved(read) : finding));
         if (still) {
             return new Diagnosis("It makes no step.", rule);
         }
@@ -76,20 +73,9 @@ record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<Or
         Optional<Finding> unsolved = same ? unused : SolvedEquation.rounds(maker, scheme, promise).or(() ->
                 KnownMethods.mistake(scheme)).or(() -> Optional.of(unsolved(scheme)).filter(finding ->
                 promise.isImplicit()));
-        return same ? new Diagnosis("This is " + name, unused.stream().toList(), nearest.known().order(), name)
+        return same ? new Diagnosis("This is " + name, unused, nearest.known().order(), name)
                 : unsolved.isPresent() ? new Diagnosis("This is an explicit method", unsolved)
                 : unknown(scheme, nearest, unused);
-    }
-
-    /** A method with one formula for all entries can step a state of any size. */
-    private Optional<Finding> oddSize() {
-        try {
-            maker.get().stepState(new Probe(new double[3], 0, (evaluation, dSdt) -> dSdt[0] = StepReading.TINY,
-                    Probe.MOST_EVALUATIONS), H);
-            return Optional.empty();
-        } catch (RuntimeException e) {
-            return Phrase.ODD_SIZE.when(!StudentFailure.isRefusal(e), StudentFailure.describe(e));
-        }
     }
 
     private Finding unsolved(Scheme scheme) {
@@ -115,7 +101,7 @@ record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<Or
             return new Diagnosis("This is a " + (particles ? "method of order " + order + " that moves positions and"
                     + " velocities in turn," + (keepsArea ? " symplectic," : "") : "Runge-Kutta method of order "
                     + order) + " with " + count(scheme) + "; its coefficients match no named method",
-                    unused.stream().toList(), order, "");
+                    unused, order, "");
         }
         boolean near = nearest.isNear() || promise.isWhole() && nearest.known().size() == scheme.size() && (particles
                 || scheme.size() <= MANY);

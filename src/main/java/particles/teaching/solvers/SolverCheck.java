@@ -107,7 +107,7 @@ public final class SolverCheck {
         Diagnosis diagnosis = memory.remembers() ? remembering()
                 : explicit.diagnosis(1).or(this::equation).orElseGet(this::measured);
         identity = diagnosis.identity();
-        findings.addAll(diagnosis.findings());
+        diagnosis.finding().ifPresent(findings::add);
         clock.ifPresent(findings::add);
         if (!isWrong()) {
             promised(diagnosis).ifPresent(findings::add);
@@ -168,7 +168,7 @@ public final class SolverCheck {
         return found.map(SolvedEquation::name).or(() -> promise.methods().stream().filter(name ->
                 promise.isImplicit()).findFirst()).or(() -> SolvedEquation.near(maker)).map(name -> new Diagnosis(
                 "This is " + name, Search.first(() -> found.flatMap(SolvedEquation::wrong), unread::unstable, () ->
-                SolvedEquation.loose(maker, name, contract.solvesWithMatrix() ? 0.5 : 3.0 / 32)).stream().toList(), 0,
+                SolvedEquation.loose(maker, name, contract.solvesWithMatrix() ? 0.5 : 3.0 / 32)), 0,
                 found.isPresent() ? name : ""));
     }
 
@@ -184,8 +184,8 @@ public final class SolverCheck {
 
     /** A mistake in the first sub-step of an adaptive method, which it accepts where derivatives are tiny. */
     private Optional<Finding> firstSubStep(Predicate<Finding> which) {
-        return explicit.diagnosis(StepReading.TINY).stream().flatMap(found -> found.findings().stream()).filter(
-                which.and(Finding::isWrong)).findFirst();
+        return explicit.diagnosis(StepReading.TINY).flatMap(Diagnosis::finding).filter(which.and(
+                Finding::isWrong));
     }
 
     private boolean vanishes() {

@@ -35,9 +35,9 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
         return new WindyOscillators(particles, 1, 3);
     }
 
-    /** @return a source of this number of particles in the plane; four numbers each */
-    public static WindyOscillators inThePlane(int particles) {
-        return new WindyOscillators(particles, 0, 2);
+    /** @return a source of this number of particles on a line; two numbers each */
+    public static WindyOscillators onLine(int particles) {
+        return new WindyOscillators(particles, 0, 1);
     }
 
     @Override

@@ -136,7 +136,7 @@ final class HandwrittenSolvers {
                 }),
                 wrong("LeapfrogSolver", "all positions, then all velocities", "\\(x1, v1, x2, v2",
                         HandwrittenSolvers::halves),
-                wrong("Mine", "three coordinates", "in the plane, 8 numbers, stepState ends in .*getDimension", () ->
+                wrong("Mine", "three coordinates", "on a line, 10 numbers, stepState ends in .*getDimension", () ->
                         PlantedSolvers.blocks(true)),
                 wrong("Mine", "velocity of the particle before", "entry 6 of the new state changes with entry 3",
                         HandwrittenSolvers::neighbour),
