@@ -18,7 +18,7 @@ public final class GuardedRun {
     private static final double GIVE_UP = 100;
     private static final double NANOS = 1e9;
     private static final long POLL_MILLIS = 20;
-    /** So many looks in a row at a thread that waits and computes nothing tell that it waits for ever. */
+    /** So many looks at a thread that waits and computes nothing tell that it waits for ever; fewer below a second. */
     private static final int WAITS = 100;
 
     private final double seconds;
@@ -71,6 +71,7 @@ public final class GuardedRun {
         long start = System.nanoTime();
         double before = 0;
         int waited = 0;
+        double waits = WAITS * Math.min(1, seconds);
         while (thread.isAlive()) {
             try {
                 thread.join(POLL_MILLIS);
@@ -83,10 +84,10 @@ public final class GuardedRun {
             waited = thread.getState() == Thread.State.RUNNABLE || computed != before ? 0 : waited + 1;
             before = computed;
             double elapsed = (System.nanoTime() - start) / NANOS;
-            if (thread.isAlive() && (computed > seconds || waited > WAITS || elapsed > GIVE_UP * seconds)) {
+            if (thread.isAlive() && (computed > seconds || waited > waits || elapsed > GIVE_UP * seconds)) {
                 String place = StudentFailure.place(thread.getStackTrace());
                 thread.interrupt();
-                boolean busy = computed <= seconds && waited <= WAITS;
+                boolean busy = computed <= seconds && waited <= waits;
                 return Optional.of(new Finding(busy ? Kind.UNDECIDED : Kind.FAILURE, (busy ? Formula.text("not decided"
                         + " on this machine, which gave it %s s of a processor in %s s: run it again", computed,
                         elapsed) : Formula.text("it did not come back within %s s of CPU time: %s", seconds, computed

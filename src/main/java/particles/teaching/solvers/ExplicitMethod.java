@@ -50,9 +50,10 @@ record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<Or
     private Diagnosis diagnosis(StepReading step, StepRules rules) {
         Scheme read = step.scheme();
         boolean still = step.evaluations() == 0;
-        Optional<Finding> rule = Search.first(() -> step.calls().wrongLength().map(Phrase.ARRAY_LENGTH::of),
-                () -> step.findings().stream().findFirst(), () -> Phrase.NO_DERIVATIVE.when(still), rules::notSet,
-                rules::oldState, () -> rules.deltaT().map(finding -> promise.isImplicit() && read.size() > 1 ? unsolved(read) : finding));
+        Optional<Finding> rule = Search.first(() -> step.calls().wrongLength().map(Phrase.ARRAY_LENGTH::of), () ->
+                step.findings().stream().findFirst(), () -> Phrase.NO_DERIVATIVE.when(still), rules::notSet,
+                rules::oldState, () -> rules.deltaT().map(finding -> promise.isImplicit() && read.size() > 1
+                ? unsolved(read) : finding));
         if (still) {
             return new Diagnosis("It makes no step.", rule);
         }

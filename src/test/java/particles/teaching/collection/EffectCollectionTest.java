@@ -2,6 +2,7 @@ package particles.teaching.collection;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertStarts;
 
 import java.util.List;
 import java.util.function.BiPredicate;
@@ -45,6 +46,13 @@ class EffectCollectionTest {
     void wrongLawsAreCaughtAndTheCauseIsNamed() {
         hold(WrongEffects.all(), (specimen, found) -> found.size() == 1 && Pattern.compile(specimen.cause()).matcher(
                 found.get(0)).find());
+    }
+
+    /** Symmetries are claims too, and say nothing of the power. */
+    @Test
+    void aLawThatClaimsOnlyASymmetryGetsANote() {
+        assertStarts(EffectCheck.check(p -> Law.law("Pull", Trait.TRANSLATION_INVARIANT).force(Law.each(p, (s, f, x, m)
+                -> f[x + 3] += s[0] - s[x]))).toString(), "[style: it claims no account of its energy");
     }
 
     @ParameterizedTest

@@ -9,6 +9,8 @@ import deSolvers.SecondOrderStateSource;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.UnaryOperator;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
 import particles.teaching.collection.Changes.Edit;
 import particles.teaching.solvers.PlantedSolvers.Step;
 
@@ -135,38 +137,10 @@ final class Methods {
         return matrix;
     }
 
-    /** By Gauss elimination with pivots. */
     static double[] solve(double[][] matrix, double[] right) {
-        int n = right.length;
-        double[][] m = new double[n][];
-        for (int i = 0; i < n; i++) {
-            m[i] = Arrays.copyOf(matrix[i], n + 1);
-            m[i][n] = right[i];
-        }
-        for (int p = 0; p < n; p++) {
-            int best = p;
-            for (int i = p + 1; i < n; i++) {
-                best = Math.abs(m[i][p]) > Math.abs(m[best][p]) ? i : best;
-            }
-            double[] row = m[best];
-            m[best] = m[p];
-            m[p] = row;
-            for (int i = p + 1; i < n; i++) {
-                double factor = m[i][p] / row[p];
-                for (int j = p; factor != 0 && j <= n; j++) {
-                    m[i][j] -= factor * row[j];
-                }
-            }
-        }
-        double[] x = new double[n];
-        for (int i = n - 1; i >= 0; i--) {
-            double sum = m[i][n];
-            for (int j = i + 1; j < n; j++) {
-                sum -= m[i][j] * x[j];
-            }
-            x[i] = sum / m[i][i];
-        }
-        return x;
+        DMatrixRMaj x = new DMatrixRMaj(right.length, 1);
+        CommonOps_DDRM.solve(new DMatrixRMaj(matrix), DMatrixRMaj.wrap(right.length, 1, right), x);
+        return x.data;
     }
 
     private static int dimension(DEStateSource source) {

@@ -105,6 +105,9 @@ final class RightEffects {
                 right("A floor that pushes back what is below it.", "penalty", p -> law("Floor", Trait.CONSERVATIVE)
                         .force(each(p, (s, f, x, m) -> f[x + 4] += s[x + 1] < 0.5 ? 100 * (0.5 - s[x + 1]) : 0))
                         .energy(sum(p, (s, x, m) -> s[x + 1] < 0.5 ? 50 * (0.5 - s[x + 1]) * (0.5 - s[x + 1]) : 0))),
+                right("A wall that pushes back what comes far.", "nothing near the particles", p -> law("Wall",
+                        Trait.CONSERVATIVE).force(each(p, (s, f, x, m) -> f[x + 3] += Math.max(0, -10 - s[x])))
+                        .energy(sum(p, (s, x, m) -> Math.pow(Math.max(0, -10 - s[x]), 2) / 2))),
                 right("Shakes all particles to and fro.", "driven, by the clock", p -> law("Shaker", Trait.DRIVING)
                         .force((s, t, f) -> {
                             for (int k = 3; k < f.length; k += 6) {

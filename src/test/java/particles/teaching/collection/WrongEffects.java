@@ -104,6 +104,11 @@ final class WrongEffects {
                         Trait.DISSIPATIVE).moving()
                         .force((s, t, f) -> RightEffects.chain(p, s, f, 20, 0.8, 0.5, false))
                         .heat((s, t) -> RightEffects.chainHeat(p, s, 0.5))),
+                wrong("A spring to the origin.", "energy 5/2 times as large", "all of it is 2/5 times what it",
+                        p -> tether(p, 1, 2.5, Trait.CONSERVATIVE)),
+                wrong("Drag.", "twice the heat, and claims to drive", "does not hold: power: the force does work at -.*"
+                        + " W; accounted for are -.* W: getPotentialEnergy gives 0 W, getDissipatedPower takes .* W and"
+                        + " getDrivenPower adds 0 W", p -> drag(p, 1, 2, Trait.DISSIPATIVE, Trait.DRIVING)),
                 wrong("Shaker", "no driven power", "getDrivenPower", p -> law("Shaker", Trait.DRIVING)
                         .force(each(p, (s, f, x, m) -> f[x + 3] += 0.7))));
     }
@@ -156,6 +161,11 @@ final class WrongEffects {
                 wrong("Gravity.", "written over the position", "^state: component y of the force on particle 'p0'"
                         + " is written to entry 1, where the position stands", p -> gravity(p, 1, 1).force(each(p,
                         (s, f, x, m) -> f[x + 1] -= m * G))),
+                wrong("Gravity.", "written over a position later", "written to entry 0, where the position stands",
+                        p -> law("Gravity").force((s, t, f) -> {
+                            f[4] -= 1;
+                            f[0] += t > 1 ? 1 : 0;
+                        })),
                 wrong("A spring to the origin.", "positions read with stride 3", "six entries",
                         p -> tether(p, 1, 1, Trait.CONSERVATIVE).force(each(p, (s, f, x, m)
                         -> push(f, x, -4, s, x / 2)))),

@@ -174,7 +174,7 @@ class StabilityFiguresTest {
      */
     @Test
     void whatStepsPositionsAndVelocitiesApartIsTriedOnSprings() {
-        StabilityFigures figures = figures(() -> blocks(true));
+        StabilityFigures figures = figures(() -> blocks());
         assertEquals(2, Double.parseDouble(value(figures, "imaginary limit")), 5e-8);
         // critically damped: 4 - h^2 - 4 h = 0
         assertEquals(2 * Math.sqrt(2) - 2, Double.parseDouble(value(figures, "damped limit")), 5e-8);

@@ -58,15 +58,14 @@ public final class PlantedSolvers {
     }
 
     /** Positions and velocities of blocks of six, as the slides' simple algorithm has them. */
-    public static DESolver blocks(boolean newVelocity) {
+    public static DESolver blocks() {
         return solver((source, deltaT) -> {
             double[] state = state(source);
             double[] dSdt = slope(source);
             for (int block = 0; block < state.length; block += 6) {
                 for (int x = block; x < block + 3; x++) {
-                    double old = state[x + 3];
                     state[x + 3] += dSdt[x + 3] * deltaT;
-                    state[x] += (newVelocity ? state[x + 3] : old) * deltaT;
+                    state[x] += state[x + 3] * deltaT;
                 }
             }
             source.setState(state);
