@@ -1,6 +1,5 @@
 package particles.output;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Systems.rk4;
@@ -226,24 +225,23 @@ class ParticleStylesTest {
         trails.take(system, system.getOwnState(), 3, 0, 1);
         system.removeParticles(new boolean[] {true, false, false});
         system.addParticle("new", 1, new Vector3(9, 0, 0), Vector3.ZERO, false);
-        assertArrayEquals(new int[] {1, 2, -1}, trails.indicesNow(system, 3, 2));
         trails.take(system, system.getOwnState(), 3, 0.01, 2);
         trails.take(system, system.getOwnState(), 3, 0.02, 2);
-        TrailSample[] samples = trails.samples();
-        assertEquals(3, samples.length);
-        assertEquals(0, samples[2].earlier(0));
-        assertEquals(1, samples[1].earlier(0));
-        assertEquals(-1, samples[1].earlier(2));
-        assertEquals(0, trails.indicesNow(system, 3, 2).length);
+        FrameState state = new FrameState();
+        state.takeStructure(system, false, List.of());
+        state.trail = trails.samples();
+        Vector3 one = new Vector3(1, 0, 0);
+        assertEquals(List.of(one, one, one), state.path(0), "p1");
+        assertEquals(2, state.path(2).size(), "the new one");
         for (int k = 3; k < 400; k++) {
             trails.take(system, system.getOwnState(), 3, 0.01 * k, 2);
         }
-        assertTrue(trails.samples()[0].time() <= 2.99 && trails.samples().length < 110, "the old ones are forgotten");
-        int regular = trails.samples().length;
+        int regular = trails.samples().size();
+        assertTrue(trails.samples().get(regular - 1).time() <= 2.99 && regular < 110, "the old ones are forgotten");
         for (int k = 0; k < 1000; k++) {
             trails.takeCorner(system, 2);
         }
-        assertEquals(125, trails.samples().length, "of which " + regular + " are regular");
+        assertEquals(125, trails.samples().size(), "of which " + regular + " are regular");
         assertEquals(Double.POSITIVE_INFINITY, new TrailRecorder(0, 25).getNextTime(),
                 "who wants no trails asks for no time");
     }
@@ -256,8 +254,9 @@ class ParticleStylesTest {
         for (ParticleStyle.Kind kind : ParticleStyle.Kind.values()) {
             FrameState state = state(huge, -huge, huge, Double.NaN, 0, 0, Double.MAX_VALUE, 0, 1e9, 0, 0, 0, 1e12, 0,
                     -3);
-            state.trail = new TrailSample[] {new TrailSample(-0.5, new float[] {1e30f, Float.NaN, 0, 0, 0,
-                Float.POSITIVE_INFINITY, 1, 2, 3, 4, 5, 6, 7, 8, 9}, new int[0])};
+            state.trail = List.of(new TrailSample(-0.5, new float[] {1e30f, Float.NaN, 0, 0, 0,
+                Float.POSITIVE_INFINITY, 1, 2, 3, 4, 5, 6, 7, 8, 9}, Map.of("a", 0, "b", 1, "c", 2, "d", 3, "e", 4)));
+            state.ids = new String[] {"a", "b", "c", "d", "e"};
             state.death = new double[] {0, Double.NaN, 1, Double.POSITIVE_INFINITY, 1};
             state.springs = new SpringList(new int[] {0, 1, 2, 3}, new int[] {1, 2, 3, 4},
                     new double[] {1, 0, 1, 1}, new double[4]);

@@ -96,14 +96,9 @@ final class FrameMarks {
                 join(place(state, state.springs.from()[s], 0), place(state, state.springs.to()[s], 0), lines::add);
             }
         }
-        int index = state.trailIndex.length == 0 ? particle : state.trailIndex[particle];
-        Optional<Place> newer = Optional.empty();
-        for (int k = state.trail.length - 1; k >= 0 && index >= 0 && !state.fixed[particle]; k--) {
-            float[] places = state.trail[k].places();
-            Optional<Place> older = place(places[3 * index], places[3 * index + 1], places[3 * index + 2]);
-            join(newer, older, lines::add);
-            newer = older;
-            index = state.trail[k].earlier(index);
+        List<Vector3> path = state.fixed[particle] ? List.of() : state.path(particle);
+        for (int k = 1; k < path.size(); k++) {
+            join(place(path.get(k - 1)), place(path.get(k)), lines::add);
         }
         return lines;
     }
@@ -152,17 +147,14 @@ final class FrameMarks {
         g.fill(tip);
     }
 
-    /** @return where it is seen, if it can be drawn */
     private Optional<Place> place(FrameState state, int i, double seconds) {
         Vector3 at = state.place(i);
-        if (seconds > 0) {
-            at = at.plus(state.velocity(i).times(seconds));
-        }
-        return place(at.x(), at.y(), at.z());
+        return place(seconds > 0 ? at.plus(state.velocity(i).times(seconds)) : at);
     }
 
-    private Optional<Place> place(double x, double y, double z) {
-        Place place = view.place(x, y, z);
+    /** @return where it is seen, if it can be drawn */
+    private Optional<Place> place(Vector3 point) {
+        Place place = view.place(point);
         boolean near = Math.abs(place.x()) < FARTHEST && Math.abs(place.y()) < FARTHEST;      // false for NaN
         return place.visible() && near ? Optional.of(place) : Optional.empty();
     }

@@ -127,7 +127,6 @@ public final class FrameObserver implements Observer, AutoCloseable {
             taken.structure = structure;
         }
         frame.shareStructure(taken);
-        frame.trailIndex = trails.indicesNow(system, count, structure);
         return frame;
     }
 

@@ -87,7 +87,7 @@ public final class LastSteps implements Observer {
 
     private boolean isAnyInPicture(Particles particles, double[] state) {
         for (int i = 0, x = 0; i < particles.count(); i++, x += Particles.STRIDE) {
-            if (!particles.isFixed(i) && view.isInPicture(state[x], state[x + 1], state[x + 2], 1)) {
+            if (!particles.isFixed(i) && view.isInPicture(state[x], state[x + 1], state[x + 2])) {
                 return true;
             }
         }

@@ -1,17 +1,19 @@
 package particles.output.frames;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Deque;
-import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.output.painters.TrailSample;
 
 /** Records the positions of particles at regular times and at impacts, for as long as trails are visible. */
 public final class TrailRecorder {
-    private static final int[] SAME = {};
-    private static final TrailSample[] NONE = {};
     /** The number of samples from one frame to the next, and the most in a trail, enough for a smooth line. */
     private static final int PER_FRAME = 4;
     private static final int MOST = 1000;
@@ -22,7 +24,7 @@ public final class TrailRecorder {
     private final double interval;
     private final int mostWithCorners;
     private final Deque<TrailSample> samples = new ArrayDeque<>();
-    private String[] ids = {};
+    private Map<String, Integer> indices = Map.of();
     private int structure = -1;
     private double next;
 
@@ -53,14 +55,17 @@ public final class TrailRecorder {
         if (time < next) {
             return;
         }
+        if (this.structure != structure) {
+            indices = IntStream.range(0, count).boxed().collect(Collectors.toMap(system.getParticles()::id, i -> i));
+            this.structure = structure;
+        }
         float[] places = new float[3 * count];
         for (int i = 0, x = 0; i < places.length; i += 3, x += Particles.STRIDE) {
             places[i] = (float) state[x];
             places[i + 1] = (float) state[x + 1];
             places[i + 2] = (float) state[x + 2];
         }
-        samples.addLast(new TrailSample(time, places, this.structure == structure ? SAME : identify(system, count)));
-        this.structure = structure;
+        samples.addLast(new TrailSample(time, places, indices));
         while (samples.peekFirst().time() < time - duration - interval) {
             samples.removeFirst();
         }
@@ -78,37 +83,10 @@ public final class TrailRecorder {
         }
     }
 
-    /** Particles by id: ids stay when indices change. */
-    private int[] identify(ParticleSystem system, int count) {
-        Map<String, Integer> old = new HashMap<>();
-        for (int i = 0; i < ids.length; i++) {
-            old.put(ids[i], i);
-        }
-        ids = new String[count];
-        int[] before = new int[count];
-        for (int i = 0; i < count; i++) {
-            ids[i] = system.getParticles().id(i);
-            before[i] = old.getOrDefault(ids[i], -1);
-        }
-        return before;
-    }
-
-    /** @return the samples so far, the oldest first */
-    public TrailSample[] samples() {
-        return samples.isEmpty() ? NONE : samples.toArray(NONE);
-    }
-
-    /**
-     * @param structure the number of a state that is about to be drawn
-     * @return for each of its particles the index in the newest sample; empty if all are the same
-     */
-    public int[] indicesNow(ParticleSystem system, int count, int structure) {
-        if (samples.isEmpty() || this.structure == structure) {
-            return SAME;
-        }
-        String[] kept = ids;
-        int[] now = identify(system, count);
-        ids = kept;
-        return now;
+    /** @return the samples so far, the latest first */
+    public List<TrailSample> samples() {
+        List<TrailSample> latestFirst = new ArrayList<>(samples);
+        Collections.reverse(latestFirst);
+        return latestFirst;
     }
 }

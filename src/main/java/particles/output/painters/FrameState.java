@@ -1,9 +1,11 @@
 package particles.output.painters;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.law.Particles;
@@ -29,13 +31,13 @@ public final class FrameState {
     public double[] birth = {};
     /** The times of death of particles (s), if requested. */
     public double[] death = {};
-    /** Earlier positions, the oldest sample first. */
-    public TrailSample[] trail = {};
-    /** The index of each particle in the newest sample; empty if all are the same. */
-    public int[] trailIndex = {};
+    /** Earlier positions, the latest sample first. */
+    public List<TrailSample> trail = List.of();
+    /** The ids of particles. */
+    public String[] ids = {};
     /** Three entries a particle (m/s); only where arrows are drawn. */
     public double[] velocities = {};
-    /** The own style of each particle, or null; empty if all are alike. */
+    /** The own style of each particle, or null. */
     ParticleMark[] marks = {};
     /** The lines below the title; the first one is a warning. */
     public List<String> notes = List.of();
@@ -73,10 +75,8 @@ public final class FrameState {
         int count = system.getParticles().count();
         Map<String, ParticleMark> byId = marked.stream().collect(Collectors.toMap(ParticleMark::particle, mark -> mark,
                 (first, second) -> first));
-        marks = new ParticleMark[marked.isEmpty() ? 0 : count];
-        for (int i = 0; i < marks.length; i++) {
-            marks[i] = byId.get(system.getParticles().id(i));
-        }
+        ids = IntStream.range(0, count).mapToObj(system.getParticles()::id).toArray(String[]::new);
+        marks = Arrays.stream(ids).map(byId::get).toArray(ParticleMark[]::new);
         fixed = new boolean[count];
         birth = new double[withLives ? count : 0];
         death = new double[birth.length];
@@ -95,6 +95,12 @@ public final class FrameState {
         return vector(positions, i);
     }
 
+    /** @return where particle i was at the samples of the trail, back to the first one without it (m) */
+    public List<Vector3> path(int i) {
+        return trail.stream().map(sample -> sample.place(ids[i])).takeWhile(Optional::isPresent)
+                .map(Optional::orElseThrow).toList();
+    }
+
     /** @return the velocity of particle i (m/s); only where arrows are drawn */
     public Vector3 velocity(int i) {
         return vector(velocities, i);
@@ -107,6 +113,7 @@ public final class FrameState {
     /** Shares the springs, fixed particles, lives and marks of another state, which nobody changes any more. */
     public void shareStructure(FrameState other) {
         structure = other.structure;
+        ids = other.ids;
         fixed = other.fixed;
         birth = other.birth;
         death = other.death;

@@ -3,7 +3,6 @@ package particles.output.painters;
 import java.util.List;
 import java.util.Optional;
 import particles.law.Sphere;
-import particles.law.Vector3;
 import particles.output.raster.CameraProjection;
 import particles.output.raster.RoundShapes;
 import particles.output.raster.ShadowMap;
@@ -24,8 +23,7 @@ public record ShadowPainter(ShadowMap map, OpaquePainter shapes, List<Sphere> sp
         RoundShapes lamp = map.getShapes();
         for (Sphere sphere : spheres) {
             if (!sphere.hollow()) {
-                Vector3 c = sphere.centre();
-                CameraProjection.Place place = lamp.view().place(c.x(), c.y(), c.z());
+                CameraProjection.Place place = lamp.view().place(sphere.centre());
                 lamp.ball(place, place.scale() * sphere.radius(), sphere.radius(), 0);
             }
         }

@@ -1,6 +1,8 @@
 package particles.output.painters;
 
 import java.util.Arrays;
+import java.util.List;
+import particles.law.Vector3;
 import particles.output.raster.CameraProjection;
 import particles.output.raster.CameraProjection.Place;
 import particles.output.raster.Colours;
@@ -45,18 +47,15 @@ public final class TrailPainter {
 
     /** Draws one path backwards in time from the particle. */
     private void follow(FrameState state, int i, int rgb, Foreground foreground) {
-        Place from = view.place(state.positions[3 * i], state.positions[3 * i + 1], state.positions[3 * i + 2]);
+        Place from = view.place(state.place(i));
         double fromShare = 1;
-        int index = state.trailIndex.length == 0 ? i : state.trailIndex[i];
-        for (int k = state.trail.length - 1; k >= 0 && index >= 0 && fromShare > 0; k--) {
-            TrailSample sample = state.trail[k];
-            float[] places = sample.places();
-            Place to = view.place(places[3 * index], places[3 * index + 1], places[3 * index + 2]);
-            double share = 1 - (state.time - sample.time()) / duration;
+        List<Vector3> path = state.path(i);
+        for (int k = 0; k < path.size() && fromShare > 0; k++) {
+            Place to = view.place(path.get(k));
+            double share = 1 - (state.time - state.trail.get(k).time()) / duration;
             line(from, to, STRONGEST * fromShare, STRONGEST * Math.max(0, share), rgb, foreground);
             from = to;
             fromShare = share;
-            index = sample.earlier(index);
         }
     }
 

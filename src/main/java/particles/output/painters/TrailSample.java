@@ -1,16 +1,21 @@
 package particles.output.painters;
 
-/**
- * The positions of all particles at a time; immutable, so that threads can share it.
- *
- * @param time   the time (s)
- * @param places three entries a particle (m)
- * @param before the index of each particle in the previous sample, -1 if it was not there; empty if all are the same
- */
-public record TrailSample(double time, float[] places, int[] before) {
+import java.util.Map;
+import java.util.Optional;
+import particles.law.Vector3;
 
-    /** @return the index in the previous sample of the particle with this index, -1 if it was not there */
-    public int earlier(int i) {
-        return before.length == 0 ? i : before[i];
+/**
+ * The positions of all particles at a time; nobody changes it any more, so that threads can share it.
+ *
+ * @param time    the time (s)
+ * @param places  three entries a particle (m)
+ * @param indices the index of each particle in them, by its id
+ */
+public record TrailSample(double time, float[] places, Map<String, Integer> indices) {
+
+    /** @return where a particle was (m); empty if it was not there */
+    public Optional<Vector3> place(String id) {
+        return Optional.ofNullable(indices.get(id)).map(i ->
+                new Vector3(places[3 * i], places[3 * i + 1], places[3 * i + 2]));
     }
 }

@@ -122,7 +122,7 @@ public final class Backdrop {
         colour[p] = Colours.mix(Colours.lit(Colours.mix(sky.ground, sky.line, line), Math.max(0.5f, light), 0),
                 sky.horizon, haze);
         near[p] = (float) view.nearness(depth);
-        CameraProjection.Place seen = setting.lampView.place(hit.x(), hit.y(), hit.z());
+        CameraProjection.Place seen = setting.lampView.place(hit);
         double seenX = seen.x() / Raster.SAMPLES;
         double seenY = seen.y() / Raster.SAMPLES;
         if (isLit(plane, lighting) && haze < 0.9 && ShadowMap.contains(seenX, seenY)) {

@@ -36,34 +36,16 @@ public final class CameraFraming {
             size = new Vector3(1, 1, 1);
         }
         Vector3 from = (size.z() <= FLAT * largest ? FROM_THE_FRONT : FROM_THE_SIDE).normalized();
-        double near = 0.1 * largest;
-        double far = 100 * largest / Math.min(1, aspect);
-        for (int halving = 0; halving < 60; halving++) {
-            double middleWay = (near + far) / 2;
-            if (fits(camera(middle, from, middleWay), middle, size, aspect)) {
-                far = middleWay;
-            } else {
-                near = middleWay;
-            }
-        }
-        return camera(middle, from, far);
-    }
-
-    private static Camera camera(Vector3 target, Vector3 from, double distance) {
-        return new Camera(target.plus(from.times(distance)), target, UP, true, FIELD_OF_VIEW, 0);
-    }
-
-    private static boolean fits(Camera camera, Vector3 middle, Vector3 size, double aspect) {
-        int height = 1000;
-        CameraProjection view = new CameraProjection(camera, (int) Math.ceil(aspect * height), height);
+        Vector3 right = UP.cross(from).normalized();
+        Vector3 up = from.cross(right);
+        double filled = FILLED * Math.tan(Math.toRadians(FIELD_OF_VIEW) / 2);
+        double distance = 0;
         for (int corner = 0; corner < 8; corner++) {
-            double x = middle.x() + size.x() * ((corner & 1) - 0.5);
-            double y = middle.y() + size.y() * ((corner >> 1 & 1) - 0.5);
-            double z = middle.z() + size.z() * ((corner >> 2 & 1) - 0.5);
-            if (!view.isInPicture(x, y, z, FILLED)) {
-                return false;
-            }
+            Vector3 at = new Vector3(size.x() * ((corner & 1) - 0.5), size.y() * ((corner >> 1 & 1) - 0.5),
+                    size.z() * ((corner >> 2) - 0.5));
+            double beside = Math.max(Math.abs(at.dot(right)) / aspect, Math.abs(at.dot(up)));
+            distance = Math.max(distance, at.dot(from) + beside / filled);
         }
-        return true;
+        return new Camera(middle.plus(from.times(distance)), middle, UP, true, FIELD_OF_VIEW, 0);
     }
 }

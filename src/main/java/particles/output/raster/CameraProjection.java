@@ -89,6 +89,11 @@ public final class CameraProjection {
                 depth, scale, nearness(depth), isInFront(depth));
     }
 
+    /** @return where the camera sees a point */
+    public Place place(Vector3 point) {
+        return place(point.x(), point.y(), point.z());
+    }
+
     /**
      * @param points the points, three coordinates each (m)
      * @param count  their number
@@ -104,11 +109,11 @@ public final class CameraProjection {
         return new Direction((float) direction.dot(right), (float) direction.dot(up), (float) direction.dot(back));
     }
 
-    /** @return whether the point is inside the middle part of the picture, 1 for all of it */
-    public boolean isInPicture(double x, double y, double z, double part) {
+    /** @return whether the point is inside the picture */
+    public boolean isInPicture(double x, double y, double z) {
         Place place = place(x, y, z);
-        return place.visible && Math.abs(place.x - width / 2.0) <= part * width / 2
-                && Math.abs(place.y - height / 2.0) <= part * height / 2;
+        return place.visible && Math.abs(place.x - width / 2.0) <= width / 2.0
+                && Math.abs(place.y - height / 2.0) <= height / 2.0;
     }
 
     /** @return the origin of the ray through a point of the picture */

@@ -79,7 +79,7 @@ class CameraFinderTest {
             public void moved(Motion motion) {
                 double[] state = motion.getEndState();
                 for (int x = 0; x < state.length; x += Particles.STRIDE) {
-                    assertTrue(view.isInPicture(state[x], state[x + 1], state[x + 2], 1), "t = " + motion.getEndTime());
+                    assertTrue(view.isInPicture(state[x], state[x + 1], state[x + 2]), "t = " + motion.getEndTime());
                 }
             }
         });
@@ -113,7 +113,7 @@ class CameraFinderTest {
     /** A push of t N does 1,250 J of work on each mass of 1 kg in 10 s; at the start nothing promises 0.1 J. */
     @Test
     void whatOwnForcesDoIsNoBlowUp() {
-        assertTrue(viewOfPushed(t -> t, "rk4", 10).isInPicture(166, 0, 0, 1), "x = t^3/6");
+        assertTrue(viewOfPushed(t -> t, "rk4", 10).isInPicture(166, 0, 0), "x = t^3/6");
     }
 
     /**

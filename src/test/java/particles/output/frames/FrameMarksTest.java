@@ -12,6 +12,7 @@ import static particles.output.SmallPictures.renderer;
 
 import java.awt.geom.Rectangle2D;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -129,9 +130,9 @@ class FrameMarksTest {
                 state.positions[4] = y;
                 state.springs = new SpringList(new int[] {0}, new int[] {1}, new double[] {1}, new double[] {1});
             } else {
-                state.trail = new TrailSample[] {
-                    new TrailSample(0, new float[] {9, 9, 0, (float) x, (float) y, 0}, new int[0]),
-                    new TrailSample(1, new float[] {9, 9, 0, 0, 0, 0}, new int[0])};
+                Map<String, Integer> index = Map.of(state.ids[1], 0);
+                state.trail = List.of(new TrailSample(1, new float[3], index),
+                        new TrailSample(0, new float[] {(float) x, (float) y, 0}, index));
             }
             Rectangle2D box = marks.boxes(state, RADIUS / 2).get(0);
             assertFalse(box.intersectsLine(160, 100, 160 + 20 * x, 100 - 20 * y), "place " + k + ": " + box);
