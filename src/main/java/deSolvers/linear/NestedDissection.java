@@ -1,6 +1,7 @@
 package deSolvers.linear;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /**
  * Nested dissection: an order of elimination with little fill-in. A separator, a small set of rows, cuts the graph of
@@ -27,45 +28,49 @@ final class NestedDissection {
         order = new int[pattern.rows];
         queue = new int[pattern.rows];
         level = new int[pattern.rows];
-        for (int i = 0; i < order.length; i++) {
-            order[i] = i;
-        }
     }
 
     /** @return all rows in the order of their elimination */
     static int[] order(BlockPattern pattern) {
         NestedDissection dissection = new NestedDissection(pattern);
-        dissection.dissect(0, pattern.rows);
+        dissection.dissect(IntStream.range(0, pattern.rows).toArray(), 0);
         return dissection.order;
     }
 
-    /** Orders the rows that stand in a range of the order. None of them touches a row of a range ordered before. */
-    private void dissect(int begin, int finish) {
-        int from = begin;
-        int end = finish;
-        while (end - from > SMALL) {
-            int found = search(from, end, order[from]);
+    /** Orders rows from a place on. None of them touches a row that was ordered before. */
+    private void dissect(int[] all, int place) {
+        int[] rows = all;
+        int begin = place;
+        while (rows.length > SMALL) {
+            int found = search(rows, rows[0]);
             int separator = UNKNOWN - 1;                // not connected: nothing to separate
-            if (found == end - from) {
-                search(from, end, queue[found - 1]);    // again, from a row at the rim
+            if (found == rows.length) {
+                search(rows, queue[found - 1]);         // again, from a row at the rim
                 separator = separator(found);
                 if (separator == 0) {
-                    return;
+                    break;
                 }
             }
-            int middle = sort(from, end, separator);
-            while (level[order[end - 1]] == separator) {
-                end--;
-            }
-            dissect(from, middle);
-            from = middle;
+            int[] below = part(rows, separator, -1);
+            int[] above = part(rows, separator, 1);
+            int[] between = part(rows, separator, 0);
+            System.arraycopy(between, 0, order, begin + rows.length - between.length, between.length);
+            dissect(below, begin);
+            begin += below.length;
+            rows = above;
         }
+        System.arraycopy(rows, 0, order, begin, rows.length);
+    }
+
+    /** The rows at levels below the separator (-1), in it (0) or above it (1). */
+    private int[] part(int[] rows, int separator, int side) {
+        return Arrays.stream(rows).filter(i -> Integer.compare(level[i], separator) == side).toArray();
     }
 
     /** Sorts the rows connected to the root into levels; returns their number. */
-    private int search(int from, int end, int root) {
-        for (int k = from; k < end; k++) {
-            level[order[k]] = UNKNOWN;
+    private int search(int[] rows, int root) {
+        for (int i : rows) {
+            level[i] = UNKNOWN;
         }
         int found = 0;
         queue[found++] = root;
@@ -101,25 +106,5 @@ final class NestedDissection {
             }
         }
         return best;
-    }
-
-    /**
-     * Puts the levels below the separator first, those above it next, and the separator last; returns where the second
-     * begin.
-     */
-    private int sort(int from, int end, int separator) {
-        int[] rows = Arrays.copyOfRange(order, from, end);
-        int to = from;
-        int middle = from;
-        for (int part = -1; part <= 1; part++) {
-            for (int i : rows) {
-                int compared = Integer.compare(level[i], separator);
-                if (part == -1 ? compared < 0 : part == 0 ? compared > 0 : compared == 0) {
-                    order[to++] = i;
-                }
-            }
-            middle = part == -1 ? to : middle;
-        }
-        return middle;
     }
 }

@@ -60,7 +60,7 @@ public class LinearPair extends ReferenceProblem {
     public double size() {
         double largest = 0;
         for (double entry : getState()) {
-            largest = Math.abs(entry) <= largest ? largest : Math.abs(entry);       // NaN stays
+            largest = Math.max(largest, Math.abs(entry));        // NaN stays
         }
         return largest;
     }

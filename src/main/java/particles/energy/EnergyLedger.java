@@ -2,10 +2,13 @@ package particles.energy;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
@@ -85,7 +88,7 @@ public final class EnergyLedger implements Observer {
             }
             if (Collections.disjoint(effect.getTraits(), Trait.OF_ENERGY)) {
                 accounts.add(new Account(effect.getName(), false,
-                        (state, time) -> power(effect, system.getParticles(), state, time),
+                        (state, time) -> power(Stream.of(effect), free(system.getParticles()), state, time),
                         effect::getPotentialEnergy));
             }
         }
@@ -100,7 +103,10 @@ public final class EnergyLedger implements Observer {
             });
         }
         if (system.getMovingAnchors().length > 0) {
-            open("moving anchors", false, (state, time) -> anchorPower(system, state, time));
+            // minus the internal forces on each anchor, times its velocity
+            open("moving anchors", false, (state, time) -> -power(system.getEffects().stream()
+                    .filter(effect -> effect.getTraits().contains(Trait.INTERNAL)),
+                    Arrays.stream(system.getMovingAnchors()), state, time));
         }
         energy = system.getEnergy(system.getOwnState(), system.getTime());
         startEnergy = energy;
@@ -172,34 +178,19 @@ public final class EnergyLedger implements Observer {
         return mean;
     }
 
-    /** The power of an effect's forces on the particles that can move (W). */
-    private static double power(Effect effect, Particles particles, double[] state, double time) {
-        double[] force = new double[state.length];
-        effect.addForces(state, time, force);
-        double power = 0;
-        for (int i = 0; i < particles.count(); i++) {
-            power += particles.isFixed(i) ? 0 : power(i, force, state);
-        }
-        return power;
+    private static IntStream free(Particles particles) {
+        return IntStream.range(0, particles.count()).filter(i -> !particles.isFixed(i));
     }
 
-    /** The power of the prescribed motion of anchors: minus the internal forces on each anchor, times its velocity. */
-    private static double anchorPower(ParticleSystem system, double[] state, double time) {
+    /** The power of effects' forces on some particles (W). */
+    private static double power(Stream<Effect> effects, IntStream particles, double[] state, double time) {
         double[] force = new double[state.length];
-        for (Effect effect : system.getEffects()) {
-            if (effect.getTraits().contains(Trait.INTERNAL)) {
-                effect.addForces(state, time, force);
-            }
-        }
+        effects.forEach(effect -> effect.addForces(state, time, force));
         double power = 0;
-        for (int anchor : system.getMovingAnchors()) {
-            power -= power(anchor, force, state);
+        for (int i : particles.toArray()) {
+            power += Vector3.at(force, STRIDE * i + 3).dot(Vector3.at(state, STRIDE * i + 3));
         }
         return power;
-    }
-
-    private static double power(int particle, double[] force, double[] state) {
-        return Vector3.at(force, STRIDE * particle + 3).dot(Vector3.at(state, STRIDE * particle + 3));
     }
 
     /** @return the total energy at the beginning (J) */
