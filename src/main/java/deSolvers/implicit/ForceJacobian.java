@@ -1,19 +1,24 @@
 package deSolvers.implicit;
 
+import deSolvers.ForceDerivatives;
 import deSolvers.JacobianStateSource;
+import deSolvers.linear.BlockMatrix;
+import deSolvers.linear.BlockPattern;
 import deSolvers.linear.Gmres;
 import deSolvers.linear.SolverWork;
 import java.util.Arrays;
 import java.util.function.BiConsumer;
+import java.util.stream.LongStream;
 
 /**
- * Multiplies with the force derivatives of particles, K = dF/dx and C = dF/dv, at one state: by their blocks, or by a
- * difference of f where the blocks are not the whole derivative. Vectors have three entries per particle.
+ * The force derivatives of particles, K = dF/dx and C = dF/dv, at one state: sparse matrices of blocks, or differences
+ * of f where the blocks are not the whole derivative. The source names its blocks one by one; where it names others than
+ * before, the pattern is found anew. The mass of a held particle counts as 1, and its rows are 0, so that nothing moves
+ * it. Vectors have three entries per particle.
  */
-public final class ForceJacobian {
+public final class ForceJacobian implements ForceDerivatives {
     private final SolverWork work;
     private final BiConsumer<double[], double[]> derivative;
-    private final ForceBlocks blocks;
     private final double[] base;
     private final double[] slope;                       // f there
     private final double[] varied;
@@ -22,6 +27,20 @@ public final class ForceJacobian {
     private final double[] term;
     private double size;                                // of the base
     private boolean exact;
+    private final NegativeSemidefinitePart projection = new NegativeSemidefinitePart();
+    private final double[] projected = new double[9];
+    private final double[] row = new double[9];
+    private BlockPattern pattern;
+    private BlockMatrix stiffness;
+    private BlockMatrix damping;
+    private final double[] masses;
+    private final boolean[] held;
+    private boolean projects;
+    private int named;                                  // pairs so far
+    private int known;                                  // pairs from which the pattern was made
+    private boolean matches;                            // whether all pairs so far have a place in the pattern
+    private boolean recording;
+    private LongStream.Builder pairs = LongStream.builder();
 
     /**
      * @param work       counts the products by differences
@@ -31,13 +50,15 @@ public final class ForceJacobian {
     public ForceJacobian(SolverWork work, int n, BiConsumer<double[], double[]> derivative) {
         this.work = work;
         this.derivative = derivative;
-        blocks = new ForceBlocks(work);
         base = new double[n];
         slope = new double[n];
         varied = new double[n];
         variedSlope = new double[n];
         zero = new double[n / 2];
         term = new double[n / 2];
+        masses = new double[n / 6];
+        held = new boolean[n / 6];
+        setPattern();
     }
 
     /**
@@ -50,11 +71,45 @@ public final class ForceJacobian {
      */
     public void setUp(JacobianStateSource source, double[] state, double[] slope, boolean projects) {
         exact = source.hasExactJacobian();
+        this.projects = projects;
         System.arraycopy(state, 0, base, 0, base.length);
         System.arraycopy(slope, 0, this.slope, 0, base.length);
         size = Gmres.norm(base);
         size = size == 0 ? 1 : size;
-        blocks.collect(source, base.length / 6, projects);
+        receive(source);
+        if (!matches || named != known) {
+            recording = true;
+            pairs = LongStream.builder();
+            source.addJacobianBlocks(this);
+            recording = false;
+            setPattern();
+            receive(source);
+        }
+        for (int i = 0; i < masses.length; i++) {
+            double inverse = source.getInverseMass(i);
+            held[i] = inverse == 0;
+            masses[i] = held[i] ? 1 : 1 / inverse;
+            if (held[i]) {
+                Arrays.fill(stiffness.getValues(), 9 * pattern.rowStart(i), 9 * pattern.rowStart(i + 1), 0);
+                Arrays.fill(damping.getValues(), 9 * pattern.rowStart(i), 9 * pattern.rowStart(i + 1), 0);
+            }
+        }
+    }
+
+    private void setPattern() {
+        long[] recorded = pairs.build().toArray();
+        known = recorded.length;
+        pattern = new BlockPattern(masses.length, recorded);
+        stiffness = new BlockMatrix(pattern, work);
+        damping = new BlockMatrix(pattern, work);
+    }
+
+    private void receive(JacobianStateSource source) {
+        Arrays.fill(stiffness.getValues(), 0);
+        Arrays.fill(damping.getValues(), 0);
+        named = 0;
+        matches = true;
+        source.addJacobianBlocks(this);
     }
 
     /** Whether the blocks are the whole derivative. */
@@ -62,13 +117,27 @@ public final class ForceJacobian {
         return exact;
     }
 
-    ForceBlocks getBlocks() {
-        return blocks;
+    BlockPattern getPattern() {
+        return pattern;
+    }
+
+    /** The mass of a particle (kg); 1 if it is held. */
+    double mass(int i) {
+        return masses[i];
     }
 
     /** Computes K x. */
     void multiply(double[] x, double[] force) {
         multiply(x, zero, force);
+    }
+
+    /** Multiplies by the absolute values of K, or by K where the blocks are not the whole derivative. */
+    void multiplyAbsolute(double[] x, double[] force) {
+        if (exact) {
+            stiffness.applyAbsolute(x, force);
+        } else {
+            multiply(x, force);
+        }
     }
 
     /**
@@ -80,9 +149,9 @@ public final class ForceJacobian {
      */
     public void multiply(double[] x, double[] v, double[] force) {
         if (exact) {
-            blocks.getStiffness().apply(x, force);
+            stiffness.apply(x, force);
             if (v != zero) {
-                blocks.getDamping().apply(v, term);
+                damping.apply(v, term);
                 for (int i = 0; i < force.length; i++) {
                     force[i] += term[i];
                 }
@@ -102,12 +171,92 @@ public final class ForceJacobian {
         work.products++;
         derivative.accept(varied, variedSlope);
         for (int i = 0; i < force.length; i++) {
-            force[i] = blocks.mass(i / 3) * (variedSlope[place(i) + 3] - slope[place(i) + 3]) / delta;
+            force[i] = masses[i / 3] * (variedSlope[place(i) + 3] - slope[place(i) + 3]) / delta;
         }
     }
 
     /** Each coordinate's place in the state; that of its velocity is 3 further on. */
     static int place(int i) {
         return 6 * (i / 3) + i % 3;
+    }
+
+    /**
+     * Writes M - g C - g<sup>2</sup> K, without the columns of held particles, whose velocities never change.
+     *
+     * @return the largest ratio of a diagonal entry to its mass: about the condition number, 1 or more
+     */
+    double combine(double g, BlockMatrix matrix) {
+        double[] value = matrix.getValues();
+        double condition = 1;
+        for (int i = 0; i < masses.length; i++) {
+            for (int s = pattern.rowStart(i); s < pattern.rowStart(i + 1); s++) {
+                boolean zero = held[pattern.column(s)];
+                for (int e = 9 * s; e < 9 * s + 9; e++) {
+                    value[e] = zero ? 0 : -g * (damping.getValues()[e] + g * stiffness.getValues()[e]);
+                }
+            }
+            int diagonal = 9 * pattern.diagonal(i);
+            for (int e = diagonal; e < diagonal + 9; e += 4) {
+                value[e] += masses[i];
+                condition = Math.max(condition, Math.abs(value[e]) / masses[i]);
+            }
+        }
+        return condition;
+    }
+
+    /** The slot of a block beside the diagonal that is named now; negative if it has none (yet). */
+    private int slot(int i, int j) {
+        named++;
+        if (recording) {
+            pairs.add(BlockPattern.place(i, j));
+            return -1;
+        }
+        int slot = matches ? pattern.find(i, j) : -1;
+        matches = slot >= 0;
+        return slot;
+    }
+
+    @Override
+    public void add(int i, int j, double[] dFdX, double[] dFdV) {
+        if (i != j) {
+            int slot = slot(i, j);
+            if (slot >= 0) {
+                addTo(slot, dFdX, dFdV, 1);
+            }
+        } else if (!recording && matches) {
+            // any pattern has the diagonal, so that contacts come and go without a new one
+            addTo(pattern.diagonal(i), dFdX, dFdV, 1);
+        }
+    }
+
+    @Override
+    public void addPair(int i, int j, double[] dFdX, double[] dFdV) {
+        int slot = slot(i, j);
+        if (slot >= 0) {
+            double[] k = dFdX;
+            if (projects) {
+                projection.compute(dFdX, projected);
+                k = projected;
+            }
+            addTo(pattern.diagonal(i), k, dFdV, 1);
+            addTo(pattern.diagonal(j), k, dFdV, 1);
+            addTo(slot, k, dFdV, -1);
+            addTo(pattern.find(j, i), k, dFdV, -1);
+        }
+    }
+
+    private void addTo(int slot, double[] dFdX, double[] dFdV, double sign) {
+        for (int e = 0, at = 9 * slot; e < 9; e++, at++) {
+            stiffness.getValues()[at] += sign * dFdX[e];
+            damping.getValues()[at] += sign * dFdV[e];
+        }
+    }
+
+    @Override
+    public void transformRow(int i, double[] matrix) {
+        if (!recording && matches) {
+            stiffness.transformRow(i, matrix, row);
+            damping.transformRow(i, matrix, row);
+        }
     }
 }

@@ -25,7 +25,6 @@ import deSolvers.linear.SolverWork;
 final class ReducedVelocitySystem implements ShiftedJacobian {
     private final SolverWork work;
     private final ForceJacobian jacobian;
-    private final ForceBlocks blocks;
     private final BlockSolver solver;
     private final Shift real;
     private final Shift complex;
@@ -42,9 +41,8 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
     ReducedVelocitySystem(SolverWork work, int n) {
         this.work = work;
         jacobian = new ForceJacobian(work, n, (state, dSdt) -> source.getStateDerivative(state, dSdt));
-        blocks = jacobian.getBlocks();
         solver = new BlockSolver(work);
-        matrix = new BlockMatrix(blocks.getPattern(), work);
+        matrix = new BlockMatrix(jacobian.getPattern(), work);
         m = n / 2;
         real = new Shift(1);
         complex = new Shift(2);
@@ -59,8 +57,8 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         this.source = source;
         source.setState(state);
         jacobian.setUp((JacobianStateSource) source.getClient(), state, slope, kind != Kind.EXACT);
-        if (matrix.getPattern() != blocks.getPattern()) {
-            matrix = new BlockMatrix(blocks.getPattern(), work);
+        if (matrix.getPattern() != jacobian.getPattern()) {
+            matrix = new BlockMatrix(jacobian.getPattern(), work);
         }
     }
 
@@ -84,7 +82,7 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
     @Override
     public boolean prepare(double g) {
         real.re = g;
-        return solver.prepare(matrix, jacobian.isExact() ? matrix : real, blocks.combine(g, matrix));
+        return solver.prepare(matrix, jacobian.isExact() ? matrix : real, jacobian.combine(g, matrix));
     }
 
     @Override
@@ -133,7 +131,7 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
             }
             for (int part = 0; part < b.length; part++) {
                 for (int i = 0; i < m; i++) {
-                    right[part * m + i] = blocks.mass(i / 3) * b[part][place(i) + 3] + re * forces[part][i]
+                    right[part * m + i] = jacobian.mass(i / 3) * b[part][place(i) + 3] + re * forces[part][i]
                             + turned(part) * forces[b.length - 1 - part][i];
                 }
             }
@@ -174,7 +172,7 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
                 }
                 jacobian.multiply(partPositions, partVelocities, partForces);
                 for (int i = 0; i < m; i++) {
-                    y[part * m + i] = blocks.mass(i / 3) * v[part * m + i] - partForces[i];
+                    y[part * m + i] = jacobian.mass(i / 3) * v[part * m + i] - partForces[i];
                 }
             }
         }
@@ -209,7 +207,7 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         double[] weight = jacobian.isExact() ? residual : solution;
         double sum = 0;
         for (int i = 0; i < m; i++) {
-            sum += blocks.mass(i / 3) * weight[place(i) + 3] * direction[place(i) + 3];
+            sum += jacobian.mass(i / 3) * weight[place(i) + 3] * direction[place(i) + 3];
         }
         return sum;
     }
@@ -221,14 +219,10 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
             partPositions[i] = Math.abs(state[place(i)]);
             size[place(i)] = Math.abs(g * slope[place(i)]);
         }
-        if (jacobian.isExact()) {
-            blocks.getStiffness().applyAbsolute(partPositions, partForces);
-        } else {
-            jacobian.multiply(partPositions, partForces);
-        }
+        jacobian.multiplyAbsolute(partPositions, partForces);
         for (int i = 0; i < m; i++) {
             int at = place(i) + 3;
-            size[at] = Math.abs(g) * Math.max(Math.abs(slope[at]), Math.abs(partForces[i]) / blocks.mass(i / 3));
+            size[at] = Math.abs(g) * Math.max(Math.abs(slope[at]), Math.abs(partForces[i]) / jacobian.mass(i / 3));
         }
     }
 }

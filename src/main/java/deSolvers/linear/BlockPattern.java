@@ -39,11 +39,6 @@ public final class BlockPattern {
         return (long) row << Integer.SIZE | column;
     }
 
-    /** @return the number of rows of blocks */
-    public int getRows() {
-        return rows;
-    }
-
     /**
      * @param i a row
      * @return the slot of its diagonal block

@@ -33,10 +33,10 @@ final class SparseCases {
 
     /** Springs of this stiffness between all that touch, and a mass of 1 on each: positive definite. */
     static BlockMatrix springs(BlockPattern pattern, double stiffness, boolean symmetric, SolverWork work) {
-        Random random = new Random(pattern.getRows());
+        Random random = new Random(pattern.rows);
         BlockMatrix matrix = new BlockMatrix(pattern, work);
         double[] value = matrix.getValues();
-        for (int i = 0; i < pattern.getRows(); i++) {
+        for (int i = 0; i < pattern.rows; i++) {
             for (int e = 0; e < 9; e += 4) {
                 value[9 * pattern.diagonal(i) + e] += 1;
             }
@@ -58,9 +58,9 @@ final class SparseCases {
     /** The same matrix in full, by rows. */
     static double[] full(BlockMatrix matrix) {
         BlockPattern pattern = matrix.getPattern();
-        int n = 3 * pattern.getRows();
+        int n = 3 * pattern.rows;
         double[] full = new double[n * n];
-        for (int i = 0; i < pattern.getRows(); i++) {
+        for (int i = 0; i < pattern.rows; i++) {
             for (int s = pattern.rowStart(i); s < pattern.rowStart(i + 1); s++) {
                 for (int e = 0; e < 9; e++) {
                     full[(3 * i + e / 3) * n + 3 * pattern.column(s) + e % 3] = matrix.getValues()[9 * s + e];
