@@ -12,9 +12,9 @@ import java.util.stream.LongStream;
 
 /**
  * The force derivatives of particles, K = dF/dx and C = dF/dv, at one state: sparse matrices of blocks, or differences
- * of f where the blocks are not the whole derivative. The source names its blocks one by one; where it names others than
- * before, the pattern is found anew. The mass of a held particle counts as 1, and its rows are 0, so that nothing moves
- * it. Vectors have three entries per particle.
+ * of f where the blocks are not the whole derivative. The source names its blocks one by one; where it names others
+ * than before, the pattern is found anew. The mass of a held particle counts as 1, and its rows are 0, so that nothing
+ * moves it. Vectors have three entries per particle.
  */
 public final class ForceJacobian implements ForceDerivatives {
     private final SolverWork work;

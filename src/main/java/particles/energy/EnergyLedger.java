@@ -10,7 +10,6 @@ import java.util.Map;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.Motion;
-import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.law.Effect;
@@ -32,7 +31,7 @@ import particles.law.Vector3;
  * far from the trapezoidal rule; the step then counts with the power at the mean velocity, the displacement divided by
  * the time. The ledger evaluates forces itself; these evaluations are not counted as the solver's and change nothing.
  */
-public final class EnergyLedger implements Observer {
+public class EnergyLedger extends StridedRecorder {
     private static final int STRIDE = Particles.STRIDE;
     /**
      * Simpson's rule and the trapezoidal rule may differ by this part of the larger one. For the power of linear drag,
@@ -76,6 +75,15 @@ public final class EnergyLedger implements Observer {
     private double uncertainty;
     private boolean powersKnown;
 
+    /** Keeps no curves; {@link EnergyLedgerRecorder} does. */
+    public EnergyLedger() {
+        this(1);
+    }
+
+    EnergyLedger(long stride) {
+        super(stride);
+    }
+
     @Override
     public void started(ParticleSystem system) {
         for (Effect effect : system.getEffects()) {
@@ -110,6 +118,7 @@ public final class EnergyLedger implements Observer {
         }
         energy = system.getEnergy(system.getOwnState(), system.getTime());
         startEnergy = energy;
+        super.started(system);
     }
 
     private void open(String name, boolean changesBetweenSteps, Power power) {
@@ -122,6 +131,7 @@ public final class EnergyLedger implements Observer {
             book(motion.getPiece(k));
         }
         energy = motion.getSystem().getEnergy(motion.getEndState(), motion.getEndTime());
+        super.moved(motion);
     }
 
     private void book(Motion motion) {
@@ -164,6 +174,7 @@ public final class EnergyLedger implements Observer {
         }
         energy = after;
         powersKnown = false;
+        super.changed(system, rule);
     }
 
     /** The positions in the middle, with the mean velocities of the motion: displacement divided by time. */

@@ -5,9 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.DoubleUnaryOperator;
-import particles.Motion;
 import particles.ParticleSystem;
-import particles.Rule;
 import particles.view.ChartData;
 import particles.view.ChartData.Series;
 
@@ -15,12 +13,11 @@ import particles.view.ChartData.Series;
  * Records a run's energy ledger over time: the energy that each kind of work put in or took out, and the rest, which is
  * numerical error. Every step is recorded; curves are thinned to some thousand points, with every extreme kept.
  */
-public final class EnergyLedgerRecorder extends StridedRecorder {
+public final class EnergyLedgerRecorder extends EnergyLedger {
     private static final int BUCKETS = 1024;
     /** Work below this part of the energy scale is round-off, such as that of elastic impacts. */
     private static final double ROUNDING = 1e-12;
 
-    private final EnergyLedger ledger = new EnergyLedger();
     private final MinMaxThinning error = new MinMaxThinning(BUCKETS);
     private final Map<String, MinMaxThinning> work = new LinkedHashMap<>();
 
@@ -30,27 +27,9 @@ public final class EnergyLedgerRecorder extends StridedRecorder {
     }
 
     @Override
-    public void started(ParticleSystem system) {
-        ledger.started(system);
-        super.started(system);
-    }
-
-    @Override
-    public void moved(Motion motion) {
-        ledger.moved(motion);
-        super.moved(motion);
-    }
-
-    @Override
-    public void changed(ParticleSystem system, Rule rule) {
-        ledger.changed(system, rule);
-        super.changed(system, rule);
-    }
-
-    @Override
     void record(ParticleSystem system, double[] state, double time) {
-        error.add(time, ledger.getNumericalError());
-        ledger.getWork().forEach((name, joules) -> work.computeIfAbsent(name, unknown -> began()).add(time, joules));
+        error.add(time, getNumericalError());
+        getWork().forEach((name, joules) -> work.computeIfAbsent(name, unknown -> began()).add(time, joules));
     }
 
     /** The first bounce may come late; until then its work was 0. */
@@ -62,11 +41,6 @@ public final class EnergyLedgerRecorder extends StridedRecorder {
         return fresh;
     }
 
-    /** @return the work done on the system, by name (J); negative where energy was taken out */
-    public Map<String, Double> getWork() {
-        return ledger.getWork();
-    }
-
     /** @return the largest size of the work of any kind during the run (J); 0 where there is none */
     public double getLargestWork() {
         return work.values().stream().mapToDouble(MinMaxThinning::largestSize).max().orElse(0);
@@ -75,16 +49,6 @@ public final class EnergyLedgerRecorder extends StridedRecorder {
     /** @return the times (s) and the numerical errors (J), with every extreme */
     public double[][] getNumericalErrors() {
         return error.points();
-    }
-
-    /** @return the numerical error at the end, the change of energy that no work explains (J) */
-    public double getNumericalError() {
-        return ledger.getNumericalError();
-    }
-
-    /** @return how far the ledger itself may be off, see {@link EnergyLedger#getUncertainty} (J) */
-    public double getUncertainty() {
-        return ledger.getUncertainty();
     }
 
     /** The numerical error at the last recorded step (J). */

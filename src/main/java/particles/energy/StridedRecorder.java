@@ -19,7 +19,9 @@ abstract class StridedRecorder implements Observer {
         this.stride = stride;
     }
 
-    abstract void record(ParticleSystem system, double[] state, double time);
+    /** Records a state; by default nothing. */
+    void record(ParticleSystem system, double[] state, double time) {
+    }
 
     @Override
     public void started(ParticleSystem system) {
