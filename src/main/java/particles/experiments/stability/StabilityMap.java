@@ -16,6 +16,8 @@ import particles.view.ChartData.Series;
 public final class StabilityMap {
     /** The number of bisections of a grid square by which a point on the outline is found. */
     private static final int HALVINGS = 8;
+    /** The frame of a chart is this much higher than what it shows; the region goes on to its edge. */
+    private static final double FRAME = 1.1;
 
     private final DoubleBinaryOperator modulus;
     private final Window window;
@@ -33,7 +35,7 @@ public final class StabilityMap {
         this.window = window;
         this.mirrored = mirrored;
         int columns = (int) Math.round((window.right() - window.left()) / window.cell());
-        int rows = (int) Math.round(window.top() / window.cell());
+        int rows = (int) Math.ceil(FRAME * window.top() / window.cell());
         grows = new boolean[rows + 1][columns + 1];
         for (int r = 0; r <= rows; r++) {
             for (int c = 0; c <= columns; c++) {

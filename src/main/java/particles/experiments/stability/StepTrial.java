@@ -88,8 +88,8 @@ public record StepTrial(Optional<Amplification> amplification, double noise, Str
             return refused("a step leaves the state as it was");
         }
         return steps == 1 && isExact(maker, springs)
-                ? refused("it takes sub-steps as short as the system needs: any deltaT is stable, and costs"
-                + " what they cost") : new StepTrial(Optional.of(new Amplification(maker, springs, steps > 1)), noise,
+                ? refused("one step follows two whole revolutions, as sub-steps or an exact solution do:"
+                + " any deltaT is stable") : new StepTrial(Optional.of(new Amplification(maker, springs, steps > 1)), noise,
                 "");
     }
 

@@ -4,7 +4,6 @@ import com.samskivert.mustache.Mustache;
 import com.samskivert.mustache.Template.Fragment;
 import java.io.IOException;
 import java.io.Writer;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Base64;
@@ -131,7 +130,6 @@ public final class ReportWriter {
     private static void putBytes(Fragment folder, Writer page) throws IOException {
         Picture picture = (Picture) folder.context();
         byte[] file = Files.readAllBytes(Path.of(folder.execute()).resolve(picture.file()));
-        page.write(new String(Base64.getEncoder().encode(picture.data().isEmpty() ? file : SmallImage.of(file)),
-                StandardCharsets.US_ASCII));
+        page.write(Base64.getEncoder().encodeToString(picture.data().isEmpty() ? file : SmallImage.of(file)));
     }
 }
