@@ -90,7 +90,7 @@ public final class RaceCommand extends ExperimentCommand {
         if (!(work > MOST_WORK)) {
             return scene.duration();
         }
-        return new BigDecimal(scene.duration() * MOST_WORK / work).round(new MathContext(1, RoundingMode.DOWN))
+        return new BigDecimal(scene.duration() * MOST_WORK / work).round(new MathContext(2, RoundingMode.DOWN))
                 .doubleValue();
     }
 

@@ -46,7 +46,7 @@ public final class ReportCommand extends ResultsCommand {
     private static final Map<String, String> SHORTER = Map.of("--frames", "100", "--rounds", "15");
     /** What each experiment takes on two quiet cores (s). */
     private static final Map<String, Integer> SECONDS = Map.of("lectureFigures", 2, "energyDrift", 2, "phasePlots", 1,
-            "race", 5, "workPrecision", 43, "stiffGallery", 6, "stability", 1, "effectCost", 4, "stiffCloth", 50);
+            "race", 5, "workPrecision", 43, "stiffGallery", 6, "stability", 1, "effectCost", 4, "stiffCloth", 25);
     private static final int MOST_LINES = 8;
     /** This number of experiments takes no longer than about a minute. */
     private static final int FEW = 2;

@@ -24,7 +24,7 @@ public final class StiffClothCommand extends ExperimentCommand {
                         step whatever the stiffness; the price of the single step is numerical damping.""",
                 "Its first step also orders the equations, once for each cloth. backward-euler iterates to its"
                         + " tolerance; where rk4 needs 100 steps or more, it does not converge."),
-                List.of(Picture.of("stiff-cloth", "CPU time of a frame, on logarithmic axes; medians of nine"
+                List.of(Picture.of("stiff-cloth", "CPU time of a frame, on logarithmic axes; medians of three"
                         + " steps of linearised-euler.", Panel.chart(StiffCloth.chart(rows)))),
                 List.of(StiffCloth.table(rows)));
     }

@@ -121,17 +121,10 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
         Shares shares = equalTime ? new EqualTime(scene, evaluations, frames, clock).share(solvers, first)
                 : EqualWork.ofFrames(scene, evaluations, frames).share(solvers, first);
         Scene again = SceneRun.build(scene, tight());
-        List<Observer> ghost = factory.of(again, Optional.empty(), extent);
-        List<Supplier<Optional<Lane>>> runs = new ArrayList<>();
-        runs.add(() -> {
-            SceneRun.run(again, ghost);
-            return Optional.empty();
-        });
-        for (Match match : shares.matches()) {
-            runs.add(lane(match, rate, scale, reference.getStates(), extent, factory));
-        }
-        List<Lane> lanes = progress.part(0.5, 1).onAllCores(runs, run -> "the race", Supplier::get).stream()
-                .flatMap(Optional::stream).toList();
+        SceneRun.run(again, factory.of(again, Optional.empty(), extent));
+        List<Supplier<Lane>> runs = shares.matches().stream().map(match ->
+                lane(match, rate, scale, reference.getStates(), extent, factory)).toList();
+        List<Lane> lanes = progress.part(0.5, 1).onAllCores(runs, run -> "the race", Supplier::get);
         double[] times = IntStream.range(0, reference.getStates().size()).mapToDouble(k -> k / rate).toArray();
         return new Result(scene.title(), scene.duration(), times, equalTime, shares, scale, reference.getStates(),
                 lanes);
@@ -159,7 +152,7 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
     }
 
     /** Prepares the run of a solver, to be done at any time. */
-    private Supplier<Optional<Lane>> lane(Match match, double rate, double scale, List<double[]> reference,
+    private Supplier<Lane> lane(Match match, double rate, double scale, List<double[]> reference,
             Extent extent, ObserverFactory factory) {
         Scene built = SceneRun.build(scene, match.setting());
         FrameStates states = new FrameStates(rate);
@@ -172,7 +165,7 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
             for (int k = 0; k < distance.length; k += framesAStep(match.setting())) {
                 distance[k] = distance(states.getStates().get(k), reference.get(k));
             }
-            return Optional.of(new Lane(match, drift, states.getStates(), distance));
+            return new Lane(match, drift, states.getStates(), distance);
         };
     }
 

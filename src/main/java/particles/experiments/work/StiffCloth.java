@@ -50,7 +50,6 @@ public final class StiffCloth {
     private static final int TIMED = 400;
     /** The number of solvers whose first and further steps are timed; medians are used. */
     private static final int SOLVERS = 3;
-    private static final int FURTHER = 3;
     /** A factor between times that another measurement would confirm. */
     private static final double CLEARLY = 2;
     /** Newton's method is timed up to this number of RK4 steps; at 100 it does not converge. */
@@ -110,9 +109,7 @@ public final class StiffCloth {
         for (int i = 0; i < SOLVERS; i++) {
             LinearisedEulerSolver linearised = new LinearisedEulerSolver();
             first.add(seconds(linearised, cloth(stiffness), FRAME, 1));
-            for (int j = 0; j < FURTHER; j++) {
-                further.add(seconds(linearised, cloth(stiffness), FRAME, 1));
-            }
+            further.add(seconds(linearised, cloth(stiffness), FRAME, 1));
         }
         double newton = steps > NEWTON ? Double.NaN
                 : seconds(new BackwardEulerSolver(), cloth(stiffness), FRAME, 1);

@@ -39,8 +39,8 @@ final class FittedChart extends JFreeChart {
     private final boolean map;
     private final boolean equalUnits;
     private final boolean tellsUnits;
-    private transient Range x;
-    private transient Range y;
+    private final transient Range x;
+    private final transient Range y;
     private double leastRoom;
     private final TextTitle units = new TextTitle("", ChartStyle.TICKS);
 
@@ -53,12 +53,14 @@ final class FittedChart extends JFreeChart {
         super(title, ChartStyle.TITLE, plot, false);
         this.title = title;
         boolean combined = plot instanceof CombinedDomainXYPlot;
+        x = plot.getDomainAxis().getRange();
+        y = combined ? x : plot.getRangeAxis().getRange();
         if (kind == Panel.Kind.CHART) {
             subplots(plot).forEach(part -> labels.add(new EndLabels(part)));
         }
         map = kind == Panel.Kind.MAP;
         equalUnits = !combined && (map || kind == Panel.Kind.PHASE
-                && areAlike(plot.getDomainAxis().getRange(), plot.getRangeAxis().getRange()));
+                && areAlike(x, y));
         tellsUnits = kind == Panel.Kind.PHASE && !equalUnits;
         if (tellsUnits) {
             units.setPosition(RectangleEdge.BOTTOM);
@@ -140,10 +142,6 @@ final class FittedChart extends JFreeChart {
     /** Fits equal units by trial: the room of axes depends on their labels, and these on the room. */
     private void fitUnits(Rectangle2D area) {
         XYPlot plot = getXYPlot();
-        if (x == null) {                                // when it is drawn first, before this changes them
-            x = plot.getDomainAxis().getRange();
-            y = plot.getRangeAxis().getRange();
-        }
         plot.setInsets(XYPlot.DEFAULT_INSETS);
         if (tellsUnits) {
             units.setText(" ");                         // as high as the text that will stand there
@@ -159,21 +157,17 @@ final class FittedChart extends JFreeChart {
                         unit(plot.getDomainAxis()), speeds / metres, unit(plot.getRangeAxis())));
                 return;
             }
-            RectangleInsets insets = plot.getInsets();
-            double width = inside.getWidth() + insets.getLeft() + insets.getRight();
-            double height = inside.getHeight() + insets.getTop() + insets.getBottom();
-            double unit = Math.min(inside.getWidth() / x.getLength(), inside.getHeight() / y.getLength());
             if (trial == 0) {
+                double unit = Math.min(inside.getWidth() / x.getLength(), inside.getHeight() / y.getLength());
                 plot.getDomainAxis().setRange(widened(x, inside.getWidth() / unit));
                 plot.getRangeAxis().setRange(widened(y, inside.getHeight() / unit));
             }
-            Range shownX = plot.getDomainAxis().getRange();
-            Range shownY = plot.getRangeAxis().getRange();
-            RectangleInsets least = XYPlot.DEFAULT_INSETS;
-            unit = Math.min((width - least.getLeft() - least.getRight()) / shownX.getLength(),
-                    (height - least.getTop() - least.getBottom()) / shownY.getLength());
-            double beside = (width - unit * shownX.getLength()) / 2;
-            double above = (height - unit * shownY.getLength()) / 2;
+            double across = plot.getDomainAxis().getRange().getLength();
+            double up = plot.getRangeAxis().getRange().getLength();
+            double unit = Math.min(inside.getWidth() / across, inside.getHeight() / up);
+            RectangleInsets insets = plot.getInsets();
+            double beside = insets.getLeft() + (inside.getWidth() - unit * across) / 2;
+            double above = insets.getTop() + (inside.getHeight() - unit * up) / 2;
             plot.setInsets(new RectangleInsets(above, beside, above, beside));
             if (trial == 1) {
                 shareTicks((NumberAxis) plot.getDomainAxis(), (NumberAxis) plot.getRangeAxis());
