@@ -111,7 +111,7 @@ public final class ReportCommand extends ResultsCommand {
                     (System.nanoTime() - begin) * NANO)));
         }
         for (Section section : sections) {
-            lines.printf(Locale.ROOT, "%-15s %4.0f s  %s%n", section.name(), section.seconds(), section.page()
+            lines.printf(Locale.ROOT, "%-15s %4.0f s  %s%n", section.task(), section.seconds(), section.page()
                     .map(ResultPage::title).orElseGet(() -> "failed: " + section.failure().orElse("")));
         }
         lines.println();

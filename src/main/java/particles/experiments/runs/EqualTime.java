@@ -72,7 +72,6 @@ public final class EqualTime {
         for (SolverChoice solver : solvers) {
             progress.reached(0.3 * entrants.size() / solvers.size(), "a first guess for " + solver.label());
             entrants.add(new Entrant(solver));
-            warmUp(entrants.get(entrants.size() - 1));
         }
         Optional<Shares> best = Optional.empty();
         for (int round = 0; round < ROUNDS; round++) {
@@ -109,13 +108,6 @@ public final class EqualTime {
         double[] seconds = shares.matches().stream().mapToDouble(match -> match.seconds().orElseThrow()).toArray();
         return Math.max(shares.work(), Arrays.stream(seconds).max().orElse(0))
                 / Math.min(shares.work(), Arrays.stream(seconds).min().orElse(shares.work())) - 1;
-    }
-
-    private static void warmUp(Entrant entrant) {
-        double seconds = 0;
-        for (int k = 0; k < WARM_RUNS && seconds < WARM; k++) {
-            seconds += entrant.run();
-        }
     }
 
     /**
@@ -159,6 +151,7 @@ public final class EqualTime {
             this.solver = solver;
             loosest = solver.adaptive() ? cheapest() : EqualWork.LOOSEST;
             find(evaluations);
+            seconds(match.setting(), WARM_RUNS, WARM);
         }
 
         /**
@@ -167,10 +160,10 @@ public final class EqualTime {
          */
         private double cheapest() {
             double best = EqualWork.LOOSEST;
-            seconds(best, WARM_RUNS, WARM);
-            double least = seconds(best, FEWEST_REPEATS, WARM);
+            seconds(work.setting(solver, best), WARM_RUNS, WARM);
+            double least = seconds(work.setting(solver, best), FEWEST_REPEATS, WARM);
             for (double next = best / 10; next > 0.5 * EqualWork.LEAST_LOOSE; next /= 10) {
-                double seconds = seconds(next, FEWEST_REPEATS, WARM);
+                double seconds = seconds(work.setting(solver, next), FEWEST_REPEATS, WARM);
                 if (seconds < least) {
                     best = next;
                     least = seconds;
@@ -185,10 +178,10 @@ public final class EqualTime {
          * @return the median time of this number of runs (s), or of fewer if they take long enough; infinite if a run
          *         fails
          */
-        private double seconds(double tolerance, int repeats, double enough) {
+        private double seconds(Setting setting, int repeats, double enough) {
             List<Double> some = new ArrayList<>();
             for (double all = 0; some.size() < repeats && all < enough; all += some.get(some.size() - 1)) {
-                Outcome outcome = EqualTime.this.run(work.setting(solver, tolerance), MOST * evaluations);
+                Outcome outcome = EqualTime.this.run(setting, MOST * evaluations);
                 some.add(outcome.failure().isEmpty() ? clock.applyAsDouble(outcome) : Double.POSITIVE_INFINITY);
             }
             return CpuClock.median(some);

@@ -1,7 +1,5 @@
 package particles.experiments.stability;
 
-import java.util.Optional;
-
 /**
  * The stability polynomial R(ih) of a method, for a step on the slides' oscillator x'' = -x: as z = x - i v obeys z' =
  * i z, the step multiplies z by R(ih). N steps multiply the amplitude by |R|<sup>N</sup>, and the phase runs ahead of
@@ -15,20 +13,19 @@ public record StabilityPolynomial(double re, double im) {
     /**
      * @param solver a solver's name
      * @param h      the time step
-     * @return R(ih), if its polynomial is known here
+     * @return R(ih); NaN if its polynomial is not known here
      */
-    public static Optional<StabilityPolynomial> of(String solver, double h) {
+    public static StabilityPolynomial of(String solver, double h) {
         return switch (solver) {
-            case "euler" -> Optional.of(new StabilityPolynomial(1, h));
-            case "midpoint" -> Optional.of(new StabilityPolynomial(1 - h * h / 2, h));
-            case "rk4" -> Optional.of(new StabilityPolynomial(1 - h * h / 2 + h * h * h * h / 24, h - h * h * h / 6));
-            case "backward-euler", "linearised-euler" ->
-                    Optional.of(new StabilityPolynomial(1 / (1 + h * h), h / (1 + h * h)));
+            case "euler" -> new StabilityPolynomial(1, h);
+            case "midpoint" -> new StabilityPolynomial(1 - h * h / 2, h);
+            case "rk4" -> new StabilityPolynomial(1 - h * h / 2 + h * h * h * h / 24, h - h * h * h / 6);
+            case "backward-euler", "linearised-euler" -> new StabilityPolynomial(1 / (1 + h * h), h / (1 + h * h));
             case "implicit-midpoint" -> {
                 double norm = 1 + h * h / 4;
-                yield Optional.of(new StabilityPolynomial((1 - h * h / 4) / norm, h / norm));
+                yield new StabilityPolynomial((1 - h * h / 4) / norm, h / norm);
             }
-            default -> Optional.empty();
+            default -> new StabilityPolynomial(Double.NaN, Double.NaN);
         };
     }
 

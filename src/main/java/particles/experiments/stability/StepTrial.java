@@ -87,10 +87,11 @@ public record StepTrial(Optional<Amplification> amplification, double noise, Str
         if (still) {
             return refused("a step leaves the state as it was");
         }
-        return steps == 1 && isExact(maker, springs)
-                ? refused("one step follows two whole revolutions, as sub-steps or an exact solution do:"
-                + " any deltaT is stable") : new StepTrial(Optional.of(new Amplification(maker, springs, steps > 1)), noise,
-                "");
+        if (steps == 1 && isExact(maker, springs)) {
+            return refused("one step follows two whole revolutions, as sub-steps or an exact solution do:"
+                    + " any deltaT is stable");
+        }
+        return new StepTrial(Optional.of(new Amplification(maker, springs, steps > 1)), noise, "");
     }
 
     /** Whether one step follows two revolutions, which no single step of a method can. */

@@ -17,14 +17,25 @@ public record Report(String title, List<String> text, List<Section> sections, St
     /**
      * One experiment; it has a page, or failed.
      *
-     * @param name    the name of its task
+     * @param task    the name of its task
      * @param purpose the purpose of the task, in a sentence
      * @param folder  the folder of its pictures
      * @param seconds its time (s)
      * @param page    its results
      * @param failure the reason if it has no results
      */
-    public record Section(String name, String purpose, Path folder, double seconds, Optional<ResultPage> page,
+    public record Section(String task, String purpose, Path folder, double seconds, Optional<ResultPage> page,
                           Optional<String> failure) {
+        /** A table with more rows is collapsed, and not printed. */
+        private static final int MOST_ROWS = 60;
+
+        String finding() {
+            return page.map(ResultPage::title).orElse("could not be made");
+        }
+
+        List<TableView> tables() {
+            return page.stream().flatMap(results -> results.tables().stream())
+                    .map(table -> new TableView(table, MOST_ROWS)).toList();
+        }
     }
 }

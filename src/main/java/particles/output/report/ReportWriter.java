@@ -7,20 +7,15 @@ import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Base64;
-import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
-import particles.output.report.Report.Section;
 
 /**
  * Writes a report as one self-contained HTML page, with pictures, style and script inside. The page is well-formed XML
  * too.
  */
 public final class ReportWriter {
-    /** A table with more rows is collapsed, and not printed. */
-    private static final int MOST_ROWS = 60;
     private static final String PAGE = """
             <!DOCTYPE html>
             <html lang="en">
@@ -102,17 +97,6 @@ public final class ReportWriter {
     private ReportWriter() {
     }
 
-    /** A section as the template sees it. */
-    private record View(String task, String purpose, String finding, Path folder, Optional<String> failure,
-            Optional<ResultPage> page, List<TableView> tables) {
-        static View of(Section section) {
-            return new View(section.name(), section.purpose(),
-                    section.page().map(ResultPage::title).orElse("could not be made"), section.folder(),
-                    section.failure(), section.page(), section.page().stream().flatMap(page -> page.tables().stream())
-                    .map(table -> new TableView(table, MOST_ROWS)).toList());
-        }
-    }
-
     /**
      * @param folder the output folder
      * @param name   the name of its file, such as {@code report.html}
@@ -122,7 +106,7 @@ public final class ReportWriter {
     public static void write(OutputFolder folder, String name, Report report) {
         Mustache.Lambda bytes = ReportWriter::putBytes;
         folder.write(name, Html.fill(PAGE, Map.of("title", report.title(), "text", report.text(), "end", report.end(),
-                "sections", report.sections().stream().map(View::of).toList(), "style", ReportStyle.CSS, "script",
+                "sections", report.sections(), "style", ReportStyle.CSS, "script",
                 ReportStyle.SCRIPT, "bytes", bytes)));
     }
 
