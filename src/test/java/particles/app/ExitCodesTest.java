@@ -9,7 +9,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Exit codes of the program in a child process; {@link FaultsTest} stops it by signals. */
+/**
+ * Exit codes of the program in a child process; {@link FaultsTest} has those of faults, {@link BadInputTest} those of
+ * wrong input.
+ */
 class ExitCodesTest {
     @TempDir
     Path top;
@@ -17,8 +20,6 @@ class ExitCodesTest {
     @ParameterizedTest
     @CsvSource(textBlock = """
             0, out, --duration=0.1
-            1, file, --duration=0.1
-            2, out, --deltaT=-1
             3, out, --deltaT=10 --duration=1000
             """)
     void exitCodesReachTheSystem(int code, String out, String options) throws IOException, InterruptedException {

@@ -47,32 +47,23 @@ class StartUpTest {
         return loaded.stream().filter(name -> name.matches(which)).toList();
     }
 
+    /** Options are found by reflection, only for the named command. */
     @Test
-    void aRunThatDrawsNothingLoadsNothingThatDraws() throws IOException, InterruptedException {
+    void aRunThatDrawsNothingLoadsNothingThatDrawsAndNoOtherCommand() throws IOException, InterruptedException {
         List<String> loaded = loaded(false);
-        assertTrue(loaded.contains("deSolvers.RK4Solver"), loaded.size() + " classes");
+        assertTrue(loaded.containsAll(List.of("deSolvers.RK4Solver", "particles.app.run.RunCommand")),
+                loaded.size() + " classes");
         assertEquals(List.of(), of(loaded, PICTURES));
         assertEquals(List.of(), of(loaded, ALGEBRA));
-    }
-
-    @Test
-    void aChartNeedsNoPictureLibraryOfJava() throws IOException, InterruptedException {
-        List<String> loaded = loaded(true);
-        assertTrue(loaded.contains("org.jfree.chart.JFreeChart"), loaded.size() + " classes");
-        assertEquals(List.of(), of(loaded, "javax\\.imageio\\..*|com\\.sun\\.imageio\\..*|org\\.jcodec\\..*"));
+        assertEquals(List.of(), of(loaded, "particles\\.(experiments\\.problems|teaching)\\..*"));
     }
 
     /** A record's own equals makes Java generate code at run time, which takes several per cent of a short run. */
     @Test
-    void noRecordUsesItsGeneratedEquals() throws IOException, InterruptedException {
-        assertEquals(List.of(), of(loaded(true), "java\\.lang\\.runtime\\.ObjectMethods.*"));
-    }
-
-    /** Options are found by reflection, only for the named command. */
-    @Test
-    void onlyTheNamedCommandIsPrepared() throws IOException, InterruptedException {
-        List<String> loaded = loaded(false);
-        assertTrue(loaded.contains("particles.app.run.RunCommand"));
-        assertEquals(List.of(), of(loaded, "particles\\.(experiments\\.problems|teaching)\\..*"));
+    void aChartNeedsNoPictureLibraryOfJavaAndNoGeneratedEquals() throws IOException, InterruptedException {
+        List<String> loaded = loaded(true);
+        assertTrue(loaded.contains("org.jfree.chart.JFreeChart"), loaded.size() + " classes");
+        assertEquals(List.of(), of(loaded, "javax\\.imageio\\..*|com\\.sun\\.imageio\\..*|org\\.jcodec\\..*"
+                + "|java\\.lang\\.runtime\\.ObjectMethods.*"));
     }
 }

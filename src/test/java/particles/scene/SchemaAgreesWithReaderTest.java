@@ -29,7 +29,7 @@ import particles.spec.messages.Problems;
  * rules. (Only the reader checks conditions between parts, such as unknown ids and classes.)
  */
 class SchemaAgreesWithReaderTest {
-    private static final int CHANGES = 600;
+    private static final int CHANGES = 300;
     /** Replacement values, which are valid for some keys and invalid for others. */
     private static final List<Object> OTHERS = List.of(0, 1, -1, 2.0, 2.5, 1e-3, 1e31, true, false, "", " ", "rk4",
             "my.Solver",

@@ -3,6 +3,7 @@ package particles.app.run;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import particles.Observer;
@@ -29,6 +30,7 @@ import particles.scene.Scene;
 import particles.scene.format.OutputDescription;
 import particles.scene.format.OutputDescription.Frames;
 import particles.scene.format.SceneDescription;
+import particles.spec.Ordered;
 import particles.view.Camera;
 import particles.view.ChartData;
 
@@ -61,25 +63,15 @@ final class RunObservers implements AutoCloseable {
      * @return the names of the files that a run writes, the most interesting first
      */
     static List<String> files(OutputDescription output, ChartFormat charts, boolean replay) {
-        List<String> names = new ArrayList<>();
-        addIf(output.frames().drawn(), OutputFolder.FRAMES, names);
-        addIf(output.frames().animation() > 0, GifAnimation.FILE, names);
-        addIf(output.frames().film(), Film.FILE, names);
-        for (String end : charts.svg() ? List.of(ChartWriter.PNG, ChartWriter.SVG) : List.of(ChartWriter.PNG)) {
-            addIf(output.energy(), ENERGY + end, names);
-            addIf(output.phase().isPresent(), PHASE + end, names);
-        }
-        addIf(charts.slide() && (output.energy() || output.phase().isPresent()), ChartWriter.PDF, names);
-        addIf(replay, Replay.FILE, names);
-        names.add(TrajectoryWriter.FILE);
-        names.add(Summary.FILE);
-        return names;
-    }
-
-    private static void addIf(boolean wanted, String name, List<String> names) {
-        if (wanted) {
-            names.add(name);
-        }
+        boolean phase = output.phase().isPresent();
+        Map<String, Object> wanted = Ordered.map(OutputFolder.FRAMES, output.frames().drawn(),
+                GifAnimation.FILE, output.frames().animation() > 0, Film.FILE, output.frames().film(),
+                ENERGY + ChartWriter.PNG, output.energy(), PHASE + ChartWriter.PNG, phase,
+                ENERGY + ChartWriter.SVG, charts.svg() && output.energy(),
+                PHASE + ChartWriter.SVG, charts.svg() && phase,
+                ChartWriter.PDF, charts.slide() && (output.energy() || phase), Replay.FILE, replay,
+                TrajectoryWriter.FILE, true, Summary.FILE, true);
+        return wanted.keySet().stream().filter(name -> wanted.get(name).equals(true)).toList();
     }
 
     /**

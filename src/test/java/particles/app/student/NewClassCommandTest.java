@@ -7,7 +7,6 @@ import static particles.Texts.assertHas;
 
 import deSolvers.DESolver;
 import java.io.IOException;
-import java.lang.reflect.Constructor;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.file.Files;
@@ -26,7 +25,6 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
 import particles.law.Effect;
-import particles.law.Particles;
 import particles.teaching.Finding;
 import particles.teaching.effects.EffectCheck;
 import particles.teaching.solvers.SolverCheck;
@@ -69,16 +67,12 @@ class NewClassCommandTest {
     }
 
     private static DESolver make(Class<?> solver) {
-        try {
-            return made(solver.asSubclass(DESolver.class).getConstructor());
-        } catch (NoSuchMethodException e) {
-            throw new IllegalStateException(e);
-        }
+        return made(DESolver.class, solver);
     }
 
-    private static <T> T made(Constructor<T> maker, Object... arguments) {
+    private static <T> T made(Class<T> type, Class<?> its, Object... arguments) {
         try {
-            return maker.newInstance(arguments);
+            return type.cast(its.getConstructors()[0].newInstance(arguments));
         } catch (ReflectiveOperationException e) {
             throw new IllegalStateException(e);
         }
@@ -101,9 +95,8 @@ class NewClassCommandTest {
     @Test
     void anEffectCompilesAndIsToldThatItAddsNoForce() throws ReflectiveOperationException, IOException {
         assertHas(run(ExitCode.DONE, "newEffect", "MyGravity"), "- exercises.MyGravity: {strength: 2}");
-        Constructor<? extends Effect> maker = compiled("MyGravity").asSubclass(Effect.class)
-                .getConstructor(Particles.class, double.class);
-        List<Finding> wrong = EffectCheck.check(particles -> made(maker, particles, 2.0));
+        Class<?> law = compiled("MyGravity");
+        List<Finding> wrong = EffectCheck.check(particles -> made(Effect.class, law, particles, 2.0));
         assertEquals(1, wrong.size(), wrong.toString());
         assertTrue(wrong.get(0).toString().startsWith("not yet: there is no force on any particle"), wrong.toString());
     }
@@ -124,10 +117,9 @@ class NewClassCommandTest {
         Path file = folder.resolve("exercises").resolve(name + ".java");
         Files.writeString(file, Files.readString(file).replace("return Vector3.ZERO;", "return " + force + ";").replace(
                 "return 0;", "return " + energy + ";"));
-        Constructor<? extends Effect> maker = compiled(name).asSubclass(Effect.class)
-                .getConstructor(Particles.class, double.class);
-        return EffectCheck.check(particles -> made(maker, particles, 2.0)).stream().map(found -> found.kind().name())
-                .toList();
+        Class<?> law = compiled(name);
+        return EffectCheck.check(particles -> made(Effect.class, law, particles, 2.0)).stream()
+                .map(found -> found.kind().name()).toList();
     }
 
     @ParameterizedTest
