@@ -187,21 +187,15 @@ public final class FrameRenderer {
                 int p = y * getWidth() + x;
                 float behind = backdrop.near(p);
                 int at = Raster.SAMPLES * (y * raster.width + x);
-                int empty = 0;
                 int redBlue = 0;
                 int green = 0;
                 for (int k = 0; k < 4; k++) {
-                    int sample = k < 2 ? at + k : at + raster.width + k - 2;
-                    if (raster.near[sample] > behind) {
-                        redBlue += raster.colour[sample] & 0xff00ff;
-                        green += raster.colour[sample] & 0x00ff00;
-                    } else {
-                        empty++;
-                    }
+                    int sample = at + (k >> 1) * raster.width + (k & 1);
+                    int seen = raster.near[sample] > behind ? raster.colour[sample] : pixels[p];
+                    redBlue += seen & 0xff00ff;
+                    green += seen & 0x00ff00;
                 }
-                if (empty < 4) {
-                    pixels[p] = Colours.mean(redBlue, green, empty, pixels[p]);
-                }
+                pixels[p] = Colours.mean(redBlue, green);
             }
         }
     }

@@ -9,11 +9,11 @@ import particles.output.raster.LongIndex;
  * when they are less than 2.54 radii apart. (G. Wyvill, C. McPheeters, B. Wyvill, "Data structure for soft objects",
  * 1986, with an exponent of 3 in place of their sextic.)
  */
-public final class BlobField {
+final class BlobField {
     /** R relative to the radius of a single ball. */
     private static final double REACH = 2;
     /** The field on the surface. */
-    public static final double LEVEL = Math.pow(1 - 1 / (REACH * REACH), 3);
+    static final double LEVEL = Math.pow(1 - 1 / (REACH * REACH), 3);
     private static final int FARTHEST = 1 << 20;
     /** Cells per radius of a single ball, if that is not too many. */
     private static final double FINEST = 3.5;
@@ -35,7 +35,7 @@ public final class BlobField {
      * @param balls  the number of balls
      * @param finest the smallest useful cell (m)
      */
-    public void clear(double radius, int balls, double finest) {
+    void clear(double radius, int balls, double finest) {
         nodes.clear();
         begun = 0;
         reach = REACH * radius;
@@ -66,7 +66,7 @@ public final class BlobField {
     }
 
     /** Adds a ball. */
-    public void add(double x, double y, double z) {
+    void add(double x, double y, double z) {
         double far = (FARTHEST - 4) * cell - reach;
         if (!(Math.abs(x) < far) || !(Math.abs(y) < far) || !(Math.abs(z) < far)) {
             return;                                     // out of every picture

@@ -8,7 +8,7 @@ import particles.output.raster.LongIndex;
  * crossed by the surface has one vertex, the mean of the edge crossings moved onto the surface, and each crossed edge
  * joins the four cells around it. The surface is closed except where it is cut off far away.
  */
-public final class BlobSurface {
+final class BlobSurface {
     private final LongIndex cells = new LongIndex();
     /** The sum of edge crossings and their number. */
     private final double[] crossing = new double[4];
@@ -17,16 +17,16 @@ public final class BlobSurface {
     /** The number of vertices. */
     int vertices;
     /** Three coordinates a vertex (m). */
-    public double[] places = {};
+    double[] places = {};
     /** The unit normals, outwards. */
     float[] normals = {};
     /** The number of entries of {@link #corners} in use. */
-    public int cornerCount;
+    int cornerCount;
     /** The vertices of the triangles: three a triangle, counter-clockwise seen from outside. */
-    public int[] corners = {};
+    int[] corners = {};
 
     /** Builds the triangles of a field's surface. */
-    public void build(BlobField built) {
+    void build(BlobField built) {
         field = built;
         cells.clear();
         vertices = 0;

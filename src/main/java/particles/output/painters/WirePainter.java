@@ -1,6 +1,8 @@
 package particles.output.painters;
 
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 import particles.law.Vector3;
 import particles.output.raster.CameraProjection;
 import particles.output.raster.CameraProjection.Place;
@@ -40,16 +42,8 @@ public record WirePainter(RoundShapes shapes, double radius, List<Place[]> wires
         double from = 0;
         double to = curve.length();
         if (to == Double.POSITIVE_INFINITY) {
-            double nearest = 0;
-            double least = Double.POSITIVE_INFINITY;
-            for (int k = -2 * SEARCH; k <= 2 * SEARCH; k++) {
-                double u = k * view.viewHeight / 2;
-                double distance = curve.at(u).minus(target).length();
-                if (distance < least) {
-                    least = distance;
-                    nearest = u;
-                }
-            }
+            double nearest = IntStream.rangeClosed(-2 * SEARCH, 2 * SEARCH).mapToObj(k -> k * view.viewHeight / 2)
+                    .min(Comparator.comparingDouble(u -> curve.at(u).minus(target).length())).orElseThrow();
             double reach = 2 * view.viewHeight * Math.max(1, (double) view.width / view.height);
             from = nearest - reach;
             to = nearest + reach;

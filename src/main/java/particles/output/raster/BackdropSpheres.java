@@ -51,21 +51,20 @@ final class BackdropSpheres {
         int green = 0;
         float nearest = Float.NEGATIVE_INFINITY;
         for (int k = 0; k < 4; k++) {
-            if (meets(sphere, radius, x + 0.25 + 0.5 * (k & 1), y + 0.25 + 0.5 * (k >> 1))
-                    && view.nearness(depth) > near[p]) {
+            boolean hit = meets(sphere, radius, x + 0.25 + 0.5 * (k & 1), y + 0.25 + 0.5 * (k >> 1))
+                    && view.nearness(depth) > near[p];
+            int seen = hit ? shade(sphere, radius) : colour[p];
+            redBlue += seen & 0xff00ff;
+            green += seen & 0x00ff00;
+            if (hit) {
                 hits++;
-                int rgb = shade(sphere, radius);
-                redBlue += rgb & 0xff00ff;
-                green += rgb & 0x00ff00;
                 nearest = Math.max(nearest, (float) view.nearness(depth));
             }
         }
-        if (hits > 0) {
-            colour[p] = Colours.mean(redBlue, green, 4 - hits, colour[p]);
-            if (hits > 1) {
-                near[p] = nearest;
-                shadow[p] = Backdrop.NO_SHADOWS;
-            }
+        colour[p] = Colours.mean(redBlue, green);
+        if (hits > 1) {
+            near[p] = nearest;
+            shadow[p] = Backdrop.NO_SHADOWS;
         }
     }
 

@@ -34,14 +34,12 @@ public final class Colours {
     }
 
     /**
-     * @param redBlue the sum of up to four samples' red and blue
+     * @param redBlue the sum of four samples' red and blue
      * @param green   the sum of their green
-     * @param empty   the number of samples that are missing, which show what is behind
-     * @return the mean of four samples
+     * @return the mean of the samples
      */
-    public static int mean(int redBlue, int green, int empty, int behind) {
-        return redBlue + empty * (behind & 0xff00ff) + 0x020002 >> 2 & 0xff00ff
-                | green + empty * (behind & 0x00ff00) + 0x000200 >> 2 & 0x00ff00;
+    public static int mean(int redBlue, int green) {
+        return redBlue + 0x020002 >> 2 & 0xff00ff | green + 0x000200 >> 2 & 0x00ff00;
     }
 
     /** @return the colour in this light, with a white highlight on top */
