@@ -143,9 +143,7 @@ public final class SceneBuilder {
         for (ShapeDescription shape : index.getShapes()) {
             int first = system.getParticles().count();
             Lattice lattice = shape.lattice();
-            for (int n = 0; n < lattice.size(); n++) {
-                add(shape.particle(n), system);
-            }
+            shape.particles().forEach(particle -> add(particle, system));
             for (SpringFamily family : shape.springs()) {
                 family.forEach(lattice, (from, to) -> springs.addSpring(first + from, first + to, family.stiffness(),
                         lattice.position(to).minus(lattice.position(from)).length(), family.damping()));

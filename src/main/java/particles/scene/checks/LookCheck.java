@@ -3,15 +3,14 @@ package particles.scene.checks;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.DoubleStream;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.effects.SharedKeys;
 import particles.scene.format.MarkFormat;
 import particles.scene.format.RenderFormat;
 import particles.scene.format.SceneFormat;
+import particles.scene.parts.ParticleDescription;
 import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RuleKind;
 import particles.scene.parts.ShapeDescription;
@@ -36,10 +35,13 @@ final class LookCheck {
         double radius = look.particleRadius() > 0 ? look.particleRadius()
                 : DoubleStream.concat(ofEffects, ofRules).filter(own -> own > 0).findFirst().orElse(0);
         Map<String, ParticleMark> marks = new LinkedHashMap<>();
-        index.getParticles().forEach(particle -> mark(particle.radius(), Stream.of(particle.id()), marks));
-        index.getShapes().forEach(shape -> mark(shape.radius(), ids(shape), marks));
+        Stream.concat(index.getParticles().stream(), index.getShapes().stream().filter(shape ->
+                shape.radius().isPresent()).flatMap(ShapeDescription::particles)).forEach(particle ->
+                particle.radius().ifPresent(own -> marks.put(particle.id(),
+                        new ParticleMark(particle.id(), OptionalInt.empty(), own, ""))));
         for (ParticleMark mark : look.style().marks()) {
-            Stream<String> ids = index.shape(mark.particle()).map(LookCheck::ids).orElse(Stream.of(mark.particle()));
+            Stream<String> ids = index.shape(mark.particle()).map(shape -> shape.particles()
+                    .map(ParticleDescription::id)).orElse(Stream.of(mark.particle()));
             ids.forEach(id -> {
                 double own = marks.containsKey(id) ? marks.get(id).radius() : 0;
                 marks.put(id, new ParticleMark(id, mark.colour(), mark.radius() > 0 ? mark.radius() : own,
@@ -51,10 +53,6 @@ final class LookCheck {
                 style.arrows(), List.copyOf(marks.values())));
     }
 
-    private static void mark(Optional<Double> radius, Stream<String> ids, Map<String, ParticleMark> marks) {
-        radius.ifPresent(own -> ids.forEach(id -> marks.put(id, new ParticleMark(id, OptionalInt.empty(), own, ""))));
-    }
-
     static void check(Values scene, Problems problems, KnownParticles known) {
         scene.find(SceneFormat.LOOK).ifPresent(look -> {
             RenderFormat.check(look, problems);
@@ -62,9 +60,5 @@ final class LookCheck {
                     .filter(mark -> mark.find(MarkFormat.PARTICLE).flatMap(known.getIndex()::shape).isEmpty())
                     .forEach(mark -> known.has(mark, MarkFormat.PARTICLE));
         });
-    }
-
-    private static Stream<String> ids(ShapeDescription shape) {
-        return IntStream.range(0, (int) shape.lattice().size()).mapToObj(shape.lattice()::idOf);
     }
 }

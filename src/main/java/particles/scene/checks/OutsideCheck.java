@@ -1,18 +1,16 @@
 package particles.scene.checks;
 
 import deSolvers.text.Digits;
+import java.util.Comparator;
 import java.util.List;
-import java.util.Optional;
-import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.effects.SharedKeys;
 import particles.law.Obstacle;
 import particles.law.Sphere;
 import particles.law.Vector3;
-import particles.scene.parts.Lattice;
 import particles.scene.parts.ParticleDescription;
 import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RuleKind;
-import particles.scene.parts.ShapeDescription;
 import particles.spec.Chosen;
 import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
@@ -41,42 +39,23 @@ record OutsideCheck(Chosen<RuleKind> rule, Obstacle solid, double all, Problems 
         for (Chosen<RuleKind> rule : sound) {
             rule.kind().obstacle(rule.values()).ifPresent(solid -> {
                 OutsideCheck check = new OutsideCheck(rule, solid, all, problems);
-                index.getParticles().forEach(particle -> check.check(List.of(particle), particle.place()));
-                index.getShapes().forEach(check::check);
+                index.getParticles().forEach(particle -> check.check(Stream.of(particle), particle.place()));
+                index.getShapes().forEach(shape -> check.check(shape.particles(), shape.chosen().place()));
             });
         }
     }
 
-    private void check(ShapeDescription shape) {
-        Lattice lattice = shape.lattice();
-        boolean outside = solid.isFlat()                // if all corners are outside a plane, so are all particles
-                && lattice.corners().stream().allMatch(n -> distance(shape.particle(n)) >= 0);
-        if (!outside && !problems.isFull()) {
-            check(() -> IntStream.range(0, (int) lattice.size()).mapToObj(shape::particle).iterator(),
-                    shape.chosen().place());
-        }
-    }
-
     /** Reports the free particle that is deepest inside the solid, if one is. */
-    private void check(Iterable<ParticleDescription> particles, Place place) {
-        Optional<ParticleDescription> deepest = Optional.empty();
-        double least = 0;
-        for (ParticleDescription particle : particles) {
-            double distance = particle.fixed() ? 0 : distance(particle);
-            if (distance < least) {
-                deepest = Optional.of(particle);
-                least = distance;
-            }
-        }
-        if (deepest.isPresent()) {
-            problems.add(place, inside(deepest.get(), -least));
-        }
+    private void check(Stream<ParticleDescription> particles, Place place) {
+        particles.filter(particle -> !particle.fixed() && distance(particle) < 0)
+                .min(Comparator.comparingDouble(this::distance))
+                .ifPresent(deepest -> problems.add(place, inside(deepest)));
     }
 
-    private String inside(ParticleDescription particle, double depth) {
+    private String inside(ParticleDescription particle) {
         boolean hollow = solid instanceof Sphere sphere && sphere.hollow();
         String ball = radius(particle) > 0 ? ", a ball of radius " + Digits.exact(radius(particle)) + " m," : "";
-        return Wording.quote(particle.id()) + ball + " begins " + Digits.exact(depth) + " m "
+        return Wording.quote(particle.id()) + ball + " begins " + Digits.exact(-distance(particle)) + " m "
                 + (hollow ? "outside the hollow '" : "inside the '") + rule.kind().getName() + "' of line "
                 + rule.place().line() + "; it has to begin " + (hollow ? "inside" : "outside");
     }

@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.law.Vector3;
 
@@ -43,12 +42,6 @@ public record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vect
             n = n * counts.get(d) + indices[d];
         }
         return n;
-    }
-
-    /** @return the numbers of the 2, 4 or 8 particles at the corners */
-    public List<Integer> corners() {
-        return IntStream.range(0, 1 << counts.size()).mapToObj(code -> number(IntStream.range(0, counts.size())
-                .map(d -> (code >> d & 1) * (counts.get(d) - 1)).toArray())).toList();
     }
 
     /** @return the step in particle number for an index in this direction */

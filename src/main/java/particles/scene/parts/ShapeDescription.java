@@ -5,6 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.law.Vector3;
 import particles.scene.parts.SpringFamily.Sort;
@@ -49,6 +50,11 @@ public record ShapeDescription(Chosen<ShapeKind> chosen, Lattice lattice, BitSet
 
     private Values values() {
         return chosen.values();
+    }
+
+    /** @return its particles, in the order of their numbers */
+    public Stream<ParticleDescription> particles() {
+        return IntStream.range(0, (int) lattice.size()).mapToObj(this::particle);
     }
 
     /** @return one of its particles */
