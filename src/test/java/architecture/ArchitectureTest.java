@@ -72,8 +72,9 @@ class ArchitectureTest {
                                            particles.law particles.messages particles.output.animation
                                            particles.output.charts particles.output.files particles.output.frames
                                            particles.output.raster particles.output.report particles.scene
-                                           particles.scene.format particles.spec particles.spec.documents
-                                           particles.spec.messages particles.threads particles.view picocli
+                                           particles.scene.checks particles.scene.format particles.spec
+                                           particles.spec.documents particles.spec.messages particles.threads
+                                           particles.view picocli
             particles.app.student:         deSolvers deSolvers.catalog particles.app.cli particles.javac particles.law
                                            particles.output.charts particles.output.files particles.output.report
                                            particles.output.text particles.scene particles.spec

@@ -57,19 +57,6 @@ public final class SceneBuilder {
         return assemble(scene);
     }
 
-    /**
-     * Checks that a run does not draw too many pictures.
-     *
-     * @param scene  the scene to run
-     * @param option the option that turns pictures off, as typed
-     * @throws InvalidInputException if there would be too many pictures
-     */
-    public static void checkPictures(SceneDescription scene, String option) {
-        Problems problems = new Problems();
-        RunLimits.checkPictures(scene, option, problems);
-        problems.throwIfAny();
-    }
-
     /** Builds an effect; a student's own class may throw anything. */
     private static void build(Chosen<EffectKind> effect, SceneAssembly assembly) {
         try {

@@ -26,6 +26,7 @@ import particles.scene.SceneBuilder;
 import particles.scene.SceneFiles;
 import particles.scene.SceneName;
 import particles.scene.SceneReader;
+import particles.scene.checks.RunLimits;
 import particles.scene.format.OutputDescription;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
@@ -127,7 +128,7 @@ public final class RunCommand extends ResultsCommand {
         OutputDescription output = scene.output();
         description = scene.withOutput(!frames ? output.withoutFrames()
                 : sized(video != null ? output.withFilm(video.equals(OutputDescription.MP4)) : output));
-        SceneBuilder.checkPictures(description, getStyle().option("frames"));
+        RunLimits.checkPictures(description, getStyle().option("frames"));
     }
 
     private static String sha256(byte[] bytes) {

@@ -5,6 +5,7 @@ import java.util.Optional;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
 import particles.spec.Values;
+import particles.spec.messages.InvalidInputException;
 import particles.spec.messages.Problems;
 
 /** Limits on the numbers of steps and pictures of a run: more can only be a typing error. */
@@ -30,14 +31,14 @@ public final class RunLimits {
     /**
      * Checks the number of pictures of a run.
      *
-     * @param scene    the scene to run
-     * @param option   the option that turns pictures off, as typed
-     * @param problems receives a problem if there would be too many
+     * @param scene  the scene to run
+     * @param option the option that turns pictures off, as typed
+     * @throws InvalidInputException if there would be too many
      */
-    public static void checkPictures(SceneDescription scene, String option, Problems problems) {
+    public static void checkPictures(SceneDescription scene, String option) {
         double frameRate = scene.output().frames().rate();
         if (scene.output().frames().drawn() && scene.duration() * frameRate > MOST_FRAMES) {
-            problems.add(scene.values().place(SceneFormat.DURATION), "a duration of "
+            throw new InvalidInputException(scene.values().place(SceneFormat.DURATION) + ": a duration of "
                     + Digits.exact(scene.duration()) + " s needs more than a million pictures at frameRate = "
                     + Digits.exact(frameRate) + "; in the scene, output: {frameRate: "
                     + Digits.roundedDown(SOME_FRAMES / scene.duration()) + "} draws " + (int) SOME_FRAMES + ", and "
