@@ -22,8 +22,8 @@ public final class LastStep {
      */
     public boolean continuesFrom(StepTransaction step) {
         boolean continues = known && source == step.getClient()
-                && Double.doubleToRawLongBits(time) == Double.doubleToRawLongBits(step.getStartTime())
-                && Double.doubleToRawLongBits(deltaT) == Double.doubleToRawLongBits(step.getDeltaT())
+                && Double.compare(time, step.getStartTime()) == 0
+                && Double.compare(deltaT, step.getDeltaT()) == 0
                 && Arrays.equals(state, step.getStartState());
         known = false;
         return continues;

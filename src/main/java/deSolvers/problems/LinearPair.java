@@ -39,21 +39,13 @@ public class LinearPair extends ReferenceProblem {
         incTime(-getTime());
     }
 
-    /** @return the matrix that multiplied the start, row by row, for a start of size 1 */
-    double[] product() {
+    /** @return the matrix that multiplied a start of size 1 */
+    public StepMatrix stepMatrix() {
         double[] state = getState();
-        return new double[] {state[0], state[1], state[COPIES], state[COPIES + 1]};
-    }
-
-    /**
-     * @return the deviation of the third copy from the sum of the two others, relative to the largest entry; 0 if all
-     *         are 0
-     */
-    double nonlinearity() {
-        double[] state = getState();
-        double largest = Math.max(size(), Double.MIN_NORMAL);
-        return Math.max(Math.abs(state[0] + state[1] - state[2]),
-                Math.abs(state[COPIES] + state[COPIES + 1] - state[COPIES + 2])) / largest;
+        double off = Math.max(Math.abs(state[0] + state[1] - state[2]),
+                Math.abs(state[COPIES] + state[COPIES + 1] - state[COPIES + 2]));
+        return new StepMatrix(state[0], state[1], state[COPIES], state[COPIES + 1],
+                off / Math.max(size(), Double.MIN_NORMAL));
     }
 
     /** @return the largest entry */

@@ -39,17 +39,8 @@ public record StepMatrix(double xx, double xv, double vx, double vv, double nonl
         for (int i = 0; i < steps; i++) {
             solver.stepState(source, deltaT);
         }
-        StepMatrix sized = of(source);
+        StepMatrix sized = source.stepMatrix();
         return new StepMatrix(sized.xx / size, sized.xv / size, sized.vx / size, sized.vv / size, sized.nonlinearity);
-    }
-
-    /**
-     * @param source a linear pair that was started with size 1 and stepped since
-     * @return the matrix of all its steps
-     */
-    public static StepMatrix of(LinearPair source) {
-        double[] m = source.product();
-        return new StepMatrix(m[0], m[1], m[2], m[3], source.nonlinearity());
     }
 
     /** @return the determinant: the factor by which the step changes areas in state space (1 = symplectic) */

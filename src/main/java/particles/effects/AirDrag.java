@@ -8,13 +8,15 @@ import particles.law.PerParticleEffect;
 import particles.law.Require;
 
 /**
- * Base class for air drag: the force -c(|w|) w against the velocity w = v - u through the air. Its power is -c
- * |w|&sup2; - c w . u: the first term becomes heat, the second is work done by the wind.
+ * Base class for air drag: the force -k w against the velocity w = v - u through the air, with k = c or c |w|. Its power
+ * is -k |w|&sup2; - k w . u: the first term becomes heat, the second is work done by the wind.
  */
 abstract class AirDrag implements PerParticleEffect, DifferentiableEffect {
     private static final int STRIDE = Particles.STRIDE;
 
     private final Particles particles;
+    final double c;
+    private final int exponent;
     private final Wind wind;
     private double[] relative = {};
     private final double[] w = new double[3];
@@ -22,17 +24,18 @@ abstract class AirDrag implements PerParticleEffect, DifferentiableEffect {
     private final double[] dFdX = new double[9];
     private final double[] dFdV = new double[9];
 
-    AirDrag(Particles particles, double c, Wind wind) {
-        Require.notNegative("a drag coefficient", c);
+    /** @param exponent k is c times this power of the speed, 0 or 1 */
+    AirDrag(Particles particles, double c, int exponent, Wind wind) {
         this.particles = particles;
+        this.c = Require.notNegative("a drag coefficient", c);
+        this.exponent = exponent;
         this.wind = wind;
     }
 
-    /** c at a speed through the air (N s/m). */
-    abstract double coefficientAt(double speed);
-
-    /** |w| dc/d|w|, 0 for a coefficient that does not depend on the speed (N s/m). */
-    abstract double coefficientGrowth(double speed);
+    /** k at a speed through the air (N s/m). */
+    private double coefficientAt(double speed) {
+        return exponent == 0 ? c : c * speed;
+    }
 
     @Override
     public final Set<Trait> getTraits() {
@@ -69,7 +72,7 @@ abstract class AirDrag implements PerParticleEffect, DifferentiableEffect {
         return wind == Wind.STILL ? 0 : sum(state, time, true);
     }
 
-    /** Sum over all free particles of c |w|&sup2; (dissipated) or -c w . u (driven). */
+    /** Sum over all free particles of k |w|&sup2; (dissipated) or -k w . u (driven). */
     private double sum(double[] state, double time, boolean driven) {
         double[] w = velocityThroughAir(state, time, 0, particles.count());
         double sum = 0;
@@ -87,7 +90,7 @@ abstract class AirDrag implements PerParticleEffect, DifferentiableEffect {
         return sum;
     }
 
-    /** {@inheritDoc} dF/dv = -c - c' w w<sup>T</sup>/|w|, and dF/dx = -dF/dv times the wind's gradient. */
+    /** {@inheritDoc} dF/dv = -k - k' w w<sup>T</sup>/|w|, and dF/dx = -dF/dv times the wind's gradient. */
     @Override
     public final void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
         double[] through = velocityThroughAir(state, time, 0, particles.count());
@@ -95,7 +98,7 @@ abstract class AirDrag implements PerParticleEffect, DifferentiableEffect {
             System.arraycopy(through, STRIDE * i + 3, w, 0, 3);
             double square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
             double speed = Math.sqrt(square);
-            double growth = square > 0 ? coefficientGrowth(speed) / square : 0;
+            double growth = square > 0 ? exponent * coefficientAt(speed) / square : 0;
             for (int e = 0; e < 9; e++) {
                 dFdV[e] = -(e % 4 == 0 ? coefficientAt(speed) : 0) - growth * w[e / 3] * w[e % 3];
             }

@@ -14,8 +14,6 @@ import particles.spec.Values;
  * <p>Source: COMPSCI 715 (2003), slide "Damping (cont'd)", "particle-air damping".
  */
 public final class LinearDrag extends AirDrag {
-    private final double c;
-
     /**
      * @param particles the particles in the air
      * @param c         the drag coefficient (N s/m), 0 or more
@@ -23,8 +21,7 @@ public final class LinearDrag extends AirDrag {
      * @throws IllegalArgumentException if c is negative or not finite
      */
     public LinearDrag(Particles particles, double c, Wind wind) {
-        super(particles, c, wind);
-        this.c = c;
+        super(particles, c, 0, wind);
     }
 
     /** @return c (N s/m) */
@@ -45,18 +42,6 @@ public final class LinearDrag extends AirDrag {
             force[k + 1] -= c * w[k + 1];
             force[k + 2] -= c * w[k + 2];
         }
-    }
-
-    /** F = -c w with the same c at every speed; quadraticDrag has c |w| in its place. */
-    @Override
-    double coefficientAt(double speed) {
-        return c;
-    }
-
-    /** 0, since c does not depend on the speed. */
-    @Override
-    double coefficientGrowth(double speed) {
-        return 0;
     }
 
     /** The keys of linear drag in scenes: {@code drag: {coefficient: 0.1}}. */

@@ -13,8 +13,6 @@ import particles.spec.Values;
  * g/c). The force's derivative is continuous at v = u, its second derivative is not.
  */
 public final class QuadraticDrag extends AirDrag {
-    private final double c;
-
     /**
      * @param particles the particles in the air
      * @param c         the drag coefficient (N s&sup2;/m&sup2;, which is kg/m), 0 or more
@@ -22,8 +20,7 @@ public final class QuadraticDrag extends AirDrag {
      * @throws IllegalArgumentException if c is negative or not finite
      */
     public QuadraticDrag(Particles particles, double c, Wind wind) {
-        super(particles, c, wind);
-        this.c = c;
+        super(particles, c, 1, wind);
     }
 
     @Override
@@ -40,16 +37,6 @@ public final class QuadraticDrag extends AirDrag {
             force[v + 1] -= c * speed * w[v + 1];
             force[v + 2] -= c * speed * w[v + 2];
         }
-    }
-
-    @Override
-    double coefficientAt(double speed) {
-        return c * speed;
-    }
-
-    @Override
-    double coefficientGrowth(double speed) {
-        return c * speed;
     }
 
     /** Quadratic drag in scenes. */

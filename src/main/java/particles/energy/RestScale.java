@@ -1,5 +1,7 @@
 package particles.energy;
 
+import java.util.DoubleSummaryStatistics;
+import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.law.Vector3;
@@ -26,19 +28,14 @@ final class RestScale {
         for (int i = 0; i < particles.count(); i++) {
             sum = particles.isFixed(i) ? sum : sum.plus(Vector3.at(force, Particles.STRIDE * i + 3));
         }
+        Vector3 direction = sum;
         double weight = Math.sqrt(sum.dot(sum));
         if (!(weight > 0)) {
             return 0;
         }
-        double lowest = Double.POSITIVE_INFINITY;
-        double highest = Double.NEGATIVE_INFINITY;
-        double size = 0;
-        for (int x = 0; x < force.length; x += Particles.STRIDE) {
-            double along = Vector3.at(state, x).dot(sum) / weight;
-            lowest = Math.min(lowest, along);
-            highest = Math.max(highest, along);
-            size = Math.max(size, Math.abs(along));
-        }
-        return weight * (highest - lowest > ROUND_OFF * size ? highest - lowest : 1);
+        DoubleSummaryStatistics along = IntStream.range(0, particles.count())
+                .mapToDouble(i -> Vector3.at(state, Particles.STRIDE * i).dot(direction) / weight).summaryStatistics();
+        double height = along.getMax() - along.getMin();
+        return weight * (height > ROUND_OFF * Math.max(along.getMax(), -along.getMin()) ? height : 1);
     }
 }

@@ -1,8 +1,8 @@
 package particles.effects.springs;
 
-import particles.law.DivisibleEffect;
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import particles.law.DivisibleEffect;
 import particles.law.Particles;
 
 /**

@@ -121,9 +121,9 @@ public final class Amplification {
         for (int i = 0; i < 2 * STEPS; i++) {
             solver.stepState(source, 1);
             if (i >= STEPS - WINDOW && i < STEPS) {
-                middle = Math.max(middle, StepMatrix.of(source).radius());
+                middle = Math.max(middle, source.stepMatrix().radius());
             } else if (i >= 2 * STEPS - WINDOW) {
-                end = Math.max(end, StepMatrix.of(source).radius());
+                end = Math.max(end, source.stepMatrix().radius());
             }
             double size = source.size();
             if (!(size <= OVERFLOW && size >= 1 / OVERFLOW)) {
