@@ -112,8 +112,7 @@ public final class Repulsion extends PairForce implements DivisibleEffect {
         return lists.start[lists.start.length - 1];
     }
 
-    @Override
-    public int getFirstParticle(int block) {
+    private int getFirstParticle(int block) {
         return (int) ((long) particles.count() * block / countBlocks());
     }
 

@@ -23,13 +23,6 @@ public interface DivisibleEffect extends Effect {
     int size();
 
     /**
-     * @param block a block, or n
-     * @return the first particle of its range, which ends where the next one begins: 0 for the first block, and the
-     *         number of particles for n
-     */
-    int getFirstParticle(int block);
-
-    /**
      * Adds the forces of one block or joint.
      *
      * @param part  0 to n - 1 for the blocks; n to n + n/2 - 1 for the joints of two blocks, in order; the next n/4

@@ -32,7 +32,6 @@ public final class ParallelForces implements ParallelDerivative {
     private DivisibleEffect divisible;
     private int blocks;
     private final IntConsumer beginning = this::beginRange;
-    private final IntConsumer beginningByBlocks = this::beginBlocks;
     private final IntConsumer middle = this::addBlocks;
     private final IntConsumer end = this::finishRange;
     private IntConsumer work;                           // one of these
@@ -93,18 +92,9 @@ public final class ParallelForces implements ParallelDerivative {
         this.state = state;
         this.time = time;
         this.dSdt = dSdt;
-        Effect[] others = forces.getOthers();
-        int next = 0;
-        if (others.length > 0 && takeUp(others[0], threads)) {
-            run(beginningByBlocks);             // saves one barrier
-            addJoints(NOBODY);
-            next = 1;
-        } else {
-            run(beginning);
-        }
-        for (int e = next; e < others.length; e++) {
-            Effect effect = others[e];
-            if (takeUp(effect, 2)) {
+        run(beginning);
+        for (Effect effect : forces.getOthers()) {
+            if (effect instanceof DivisibleEffect parts && isDivided(parts)) {
                 run(middle);
                 addJoints(NOBODY);
             } else {
@@ -137,26 +127,17 @@ public final class ParallelForces implements ParallelDerivative {
         }
     }
 
-    /** Makes the effect the one whose blocks are evaluated next; returns false if it has too few blocks. */
-    private boolean takeUp(Effect effect, int fewest) {
-        if (!(effect instanceof DivisibleEffect)) {
-            return false;
-        }
-        divisible = (DivisibleEffect) effect;
+    /** Makes the effect the one whose blocks are evaluated next; returns false if it has only one. */
+    private boolean isDivided(DivisibleEffect effect) {
+        divisible = effect;
         divisible.prepare(state);
         blocks = divisible.countBlocks();
-        return blocks >= fewest;
+        return blocks > 1;
     }
 
     private void beginRange(int part) {
         int n = particles.count();
         forces.begin(state, time, dSdt, cut(n, part), cut(n, part + 1));
-    }
-
-    private void beginBlocks(int part) {
-        forces.begin(state, time, dSdt, divisible.getFirstParticle(cut(blocks, part)),
-                divisible.getFirstParticle(cut(blocks, part + 1)));
-        addBlocks(part);
     }
 
     /** Adds a thread's blocks and the joints between them. */

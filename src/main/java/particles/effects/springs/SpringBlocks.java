@@ -88,9 +88,4 @@ final class SpringBlocks {
     int start(int block) {
         return starts[block];
     }
-
-    /** The first particle of a block's range. */
-    int firstParticle(int block) {
-        return firstParticles[block];
-    }
 }

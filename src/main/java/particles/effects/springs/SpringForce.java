@@ -95,11 +95,6 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
     }
 
     @Override
-    public int getFirstParticle(int block) {
-        return block == table.getBlocks().count() ? particles.count() : table.getBlocks().firstParticle(block);
-    }
-
-    @Override
     public void addPart(int part, double[] state, double time, double[] force) {
         SpringKernel.addForces(table, state, force, getPartStart(part), getPartStart(part + 1));
     }
