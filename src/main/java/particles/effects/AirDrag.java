@@ -8,8 +8,8 @@ import particles.law.PerParticleEffect;
 import particles.law.Require;
 
 /**
- * Base class for air drag: the force -k w against the velocity w = v - u through the air, with k = c or c |w|. Its power
- * is -k |w|&sup2; - k w . u: the first term becomes heat, the second is work done by the wind.
+ * Base class for air drag: the force -k w against the velocity w = v - u through the air, with k = c or c |w|. Its
+ * power is -k |w|&sup2; - k w . u: the first term becomes heat, the second is work done by the wind.
  */
 abstract class AirDrag implements PerParticleEffect, DifferentiableEffect {
     private static final int STRIDE = Particles.STRIDE;
