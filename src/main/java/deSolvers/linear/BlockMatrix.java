@@ -20,7 +20,7 @@ public final class BlockMatrix implements LinearOperator {
     public BlockMatrix(BlockPattern pattern, SolverWork work) {
         this.pattern = pattern;
         this.work = work;
-        values = new double[9 * pattern.blocks()];
+        values = new double[9 * pattern.countBlocks()];
     }
 
     /** @return the positions of its blocks */
@@ -37,7 +37,7 @@ public final class BlockMatrix implements LinearOperator {
 
     @Override
     public void apply(double[] x, double[] y) {
-        work.blockOperations += pattern.blocks();
+        work.blockOperations += pattern.countBlocks();
         int[] column = pattern.column;
         for (int i = 0, yAt = 0; i < pattern.rows; i++, yAt += 3) {
             double y0 = 0;

@@ -64,7 +64,7 @@ public final class BlockPattern {
     }
 
     /** @return the number of blocks */
-    public int blocks() {
+    public int countBlocks() {
         return column.length;
     }
 

@@ -93,7 +93,7 @@ public final class BlockSolver {
             return false;
         }
         BlockPattern pattern = matrix.getPattern();
-        return factors.products(symmetric) + factors.blocks() < expected * (pattern.blocks() + pattern.rows);
+        return factors.products(symmetric) + factors.blocks() < expected * (pattern.countBlocks() + pattern.rows);
     }
 
     private BlockFactors factors() {

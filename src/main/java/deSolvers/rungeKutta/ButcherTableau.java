@@ -35,12 +35,12 @@ public final class ButcherTableau {
         String[] parts = printed.split("(?m)^\\s*-[-+]*\\s*$");
         ButcherTableau tableau = new ButcherTableau(numbers(parts[0], 0), numbers(parts[0], 1),
                 numbers(parts[parts.length - 1], 1));
-        for (int stage = 0; stage < tableau.stages(); stage++) {
+        for (int stage = 0; stage < tableau.getStages(); stage++) {
             require(tableau.c[stage], 1);
             require(tableau.a[stage], stage);
         }
         for (double[] line : tableau.weights) {
-            require(line, tableau.stages());
+            require(line, tableau.getStages());
         }
         return tableau;
     }
@@ -67,7 +67,7 @@ public final class ButcherTableau {
     }
 
     /** @return the number of stages */
-    public int stages() {
+    public int getStages() {
         return c.length;
     }
 

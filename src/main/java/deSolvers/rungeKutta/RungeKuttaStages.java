@@ -12,7 +12,7 @@ public final class RungeKuttaStages {
     /** @param tableau the method */
     public RungeKuttaStages(ButcherTableau tableau) {
         this.tableau = tableau;
-        this.k = new double[tableau.stages()][0];
+        this.k = new double[tableau.getStages()][0];
     }
 
     /** @param n the state's size from now on */

@@ -84,7 +84,7 @@ public final class EnergyHistory extends StridedRecorder {
 
     /** @return the total energy at the start, with the chart's zero (J) */
     public double getStart() {
-        return total.first() - zero();
+        return total.getFirst() - zero();
     }
 
     /** @return the total energy at the end, with the chart's zero (J) */
@@ -111,7 +111,7 @@ public final class EnergyHistory extends StridedRecorder {
 
     /** @return the largest |E(t) - E(0)| of the run (J) */
     public double getLargestDrift() {
-        return Math.max(total.largest() - total.first(), total.first() - total.smallest());
+        return Math.max(total.largest() - total.getFirst(), total.getFirst() - total.smallest());
     }
 
     /**

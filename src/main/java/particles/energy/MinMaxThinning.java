@@ -68,7 +68,7 @@ public final class MinMaxThinning {
     }
 
     /** @return the first sample's value */
-    public double first() {
+    public double getFirst() {
         return first.value;
     }
 
@@ -79,12 +79,12 @@ public final class MinMaxThinning {
 
     /** @return the smallest value */
     public double smallest() {
-        return buckets.stream().mapToDouble(bucket -> bucket.low.value).reduce(first(), Math::min);
+        return buckets.stream().mapToDouble(bucket -> bucket.low.value).reduce(getFirst(), Math::min);
     }
 
     /** @return the largest value */
     public double largest() {
-        return buckets.stream().mapToDouble(bucket -> bucket.high.value).reduce(first(), Math::max);
+        return buckets.stream().mapToDouble(bucket -> bucket.high.value).reduce(getFirst(), Math::max);
     }
 
     /** @return the largest size of a value */

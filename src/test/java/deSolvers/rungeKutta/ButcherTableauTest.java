@@ -24,7 +24,7 @@ class ButcherTableauTest {
     @Test
     void coefficientsAreReadFromTheirPlaces() {
         ButcherTableau heun = ButcherTableau.parse(HEUN);
-        assertEquals(3, heun.stages());
+        assertEquals(3, heun.getStages());
         assertArrayEquals(new double[] {0, 1.0 / 3, 2.0 / 3}, new double[] {heun.node(0), heun.node(1), heun.node(2)});
         assertEquals(1.0 / 3, heun.row(1)[0]);
         assertEquals(0, heun.row(2)[0]);

@@ -35,7 +35,7 @@ class OrderConditionsTest {
 
         /** The elementary weights of the tree at each stage. */
         double[] stages(ButcherTableau tableau) {
-            double[] product = new double[tableau.stages()];
+            double[] product = new double[tableau.getStages()];
             Arrays.fill(product, 1);
             for (Tree branch : branches) {
                 double[] inner = branch.stages(tableau);
@@ -120,7 +120,7 @@ class OrderConditionsTest {
     @Test
     void theRowsOfEveryTableauSumToItsNodes() throws ReflectiveOperationException {
         tableaux().forEach((name, tableau) -> {
-            for (int i = 0; i < tableau.stages(); i++) {
+            for (int i = 0; i < tableau.getStages(); i++) {
                 double sum = 0;
                 for (int j = 0; j < i; j++) {
                     sum += tableau.row(i)[j];

@@ -55,7 +55,7 @@ final class Leaf extends ReferenceProblem {
         ButcherTableau tableau = ButcherTableau.parse(method.replace(right, wrong));
         double v = exactState(0)[0];
         for (int n = 0; n < steps; n++) {
-            double[] k = new double[tableau.stages()];
+            double[] k = new double[tableau.getStages()];
             for (int i = 0; i < k.length; i++) {
                 k[i] = deltaT * slope(v + sum(tableau.row(i), k), (n + tableau.node(i)) * deltaT);
             }
