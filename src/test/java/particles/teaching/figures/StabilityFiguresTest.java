@@ -11,6 +11,7 @@ import static particles.teaching.solvers.PlantedSolvers.state;
 import static particles.teaching.solvers.PlantedSolvers.with;
 
 import deSolvers.DESolver;
+import deSolvers.SecondOrderStateSource;
 import deSolvers.adaptive.DormandPrinceSolver;
 import java.util.Arrays;
 import java.util.List;
@@ -23,6 +24,7 @@ import org.ejml.dense.row.CommonOps_DDRM;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import particles.teaching.solvers.PlantedSolvers;
 import particles.teaching.solvers.PlantedSolvers.AdamsBashforth2;
 import particles.view.ChartData;
@@ -169,12 +171,18 @@ class StabilityFiguresTest {
     }
 
     /**
-     * Without the type by which it could ask: its rotation is none, so it is tried on springs.
-     * q = 4 is the end without damping.
+     * Whether it takes any source, of which its rotation is none, or refuses, in its own words, one whose velocities it
+     * cannot know. q = 4 is the end without damping.
      */
-    @Test
-    void whatStepsPositionsAndVelocitiesApartIsTriedOnSprings() {
-        StabilityFigures figures = figures(() -> blocks());
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void whatStepsPositionsAndVelocitiesApartIsTriedOnSprings(boolean refuses) {
+        StabilityFigures figures = figures(() -> solver((source, deltaT) -> {
+            if (refuses && !(source instanceof SecondOrderStateSource)) {
+                throw new IllegalStateException("which are the velocities?");
+            }
+            blocks().stepState(source, deltaT);
+        }));
         assertEquals(2, Double.parseDouble(value(figures, "imaginary limit")), 5e-8);
         // critically damped: 4 - h^2 - 4 h = 0
         assertEquals(2 * Math.sqrt(2) - 2, Double.parseDouble(value(figures, "damped limit")), 5e-8);
