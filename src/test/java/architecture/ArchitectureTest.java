@@ -127,6 +127,7 @@ class ArchitectureTest {
                                            particles.output.painters particles.output.raster
                                            particles.output.text particles.view java.awt
             particles.output.painters:     particles particles.law particles.output.raster particles.view
+                                           com.carrotsearch.hppc
             particles.output.race:         particles particles.output.animation particles.output.charts
                                            particles.output.files particles.output.frames particles.output.text
                                            particles.view java.awt

@@ -1,7 +1,8 @@
 package particles.output.painters;
 
+import com.carrotsearch.hppc.LongArrayList;
+import com.carrotsearch.hppc.LongIntHashMap;
 import java.util.Arrays;
-import particles.output.raster.LongIndex;
 
 /**
  * The scalar field of metaballs on the nodes of a cubic grid: the sum of (1 - d&sup2;/R&sup2;)&sup3; over all balls
@@ -20,13 +21,13 @@ final class BlobField {
     /** The largest number of ball-node contributions for one picture. */
     private static final double MOST_VISITS = 1.2e7;
 
-    final LongIndex nodes = new LongIndex();
+    /** The keys of the nodes that the field reaches, and the number of each in this list. */
+    final LongArrayList nodes = new LongArrayList();
+    private final LongIntHashMap numbers = new LongIntHashMap();
     /** The field, and its gradient along x, y and z, by the nodes' numbers. */
     float[] sums = {};
     private double reach;
     private double cell;
-    /** The number of sums in this picture. */
-    private int begun;
 
     /**
      * Starts a new picture.
@@ -37,7 +38,7 @@ final class BlobField {
      */
     void clear(double radius, int balls, double finest) {
         nodes.clear();
-        begun = 0;
+        numbers.clear();
         reach = REACH * radius;
         double across = Math.cbrt(MOST_VISITS / Math.max(1, balls));
         cell = Math.max(radius / FINEST, Math.max(finest, 2 * reach / across));
@@ -61,8 +62,13 @@ final class BlobField {
 
     /** @return the field at a node */
     float value(long key) {
-        int node = nodes.find(key);
+        int node = number(key);
         return node < 0 ? 0 : sums[4 * node];
+    }
+
+    /** @return the number of a node, -1 if the field does not reach it */
+    int number(long key) {
+        return numbers.getOrDefault(key, -1);
     }
 
     /** Adds a ball. */
@@ -93,13 +99,15 @@ final class BlobField {
     }
 
     private void add(long key, double rest, double dx, double dy, double dz) {
-        int at = 4 * nodes.put(key);
-        if (at >= sums.length) {
-            sums = Arrays.copyOf(sums, Math.max(1 << 14, 2 * sums.length));
-        }
-        if (at == begun) {
+        int node = numbers.getOrDefault(key, nodes.size());
+        int at = 4 * node;
+        if (node == nodes.size()) {
+            nodes.add(key);
+            numbers.put(key, node);
+            if (at >= sums.length) {
+                sums = Arrays.copyOf(sums, Math.max(1 << 14, 2 * sums.length));
+            }
             Arrays.fill(sums, at, at + 4, 0);
-            begun += 4;
         }
         double slope = -6 * rest * rest / (reach * reach);
         sums[at] += (float) (rest * rest * rest);

@@ -1,7 +1,7 @@
 package particles.output.painters;
 
+import com.carrotsearch.hppc.LongIntHashMap;
 import java.util.Arrays;
-import particles.output.raster.LongIndex;
 
 /**
  * Triangulates an isosurface by surface nets (S. Gibson, "Constrained elastic surface nets", 1998): each grid cell
@@ -9,7 +9,7 @@ import particles.output.raster.LongIndex;
  * joins the four cells around it. The surface is closed except where it is cut off far away.
  */
 final class BlobSurface {
-    private final LongIndex cells = new LongIndex();
+    private final LongIntHashMap cells = new LongIntHashMap();
     /** The sum of edge crossings and their number. */
     private final double[] crossing = new double[4];
     private final double[] offset = new double[3];
@@ -32,7 +32,7 @@ final class BlobSurface {
         vertices = 0;
         cornerCount = 0;
         for (int node = 0; node < field.nodes.size(); node++) {
-            long key = field.nodes.key(node);
+            long key = field.nodes.get(node);
             if (isInside(key)) {
                 for (int axis = 0; axis < 3; axis++) {
                     long step = BlobField.step(axis);
@@ -73,11 +73,11 @@ final class BlobSurface {
 
     /** The vertex of the cell whose lowest corner has this key. */
     private int vertex(long cell) {
-        int vertex = cells.put(cell);
+        int vertex = cells.getOrDefault(cell, vertices);
         if (vertex < vertices) {
             return vertex;
         }
-        vertices++;
+        cells.put(cell, vertices++);
         if (3 * vertices > places.length) {
             int length = Math.max(1 << 12, 2 * places.length);
             places = Arrays.copyOf(places, length);
@@ -117,7 +117,7 @@ final class BlobSurface {
                 offset[axis] = (far ? part - 1 : part) * field.getCellSize();
                 weight *= far ? part : 1 - part;
             }
-            int at = 4 * field.nodes.find(key);
+            int at = 4 * field.number(key);
             if (at >= 0) {
                 float[] sums = field.sums;
                 f += weight * (sums[at] + (sums[at + 1] * offset[0] + sums[at + 2] * offset[1]

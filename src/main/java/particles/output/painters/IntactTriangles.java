@@ -1,12 +1,13 @@
 package particles.output.painters;
 
-import particles.output.raster.LongIndex;
+import java.util.HashSet;
+import java.util.Set;
 import particles.view.Surface;
 
 /** Finds the intact triangles of a surface: in a tearing cloth, one with fewer than two spring edges left is torn. */
 public final class IntactTriangles {
     private final Surface surface;
-    private final LongIndex springs = new LongIndex();
+    private final Set<Long> springs = new HashSet<>();
     private final boolean[] whole;
     private int structure = -1;
 
@@ -33,7 +34,7 @@ public final class IntactTriangles {
     private void find(FrameState state) {
         springs.clear();
         for (int s = 0; s < state.springs.count() && surface.ofSprings(); s++) {
-            springs.put(pair(state.springs.from()[s], state.springs.to()[s]));
+            springs.add(pair(state.springs.from()[s], state.springs.to()[s]));
         }
         int[] corners = surface.triangles();
         for (int t = 0; t < whole.length; t++) {
@@ -46,7 +47,7 @@ public final class IntactTriangles {
     }
 
     private int edge(int a, int b) {
-        return springs.find(pair(a, b)) >= 0 ? 1 : 0;
+        return springs.contains(pair(a, b)) ? 1 : 0;
     }
 
     private static long pair(int a, int b) {
