@@ -12,8 +12,12 @@ import particles.scene.format.SceneDescription;
 /**
  * Finds the step, or for adaptive solvers the tolerance, with which a run of a scene costs as many evaluations of the
  * derivative as another one.
+ *
+ * @param scene         the scene to run, for its duration
+ * @param target        the number of evaluations wanted, 1 or more
+ * @param adaptiveSteps the numbers of steps to try for an adaptive solver, the best first
  */
-public final class EqualWork {
+public record EqualWork(SceneDescription scene, long target, List<Long> adaptiveSteps) {
     /** A solver that costs this many times the target does not raise the others' share. */
     static final double MOST_RAISE = 30;
     private static final int TRIALS = 14;
@@ -57,23 +61,12 @@ public final class EqualWork {
     public record Shares(List<Match> matches, double work, Optional<SolverChoice> slowest) {
     }
 
-    private final SceneDescription scene;
-    private final long target;
-    /** The numbers of steps to try for an adaptive solver, the best first. */
-    private final List<Long> adaptiveSteps;
-
     /**
      * @param scene  the scene to run, for its duration
      * @param target the number of evaluations wanted, 1 or more
      */
     public EqualWork(SceneDescription scene, long target) {
         this(scene, target, List.of(adaptiveSteps(target)));
-    }
-
-    private EqualWork(SceneDescription scene, long target, List<Long> adaptiveSteps) {
-        this.scene = scene;
-        this.target = target;
-        this.adaptiveSteps = adaptiveSteps;
     }
 
     /**

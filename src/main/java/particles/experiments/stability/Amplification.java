@@ -20,8 +20,12 @@ import java.util.function.Supplier;
  *     its conjugate; on the negative real axis it is critically damped.</li>
  * </ul>
  * A step that the solver refuses counts as infinite growth.
+ *
+ * @param maker     creates solvers without memory
+ * @param ofSprings whether the method needs positions and velocities, and is tried on springs
+ * @param manySteps whether it uses earlier steps, so that the growth over many is measured
  */
-public final class Amplification {
+public record Amplification(Supplier<DESolver> maker, boolean ofSprings, boolean manySteps) {
     /** A step of deltaT omega = 0.1, which any iteration can do. */
     private static final double SOFT = 0.01;
     /** Growth below this is round-off or Newton's tolerance. */
@@ -33,21 +37,6 @@ public final class Amplification {
     private static final double RELATIVE = 1e-6;
     private static final double EVERYTHING = 1e30;
     private static final double OVERFLOW = 1e100;
-
-    private final Supplier<DESolver> maker;
-    private final boolean ofSprings;
-    private final boolean manySteps;
-
-    /**
-     * @param maker     creates solvers without memory
-     * @param ofSprings whether the method needs positions and velocities, and is tried on springs
-     * @param manySteps whether it uses earlier steps
-     */
-    public Amplification(Supplier<DESolver> maker, boolean ofSprings, boolean manySteps) {
-        this.maker = maker;
-        this.ofSprings = ofSprings;
-        this.manySteps = manySteps;
-    }
 
     /**
      * @param info a solver of the catalogue
@@ -70,16 +59,6 @@ public final class Amplification {
     public static Amplification ofOwn(Supplier<DESolver> maker) {
         maker.get().stepState(LinearPair.spring(SOFT, 0), 1);
         return new Amplification(maker, true, false);
-    }
-
-    /** @return whether it is tried on springs, and not on the test equation */
-    public boolean isOfSprings() {
-        return ofSprings;
-    }
-
-    /** @return whether it measures the growth over many steps, and not that of one */
-    public boolean isOfManySteps() {
-        return manySteps;
     }
 
     /**

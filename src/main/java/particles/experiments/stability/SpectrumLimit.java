@@ -59,7 +59,7 @@ final class SpectrumLimit {
     /** @return the factor by which a step of this length multiplies a mode */
     double factor(Mode mode, double deltaT) {
         // else its partner grows by itself
-        boolean overdamped = amplification.isOfSprings() && mode.im() == 0 && mode.stiffness() > 0;
+        boolean overdamped = amplification.ofSprings() && mode.im() == 0 && mode.stiffness() > 0;
         return overdamped ? amplification.ofSpring(deltaT * deltaT * mode.stiffness(), deltaT * mode.damping())
                 : amplification.at(deltaT * mode.re(), deltaT * mode.im());
     }
@@ -67,7 +67,7 @@ final class SpectrumLimit {
     /** The limit of h |lambda| in this mode's direction. */
     private double limit(Mode mode) {
         List<Long> direction = List.of(Math.round(mode.re() / mode.size() / SAME_DIRECTION),
-                mode.im() == 0 && amplification.isOfSprings()
+                mode.im() == 0 && amplification.ofSprings()
                         ? Math.round(mode.damping() / mode.size() / SAME_DIRECTION) : -1);
         return known.computeIfAbsent(direction, unknown -> measure(mode));
     }

@@ -50,14 +50,14 @@ public final class StiffCharts {
         List<Series> left = series(stable(sweeps, solver -> !solver.adaptive() || solver.implicit()),
                 cost -> Math.max(GONE, cost.vibrationLeft()));
         List<ChartData> first = chart("evaluations for 1 %", sweeps, Cost::toOnePercent,
-                growth("Evaluations for 1 %", sweeps, Sweep::preciseExponent)).above("never", rows, List.of(
+                growth("Evaluations for 1 %", sweeps, Cost::toOnePercent)).above("never", rows, List.of(
                 never("never stable, however short the step", Mark.FAILURES, sweeps, rows, (sweep, cost) ->
                         sweep.neverStable()),
                 never("no 1 % with a million steps", Mark.GIVEN_UP, sweeps, rows, (sweep, cost) ->
                         Double.isNaN(cost.toOnePercent()))));
         return Stream.concat(first.stream(), Stream.of(
                 chart("evaluations to be stable", fixed, Cost::toBeStable,
-                        growth("Evaluations for stability", fixed, Sweep::stableExponent)),
+                        growth("Evaluations for stability", fixed, Cost::toBeStable)),
                 new ChartData(vibration(left), STIFFNESS, "fast-mode energy, end / start", true, true, left)))
                 .filter(chart -> !chart.series().isEmpty()).toList();
     }
@@ -93,15 +93,15 @@ public final class StiffCharts {
      */
     public static String finding(List<Sweep> sweeps) {
         List<String> never = sweeps.stream().filter(Sweep::neverStable).map(StiffCharts::name).toList();
-        return growth("Evaluations for 1 %", sweeps, Sweep::preciseExponent)
+        return growth("Evaluations for 1 %", sweeps, Cost::toOnePercent)
                 + (never.isEmpty() ? "" : "; " + SolverChoice.said(never, "is never stable"));
     }
 
     /** Solvers with equal exponents, to one decimal, share a place; the largest exponent comes first. */
-    private static String growth(String what, List<Sweep> sweeps, ToDoubleFunction<Sweep> exponent) {
+    private static String growth(String what, List<Sweep> sweeps, ToDoubleFunction<Cost> evaluations) {
         Map<Double, List<String>> powers = sweeps.stream()
-                .filter(sweep -> !Double.isNaN(exponent.applyAsDouble(sweep)))
-                .collect(groupingBy(sweep -> Math.round(10 * exponent.applyAsDouble(sweep)) / 10.0,
+                .filter(sweep -> !Double.isNaN(sweep.exponent(evaluations)))
+                .collect(groupingBy(sweep -> Math.round(10 * sweep.exponent(evaluations)) / 10.0,
                         () -> new TreeMap<Double, List<String>>(Comparator.reverseOrder()),
                         mapping(StiffCharts::name, toList())));
         String flat = Optional.ofNullable(powers.remove(0.0)).map(SolverChoice::few).orElse("");
@@ -147,8 +147,8 @@ public final class StiffCharts {
                 Then, the evaluations for 1 % with the softest and the stiffest spring""", sweeps,
                 column("solver", StiffCharts::name), column("stable", StiffCharts::stable),
                 column("exponent, stability", 3, sweep -> unlimited(sweep) ? Double.NaN
-                        : exponent(sweep.stableExponent())),
-                column("exponent, 1 %", 3, sweep -> exponent(sweep.preciseExponent())),
+                        : exponent(sweep, Cost::toBeStable)),
+                column("exponent, 1 %", 3, sweep -> exponent(sweep, Cost::toOnePercent)),
                 column("evaluations, softest", sweep -> sweep.costs().get(0).toOnePercent()),
                 column("evaluations, stiffest", sweep -> sweep.costs().get(sweep.costs().size() - 1).toOnePercent()));
     }
@@ -160,7 +160,8 @@ public final class StiffCharts {
     }
 
     /** Two decimals: those after that come from the numbers of steps being whole. */
-    private static double exponent(double fitted) {
+    private static double exponent(Sweep sweep, ToDoubleFunction<Cost> evaluations) {
+        double fitted = sweep.exponent(evaluations);
         return Double.isNaN(fitted) ? fitted : Math.round(100 * fitted) / 100.0;
     }
 }

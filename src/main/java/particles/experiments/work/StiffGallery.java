@@ -60,17 +60,8 @@ public final class StiffGallery {
      * @param costs       its costs, from soft to stiff
      */
     public record Sweep(SolverChoice solver, boolean neverStable, List<Cost> costs) {
-        /** @return the exponent of the stiffness in the cost of stability; NaN if there is none */
-        public double stableExponent() {
-            return exponent(Cost::toBeStable);
-        }
-
-        /** @return the exponent of the stiffness in the cost of 1 % */
-        public double preciseExponent() {
-            return exponent(Cost::toOnePercent);
-        }
-
-        private double exponent(ToDoubleFunction<Cost> evaluations) {
+        /** @return the exponent of the stiffness in a cost; NaN if there is none */
+        public double exponent(ToDoubleFunction<Cost> evaluations) {
             return PowerLaw.exponent(costs.stream().filter(cost -> cost.stiffness() >= FIT_FROM
                     && !Double.isNaN(evaluations.applyAsDouble(cost))).toList(), Cost::stiffness, evaluations);
         }

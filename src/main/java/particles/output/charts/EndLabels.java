@@ -39,7 +39,8 @@ final class EndLabels {
     private final XYPlot plot;
     private final XYLineAndShapeRenderer renderer;
     private final ChartDataset data;
-    private final List<Integer> labelled = new ArrayList<>();
+    /** The series that are named. */
+    final List<Integer> labelled = new ArrayList<>();
 
     EndLabels(XYPlot plot) {
         this.plot = plot;
@@ -48,8 +49,8 @@ final class EndLabels {
         List<Integer> lines = new ArrayList<>();
         Set<String> names = new HashSet<>();
         for (int k = 0; k < data.getSeriesCount(); k++) {
-            if (renderer.getItemLineVisible(k, 0) && data.last(k) >= 0 && data.name(k).length() <= LONGEST
-                    && names.add(data.name(k))) {
+            boolean line = renderer.getItemLineVisible(k, 0) && renderer.lookupSeriesStroke(k) != ChartStyle.BAR;
+            if (line && data.last(k) >= 0 && data.name(k).length() <= LONGEST && names.add(data.name(k))) {
                 lines.add(k);
             }
         }

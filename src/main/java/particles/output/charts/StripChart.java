@@ -35,26 +35,24 @@ public final class StripChart {
     /**
      * Draws the chart.
      *
-     * @param g     the graphics to draw on
-     * @param area  the rectangle to fill
-     * @param times the times of the marks (s)
+     * @param g    the graphics to draw on
+     * @param area the rectangle to fill
+     * @param time the time of the marks (s)
      */
-    public void draw(Graphics2D g, Rectangle2D area, double... times) {
+    public void draw(Graphics2D g, Rectangle2D area, double time) {
         ChartRenderingInfo info = new ChartRenderingInfo();
         chart.draw(g, area, info);
         Rectangle2D inside = info.getPlotInfo().getDataArea();
         XYPlot plot = chart.getXYPlot();
-        for (double time : times) {
-            double x = plot.getDomainAxis().valueToJava2D(time, inside, RectangleEdge.BOTTOM);
-            g.setColor(ChartStyle.AXIS);
-            g.setStroke(NOW);
-            g.draw(new Line2D.Double(x, inside.getMinY(), x, inside.getMaxY()));
-            for (Series series : data.series()) {
-                int k = at(series, time);
-                if (series.mark() != Mark.FAILURES && k >= 0 && series.y()[k] > 0) {
-                    double y = plot.getRangeAxis().valueToJava2D(series.y()[k], inside, RectangleEdge.LEFT);
-                    mark(g, SolverStyle.orGrey(series.name()), x, y);
-                }
+        double x = plot.getDomainAxis().valueToJava2D(time, inside, RectangleEdge.BOTTOM);
+        g.setColor(ChartStyle.AXIS);
+        g.setStroke(NOW);
+        g.draw(new Line2D.Double(x, inside.getMinY(), x, inside.getMaxY()));
+        for (Series series : data.series()) {
+            int k = at(series, time);
+            if (series.mark() != Mark.FAILURES && k >= 0 && series.y()[k] > 0) {
+                double y = plot.getRangeAxis().valueToJava2D(series.y()[k], inside, RectangleEdge.LEFT);
+                mark(g, SolverStyle.orGrey(series.name()), x, y);
             }
         }
     }

@@ -77,7 +77,7 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
                     Optional.empty(), Optional.empty());
         }
         Amplification own = measured.get();
-        boolean springs = own.isOfSprings();
+        boolean springs = own.ofSprings();
         boolean subStep = builtIn && SolverCatalog.info(name).adaptive();
         double noise = builtIn ? 0 : 10 * trial.noise();
         Map<String, Amplification> others = others(name, own);
@@ -91,7 +91,7 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         }
         StabilityLimit damping = StabilityLimit.measure(h -> own.at(-h, 0) - noise);
         StabilityLimit spring = StabilityLimit.measure(h -> own.at(0, h) - noise);
-        String how = own.isOfManySteps() ? ", from the growth over many steps" : subStep ? ", of one sub-step" : "";
+        String how = own.manySteps() ? ", from the growth over many steps" : subStep ? ", of one sub-step" : "";
         List<Object> damped = springs ? List.of(DAMPED, text(damping), "of a critically damped spring" + how)
                 : List.of(REAL, text(damping), "of drag alone: on the negative real axis" + how);
         List<Object> undamped = List.of(IMAGINARY, text(spring), "of an undamped spring"
@@ -117,15 +117,15 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     /** @return the built-in solvers with which it is compared, tried as it is: on springs, or on the test equation */
     private static Map<String, Amplification> others(String name, Amplification own) {
         List<String> names = new ArrayList<>(FOR_ALL);
-        if (own.isOfSprings()) {
+        if (own.ofSprings()) {
             names.addAll(FOR_SPRINGS);
         }
-        if (own.isOfManySteps()) {
+        if (own.manySteps()) {
             names.add("adams");
         }
         names.remove(name);
         Map<String, Amplification> others = new LinkedHashMap<>();
-        names.forEach(other -> others.put(other, own.isOfSprings()
+        names.forEach(other -> others.put(other, own.ofSprings()
                 ? new Amplification(() -> SolverCatalog.create(other), true, false)
                 : Amplification.of(SolverCatalog.info(other))));
         return others;
@@ -176,7 +176,7 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         left -= 2 * margin;
         right = Math.max(right, left + 2 * margin + size / 2) + margin;
         top = Math.max(top, size / 2) + margin;
-        return new Window(left, right, top, size / (solvers.get(0).isOfManySteps() ? FEW_CELLS : CELLS));
+        return new Window(left, right, top, size / (solvers.get(0).manySteps() ? FEW_CELLS : CELLS));
     }
 
     private static DataTable table(String name, Amplification own, String nearest,
@@ -187,7 +187,7 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
                 column("exactly", at -> digits(StrictMath.exp(at[0]))),
                 column(name, at -> digits(own.at(at[0], at[1])))));
         beside.forEach(other -> columns.add(column(other, at -> digits(others.get(other).at(at[0], at[1])))));
-        return DataTable.of("growth", own.isOfSprings()
+        return DataTable.of("growth", own.ofSprings()
                 ? "By how much a step multiplies the amplitude of a damped spring; exactly |exp(deltaT lambda)|"
                 : "By how much a step multiplies the size of y in y' = lambda y; exactly |exp(deltaT lambda)|",
                 List.of(PLACES), columns);

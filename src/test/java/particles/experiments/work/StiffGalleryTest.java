@@ -12,6 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.experiments.runs.SolverChoice;
+import particles.experiments.work.StiffGallery.Cost;
 import particles.experiments.work.StiffGallery.Sweep;
 import particles.view.ChartData;
 
@@ -28,8 +29,8 @@ class StiffGalleryTest {
         Sweep sweep = sweep(solver, 8);
         assertFalse(sweep.neverStable());
         assertEquals(9, sweep.costs().size());
-        assertEquals(0.5, sweep.stableExponent(), 0.005);       // measured 0.5001 and 0.4991
-        assertEquals(0.5, sweep.preciseExponent(), 0.005);
+        assertEquals(0.5, sweep.exponent(Cost::toBeStable), 0.005);       // measured 0.5001 and 0.4991
+        assertEquals(0.5, sweep.exponent(Cost::toOnePercent), 0.005);
         double steps = 10 * Math.sqrt(1 + 4e8) / SolverChoice.of(solver).info().orElseThrow().imaginaryLimit();
         assertEquals(1, sweep.costs().get(8).toBeStable() / (steps * evaluations), 0.03);
     }
@@ -63,9 +64,9 @@ class StiffGalleryTest {
     void implicitCostIsFlatOverEightDecades(String solver) {
         Sweep sweep = sweep(solver, 8);
         if (!sweep.solver().adaptive()) {
-            assertEquals(0, sweep.stableExponent(), 0.05);      // measured 0.001 and 0.012
+            assertEquals(0, sweep.exponent(Cost::toBeStable), 0.05);      // measured 0.001 and 0.012
         }
-        assertEquals(0, sweep.preciseExponent(), 0.05);         // measured 1e-6, 0.007 and 0.021
+        assertEquals(0, sweep.exponent(Cost::toOnePercent), 0.05);         // measured 1e-6, 0.007 and 0.021
     }
 
     /** At the cheapest step that is precise, far beyond the stiff spring's period. */
@@ -85,7 +86,8 @@ class StiffGalleryTest {
     @ParameterizedTest
     @CsvSource({"midpoint, 4, 0.01", "adams, 5, 0.02"})
     void theRaceOfThoseThatGrowIsDearerThanStability(String solver, int q, double bound) {
-        assertEquals(q / (2.0 * q - 2), sweep(solver, 7).preciseExponent(), bound);     // measured 0.667 and 0.618
+        // measured 0.667 and 0.618
+        assertEquals(q / (2.0 * q - 2), sweep(solver, 7).exponent(Cost::toOnePercent), bound);
     }
 
     @ParameterizedTest

@@ -237,6 +237,13 @@ class ChartsTest {
         assertNotEquals(works.getRenderer().getSeriesStroke(0), works.getRenderer().getSeriesStroke(1));
     }
 
+    /** Bars of quartiles have the name of their line, too. */
+    @Test
+    void aNameHasTheDashesAndPointsOfItsLine() {
+        Series bars = new Series("symplectic-euler", Mark.BARS, new double[] {1, 2}, new double[] {1, 1});
+        assertEquals(List.of(1), new EndLabels(plot(true, bars, series("symplectic-euler", 1, 2))).labelled);
+    }
+
     @Test
     void exponentsHaveOneStyleOnAllAxes() {
         assertEquals(List.of("100", "0.01", "1e-6", "1e7"), DoubleStream.of(100, 0.01, Math.pow(10, -6), 1e7)

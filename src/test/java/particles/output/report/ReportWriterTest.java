@@ -26,7 +26,7 @@ import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilder;
 import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.parsers.ParserConfigurationException;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Document;
@@ -51,13 +51,13 @@ class ReportWriterTest {
             List.of(List.of("rk4 & co", 1.23456789e-7, 400L), List.of("euler", Double.NaN, 12_345_678L)));
 
     @TempDir
-    Path top;
+    static Path top;
 
-    private String html;
-    private Document page;
+    private static String html;
+    private static Document page;
 
-    @BeforeEach
-    void write() throws IOException, SAXException, ParserConfigurationException {
+    @BeforeAll
+    static void write() throws IOException, SAXException, ParserConfigurationException {
         ChartData chart = new ChartData("falls", "time (s)", "height (m)", false, false,
                 List.of(new Series("ball", Mark.LINE, new double[] {0, 0.5}, new double[] {1, -0.25})));
         DataTable many = new DataTable("costs", "All", List.of(DataTable.column("n")),
@@ -91,7 +91,7 @@ class ReportWriterTest {
         return builder.parse(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
     }
 
-    private List<Element> all(String tag) {
+    private static List<Element> all(String tag) {
         return all(page.getDocumentElement(), tag);
     }
 
