@@ -3,8 +3,6 @@ package particles.app;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.fasterxml.jackson.core.JsonFactory;
-import com.fasterxml.jackson.core.JsonParser;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -21,6 +19,7 @@ import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.jcodec.common.io.ByteBufferSeekableByteChannel;
 import org.jcodec.containers.mp4.demuxer.MP4Demuxer;
+import particles.spec.documents.JsonText;
 
 /** Checks the result files of a run: each is complete, and folders have equal files. */
 final class WholeFiles {
@@ -54,11 +53,7 @@ final class WholeFiles {
                 assertTrue(text.endsWith("\n") && text.lines().allMatch(line -> line.replaceAll("\"[^\"]*\"",
                         "id").split(",").length == 8), name);
             } else if (name.equals("run.json")) {
-                try (JsonParser json = new JsonFactory().createParser(bytes)) {
-                    json.nextToken();
-                    json.skipChildren();
-                    assertEquals(null, json.nextToken(), name);
-                }
+                assertTrue(JsonText.read(new String(bytes, StandardCharsets.UTF_8)) instanceof Map, name);
             } else if (name.equals(".desolver-writing")) {
                 assertTrue(new String(bytes, StandardCharsets.US_ASCII).matches("\\d*"), name);
             } else {

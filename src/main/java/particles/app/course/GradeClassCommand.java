@@ -52,6 +52,7 @@ public final class GradeClassCommand extends ResultsCommand {
     @Mixin
     private final CourseOptions course = new CourseOptions();
 
+    private final List<String> problems = new ArrayList<>();
     private final AtomicBoolean stopped = new AtomicBoolean();
 
     @Override
@@ -66,13 +67,12 @@ public final class GradeClassCommand extends ResultsCommand {
         if (assignment.sheets() && course.key().isEmpty() && collect == null) {
             throw wrong("key", "is needed: by the assignment, the numbers are those of the handouts");
         }
-        List<String> problems = new ArrayList<>();
         Path copies = Files.createTempDirectory("desolver-class");
         try (OutputFolder files = OutputFolder.open(getFolder(), ClassTables.FILES.toArray(new String[0]))) {
             Map<String, List<String>> words = students == null ? Map.of() : CourseList.read(students);
             List<Result> results = new ArrayList<>();
             if (collect == null) {
-                results.addAll(marked(found(words, problems), assignment, copies, problems, out));
+                results.addAll(marked(found(words), assignment, copies, out));
             } else {
                 inside(collect, "collect").stream().map(each -> each.resolve(Result.FILE)).filter(Files::isRegularFile)
                         .map(Result::read).forEach(results::add);
@@ -103,7 +103,7 @@ public final class GradeClassCommand extends ResultsCommand {
     }
 
     /** Finds each student's hand-ins, the last one first. */
-    private Map<String, List<Submission>> found(Map<String, List<String>> words, List<String> problems) {
+    private Map<String, List<Submission>> found(Map<String, List<String>> words) {
         Map<String, List<Submission>> found = new TreeMap<>();
         for (Path path : inside(folder, "folder")) {
             if (!Files.isDirectory(path) && !Submission.isZip(path)) {
@@ -132,7 +132,7 @@ public final class GradeClassCommand extends ResultsCommand {
 
     /** Marks all answers, which runs no class, and only then all classes, one hand-in on each core. */
     private List<Result> marked(Map<String, List<Submission>> found, Assignment assignment, Path copies,
-            List<String> problems, PrintWriter out) throws IOException {
+            PrintWriter out) throws IOException {
         Map<Path, Supplier<Result>> begun = new LinkedHashMap<>();
         for (Map.Entry<String, List<Submission>> each : found.entrySet()) {
             List<String> numbers = course.numbers(assignment, each.getKey());

@@ -1,6 +1,7 @@
 package particles.app.run;
 
 import java.util.List;
+import java.util.concurrent.CancellationException;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
@@ -53,7 +54,7 @@ public final class CameraFinder {
         Limits limits = new Limits(copy, extent);
         try {
             copy.simulation().run();
-        } catch (SimulationException | StoppedException e) {
+        } catch (SimulationException | CancellationException e) {
             limits.blewUp |= e instanceof SimulationException;      // the run itself reports why it ends
         }
         return limits.blewUp ? limits.beforeBlowUp : Box.of(extent);
@@ -105,7 +106,7 @@ public final class CameraFinder {
             }
             blewUp = system.getKineticEnergy(state) > mostEnergy && !right;
             if (blewUp || system.getEvaluations() > mostEvaluations) {
-                throw new StoppedException();
+                throw new CancellationException();
             }
         }
     }

@@ -9,6 +9,7 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import particles.SimulationException;
 import particles.app.cli.ChartOptions;
 import particles.app.cli.ExitCode;
@@ -214,7 +215,7 @@ public final class RunCommand extends ResultsCommand {
                         + Digits.few(e.getTime()) + " s");
             }
             return Optional.of(message.lines());
-        } catch (StoppedException e) {
+        } catch (CancellationException e) {
             return Optional.of(e.getMessage() + " at t = " + Digits.few(scene.system().getTime()) + " s of "
                     + Digits.few(description.duration()) + " s");
         } catch (RuntimeException | Error e) {          // such as a full disk: no incomplete file stays

@@ -2,6 +2,7 @@ package particles.app.run;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.IntConsumer;
@@ -34,7 +35,7 @@ public final class StopRequest implements Observer {
     @Override
     public void moved(Motion motion) {
         if (wanted) {
-            throw new StoppedException();
+            throw new CancellationException("the run was stopped");
         }
     }
 

@@ -17,11 +17,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.snakeyaml.engine.v2.api.Load;
-import org.snakeyaml.engine.v2.api.LoadSettings;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
+import particles.spec.documents.JsonText;
 import particles.teaching.exercises.Exercises;
 import particles.teaching.marking.Draw;
 import particles.teaching.marking.NumericExercise;
@@ -105,7 +104,7 @@ class AutogradingCommandTest {
     /** As the autograding reporter reads it: JSON in base64, with status, max_score and the tests' scores. */
     @Test
     void theReporterOfGitHubClassroomReadsTheScores() throws Exception {
-        Map<?, ?> workflow = (Map<?, ?>) load(Files.readString(folder.resolve("made/classroom.yml")));
+        Map<?, ?> workflow = (Map<?, ?>) JsonText.read(Files.readString(folder.resolve("made/classroom.yml")));
         Map<?, ?> job = (Map<?, ?>) ((Map<?, ?>) workflow.get("jobs")).get("run-autograding-tests");
         Map<?, ?> step = (Map<?, ?>) ((List<?>) job.get("steps")).get(2);
         Map<?, ?> reporter = (Map<?, ?>) ((List<?>) job.get("steps")).get(3);
@@ -116,7 +115,7 @@ class AutogradingCommandTest {
                 "GITHUB_OUTPUT", folder.resolve("output").toString(), "PATH", folder + ":" + System.getenv("PATH")));
         String output = Files.readString(folder.resolve("output"));
         assertTrue(output.startsWith("result=") && output.strip().lines().count() == 1, output);
-        Map<?, ?> result = (Map<?, ?>) load(new String(Base64.getDecoder().decode(output.strip().substring(7)),
+        Map<?, ?> result = (Map<?, ?>) JsonText.read(new String(Base64.getDecoder().decode(output.strip().substring(7)),
                 StandardCharsets.UTF_8));
         assertEquals("fail", result.get("status"));
         assertEquals(8.0, number(result.get("max_score")));
@@ -129,9 +128,5 @@ class AutogradingCommandTest {
 
     private static double number(Object value) {
         return ((Number) value).doubleValue();
-    }
-
-    private static Object load(String text) {
-        return new Load(LoadSettings.builder().build()).loadFromString(text);
     }
 }
