@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.harrel.jsonschema.Dialects;
 import dev.harrel.jsonschema.Validator;
 import dev.harrel.jsonschema.ValidatorFactory;
+import dev.harrel.jsonschema.providers.GsonNode;
 import java.io.IOException;
 import java.net.URI;
 import java.nio.charset.StandardCharsets;
@@ -19,9 +20,13 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.snakeyaml.engine.v2.api.Dump;
 import org.snakeyaml.engine.v2.api.DumpSettings;
+import org.snakeyaml.engine.v2.api.Load;
+import org.snakeyaml.engine.v2.api.LoadSettings;
+import org.snakeyaml.engine.v2.schema.CoreSchema;
 import particles.scene.format.SceneFormat;
 import particles.spec.JsonSchema;
 import particles.spec.Reading;
+import particles.spec.documents.JsonText;
 import particles.spec.messages.Problems;
 
 /**
@@ -42,15 +47,19 @@ class SchemaAgreesWithReaderTest {
             "friction", "coefficient", "name", "surface", "restLength", "camera", "drag", "plane");
 
     private final Validator validator = new ValidatorFactory().withDefaultDialect(new Dialects.Draft7Dialect())
-            .withJsonNodeFactory(new PlainNode.Factory()).createValidator();
+            .withJsonNodeFactory(new GsonNode.Factory()).createValidator();
     private final URI schema = validator.registerSchema(JsonSchema.ofScenes(SceneFormat.SCENE));
 
     private static List<Object> scenes() throws IOException {
         List<Object> scenes = new ArrayList<>();
         for (Path file : SceneFiles.list(Path.of("scenes"))) {
-            scenes.add(PlainNode.parse(Files.readString(file)));
+            scenes.add(parse(Files.readString(file)));
         }
         return scenes;
+    }
+
+    private static Object parse(String text) {
+        return new Load(LoadSettings.builder().setSchema(new CoreSchema()).build()).loadFromString(text);
     }
 
     private static String write(Object scene) {
@@ -67,7 +76,7 @@ class SchemaAgreesWithReaderTest {
     void theScenesPassTheSchema() throws IOException {
         for (Object scene : scenes()) {
             assertEquals(List.of(),
-                    validator.validate(schema, scene).getErrors().stream().map(e -> e.getError()).toList());
+                    validator.validate(schema, JsonText.of(scene)).getErrors().stream().map(e -> e.getError()).toList());
         }
     }
 
@@ -80,7 +89,7 @@ class SchemaAgreesWithReaderTest {
             Object changed = changed(scenes.get(random.nextInt(scenes.size())), random, 0);
             String text = write(changed);
             List<String> problems = problems(text);
-            boolean valid = validator.validate(schema, PlainNode.parse(text)).isValid();
+            boolean valid = validator.validate(schema, JsonText.of(parse(text))).isValid();
             assertEquals(problems.isEmpty(), valid, () -> "the schema says " + valid + ", the reader "
                     + problems + ", of\n"
                     + text);
