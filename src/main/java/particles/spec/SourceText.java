@@ -25,7 +25,7 @@ public final class SourceText {
     static final int LONGEST_WORD = 100_000;
     /** A character that is not printable, by YAML 1.2, or the beginning of a word that is too long. */
     private static final Pattern REFUSED = Pattern.compile("[^\\t\\n -~\\x85\\xa0-\\ud7ff\\ue000-\\ufffd"
-            + "\\x{10000}-\\x{10ffff}]|(?<![^ \\t\\n])[^ \\t\\n]{" + (LONGEST_WORD + 1) + "}");
+            + "\ud800\udc00-\udbff\udfff]|(?<![^ \\t\\n])[^ \\t\\n]{" + (LONGEST_WORD + 1) + "}");
     /** The two bytes of UTF-16's byte order mark. */
     private static final byte LOW = (byte) 0xfe;
     private static final byte HIGH = (byte) 0xff;

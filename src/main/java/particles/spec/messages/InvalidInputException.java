@@ -18,6 +18,6 @@ public final class InvalidInputException extends RuntimeException {
 
     /** @return the mistakes, line by line */
     public List<String> getLines() {
-        return getMessage().lines().toList();
+        return List.of(getMessage().split("\n"));
     }
 }
