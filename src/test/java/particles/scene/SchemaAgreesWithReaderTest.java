@@ -75,8 +75,8 @@ class SchemaAgreesWithReaderTest {
     @Test
     void theScenesPassTheSchema() throws IOException {
         for (Object scene : scenes()) {
-            assertEquals(List.of(),
-                    validator.validate(schema, JsonText.of(scene)).getErrors().stream().map(e -> e.getError()).toList());
+            assertEquals(List.of(), validator.validate(schema, JsonText.of(scene)).getErrors().stream()
+                    .map(e -> e.getError()).toList());
         }
     }
 
