@@ -55,35 +55,28 @@ record EffectPower(EffectTrial trial) {
                         + " counts as positive" : known.getValue();
             }
         }
-        double[] rest = trial.faster(0);
         if (moving && Arrays.equals(trial.force(trial.faster(-1)), trial.force())) {
             return ": the force is the same when all velocities are turned round, and has to be turned round with them;"
                     + " |v| v is meant, and not v v";
         }
-        double[] force = trial.force(rest);
+        EffectTrial rest = trial.at(trial.faster(0));
+        double[] force = rest.force();
         double size = EffectTrial.largest(force);
-        boolean stores = false;
-        boolean moves = false;
-        for (int k = 0; k < rest.length; k += k % 6 == 2 ? 4 : 1) {
-            double[] elsewhere = rest.clone();
-            elsewhere[k] += 1;
-            stores |= trial.energy(elsewhere) != trial.energy(rest);
-            moves |= Math.abs(trial.force(elsewhere)[k + 3] - force[k + 3]) > SAME * size;
-        }
-        return size <= SAME || stores ? entryByEntry(rest)
-                : moves ? ": there is a force at rest too, which stores energy; getPotentialEnergy is missing"
+        return size <= SAME || rest.velocities().anyMatch(k -> rest.energy(rest.moved(k - 3, 1)) != rest.energy(
+                rest.state())) ? entryByEntry(rest) : rest.velocities().anyMatch(k -> Math.abs(rest.force(rest.moved(
+                k - 3, 1))[k] - force[k]) > SAME * size)
+                ? ": there is a force at rest too, which stores energy; getPotentialEnergy is missing"
                 : ": there is a force at rest too, which drives; claim DRIVING and return its power in getDrivenPower";
     }
 
     /** Checks one velocity at a time: the dissipated power determines the force along it. */
-    private String entryByEntry(double[] rest) {
-        double[] force = new double[rest.length];
-        double[] expected = new double[rest.length];
-        trial.velocities().forEach(k -> {
-            double[] moving = rest.clone();
-            moving[k] = 1;
-            force[k] = trial.force(moving)[k];
-            expected[k] = force[k] - power(moving) - trial.heat(moving);
+    private String entryByEntry(EffectTrial rest) {
+        double[] force = new double[rest.size()];
+        double[] expected = new double[rest.size()];
+        rest.velocities().forEach(k -> {
+            double[] moving = rest.changed(m -> m == k, v -> 1);
+            force[k] = rest.force(moving)[k];
+            expected[k] = force[k] - power(moving) - rest.heat(moving);
         });
         return new ForceComparison(trial, force, expected).cause(true, "the dissipated power");
     }

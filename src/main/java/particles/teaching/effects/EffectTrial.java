@@ -37,6 +37,11 @@ record EffectTrial(ParticleSystem system, Effect effect, double[] state, double 
         return k % 6 > 2;
     }
 
+    /** @return the same effect in another state */
+    EffectTrial at(double[] other) {
+        return new EffectTrial(system, effect, other, time);
+    }
+
     int size() {
         return state.length;
     }

@@ -16,6 +16,14 @@ import particles.teaching.Formula;
  */
 record ForceComparison(EffectTrial trial, double[] force, double[] expected) {
     private static final double SAME = 1e-5;
+    /** Factor, power of the mass, and the mistake if the force is so many times the right one. */
+    private static final String PATTERNS = """
+            -1 0 : the sign is wrong, in the force or in OTHER
+            0.5 0 : the half is missing in OTHER, or one was taken too often in the force
+            2 0 : the force is twice what it should be, or a half too many stands in OTHER
+            1 -1 : the mass is missing in the force, which is mass times acceleration
+            1 1 : the mass is missing in OTHER, or stands in the force once too often
+            """;
 
     private double size() {
         return Math.max(EffectTrial.largest(force), EffectTrial.largest(expected));
@@ -41,14 +49,10 @@ record ForceComparison(EffectTrial trial, double[] force, double[] expected) {
         int largest = trial.velocities().boxed().max((i, k) -> Double.compare(Math.abs(expected[i]), Math.abs(
                 expected[k]))).orElseThrow();
         double factor = force[largest] / expected[largest];
-        return leftOut().or(() -> fits(-1, 0, ": the sign is wrong, in the force or in " + other))
-                .or(() -> fits(0.5, 0, ": the half is missing in " + other
-                + ", or one was taken too often in the force"))
-                .or(() -> fits(2, 0, ": the force is twice what it should be, or a half too many stands in " + other))
-                .or(() -> fits(1, -1, ": the mass is missing in the force, which is mass times acceleration"))
-                .or(() -> fits(1, 1, ": the mass is missing in " + other
-                + ", or stands in the force once too often"))
-                .or(() -> fits(factor, 0, ": all of it is " + Formula.number(factor) + " times what it should be"))
+        return leftOut().or(() -> PATTERNS.lines().map(line -> line.split(" ", 3)).filter(parts -> fits(
+                Double.parseDouble(parts[0]), Integer.parseInt(parts[1]))).map(parts -> parts[2].replace("OTHER",
+                other)).findFirst()).or(() -> Optional.of(": all of it is " + Formula.number(factor)
+                + " times what it should be").filter(text -> fits(factor, 0)))
                 .or(() -> velocities ? Optional.empty() : centre()).orElseGet(() -> {
                     List<String> off = names(k -> k % 3, "xyz"::charAt);
                     List<String> on = names(k -> k / 6, trial::id);
@@ -84,9 +88,8 @@ record ForceComparison(EffectTrial trial, double[] force, double[] expected) {
     }
 
     /** Whether force = factor * mass^power * expected, for all free particles. */
-    private Optional<String> fits(double factor, int power, String cause) {
-        return Optional.of(cause).filter(text -> trial.velocities().filter(trial::isFree).allMatch(k -> Math.abs(
-                force[k] - factor * expected[k] * StrictMath.pow(trial.system().getParticles().mass(k / 6), power))
-                <= SAME * size() * 2));
+    private boolean fits(double factor, int power) {
+        return trial.velocities().filter(trial::isFree).allMatch(k -> Math.abs(force[k] - factor * expected[k]
+                * StrictMath.pow(trial.system().getParticles().mass(k / 6), power)) <= SAME * size() * 2);
     }
 }

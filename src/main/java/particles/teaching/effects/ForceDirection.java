@@ -2,10 +2,12 @@ package particles.teaching.effects;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Random;
 import java.util.function.Function;
 import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.law.Effect;
 import particles.law.Effect.Trait;
@@ -52,8 +54,7 @@ public record ForceDirection(EffectTrial trial) {
                 * Math.abs(near[k]))) {
             double[] sum = new double[3];
             trial.velocities().forEach(k -> sum[k % 3] += near[k]);
-            int axis = Math.abs(sum[1]) >= Math.abs(sum[0]) && Math.abs(sum[1]) >= Math.abs(sum[2]) ? 1
-                    : Math.abs(sum[0]) >= Math.abs(sum[2]) ? 0 : 2;
+            int axis = Stream.of(1, 0, 2).max(Comparator.comparingDouble(c -> Math.abs(sum[c]))).orElseThrow();
             return List.of("points along " + (sum[axis] < 0 ? "-" : "+") + "xyz".charAt(axis));
         }
         boolean pairs = trial.claims(Trait.INTERNAL);

@@ -1,7 +1,5 @@
 package particles.teaching.exercises;
 
-import deSolvers.DESolver;
-import deSolvers.catalog.SolverCatalog;
 import java.util.List;
 import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.NumericExercise;
@@ -60,11 +58,7 @@ final class CostOfRK4 extends NumericExercise {
     }
 
     private static double error(String name, double omega, double duration, int steps) {
-        DESolver solver = SolverCatalog.create(name);
-        Spring spring = new Spring(1, omega * omega, 0, 1, 0);
-        for (int n = 0; n < steps; n++) {
-            solver.stepState(spring, duration / steps);
-        }
+        Spring spring = new Spring(1, omega * omega, 0, 1, 0).after(name, steps, duration / steps);
         double dx = spring.x() - StrictMath.cos(omega * duration);
         double dv = spring.v() / omega + StrictMath.sin(omega * duration);
         return Math.sqrt(dx * dx + dv * dv);

@@ -35,15 +35,16 @@ public record OrderMeasurement(double order, List<double[]> points) {
         return of(maker, () -> new WindyOscillators(1));
     }
 
-    /** @return the lower of the orders on a linear and on a nonlinear law */
-    static OrderMeasurement lowest(Supplier<DESolver> maker) {
-        OrderMeasurement linear = of(maker);
-        OrderMeasurement other = of(maker, () -> {
+    /**
+     * @return the measurement on a nonlinear law, not from 0, where the field does not change, so that the first step's
+     *         clock hardly shows
+     */
+    static OrderMeasurement nonlinear(Supplier<DESolver> maker) {
+        return of(maker, () -> {
             WindyOscillators source = WindyOscillators.nonlinear(1);
-            source.startAt(START);                      // at 0 the field does not change, and the first step's clock
-            return source;                              // hardly shows
+            source.startAt(START);
+            return source;
         });
-        return linear.order <= other.order || Double.isNaN(other.order) ? linear : other;
     }
 
     /** @return the measurement, on sources of this kind */

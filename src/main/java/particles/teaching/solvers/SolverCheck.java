@@ -119,7 +119,7 @@ public final class SolverCheck {
     }
 
     private OrderMeasurement measurement() {
-        measured = measured.or(() -> Optional.of(OrderMeasurement.lowest(maker)));
+        measured = measured.or(() -> Optional.of(OrderMeasurement.nonlinear(maker)));
         return measured.get();
     }
 
@@ -174,12 +174,10 @@ public final class SolverCheck {
 
     /** The diagnosis of a method whose coefficients cannot be read. */
     private Diagnosis measured() {
-        boolean far = !vanishes();
-        return new Diagnosis(UNREAD, clock.or(() -> Search.first(unread::entryByEntry, () -> far
-                ? unread.rejectedClock() : Optional.empty(), () -> firstSubStep(finding -> finding.kind()
-                != Finding.Kind.METHOD), unread::uncut, () -> poorOrder(() -> firstSubStep(finding -> true),
-                unread::unstable), unread::elsewhere, this::stageClocks, unread::uncontrolled, unread::asymmetric,
-                unread::unstable)));
+        return new Diagnosis(UNREAD, clock.or(() -> Search.first(unread::entryByEntry, () -> firstSubStep(finding ->
+                finding.kind() != Finding.Kind.METHOD), unread::uncut, () -> poorOrder(() -> firstSubStep(
+                finding -> true), unread::unstable), unread::elsewhere, this::stageClocks, unread::uncontrolled,
+                unread::asymmetric, unread::unstable)));
     }
 
     /** A mistake in the first sub-step of an adaptive method, which it accepts where derivatives are tiny. */

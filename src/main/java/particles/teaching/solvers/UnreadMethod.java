@@ -134,13 +134,13 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
         WindyOscillators often = StudentSource.after(windy(1), maker.get(), SHORT_STEPS, LONG / SHORT_STEPS);
         double error = once.error();
         boolean far = error < DIVERGED && (error > FAR || error > LITTLE && error > MUCH * often.error());
-        return moves <= often.timeMoves() / 2 || !far ? Optional.empty() : rejectedClock().or(() -> uncut(LONG)).or(
-                () -> Optional.of(Phrase.UNCONTROLLED.of(error, LONG, often.error(), SHORT_STEPS)));
+        return moves <= often.timeMoves() / 2 || !far ? Optional.empty() : rejectedClock().or(() ->
+                Optional.of(Phrase.UNCONTROLLED.of(error, LONG, often.error(), SHORT_STEPS)));
     }
 
     /** @return the mistake of a method whose last sub-step leads beyond t + deltaT; the clock may be set back */
     Optional<Finding> uncut() {
-        return IntStream.rangeClosed(1, 8).mapToObj(part -> uncut(part / 4.0)).flatMap(Optional::stream).findFirst();
+        return IntStream.rangeClosed(1, 16).mapToObj(part -> uncut(part / 4.0)).flatMap(Optional::stream).findFirst();
     }
 
     private Optional<Finding> uncut(double deltaT) {
