@@ -9,12 +9,12 @@ import particles.teaching.Finding.Kind;
 
 /**
  * Runs a student's class in a thread of its own and reports an endless loop, a stack overflow or a lack of memory. Only
- * the CPU time of that thread tells that a loop does not end, so that a busy machine makes none endless; a run that
- * gets too little of the processor is not decided. It does not protect from {@code System.exit}; only a separate
- * process does.
+ * the CPU time of that thread since its last {@link #goesOn} tells that a loop does not end, so that neither a busy
+ * machine nor a costly class makes one endless; a run that takes too long in all is not decided. It does not protect
+ * from {@code System.exit}; only a separate process does.
  */
 public final class GuardedRun {
-    /** The elapsed time after which a run is not decided, as a multiple of the CPU time allowed. */
+    /** The elapsed time after which a run is not decided, as a multiple of the CPU time allowed to a step. */
     private static final double GIVE_UP = 100;
     private static final double NANOS = 1e9;
     private static final long POLL_MILLIS = 20;
@@ -24,7 +24,24 @@ public final class GuardedRun {
     private final double seconds;
     private final AtomicReference<Thread> running = new AtomicReference<>();
 
-    /** @param seconds the CPU time allowed (s) */
+    /** The thread of a run. */
+    private static final class Check extends Thread {
+        private volatile long steps;
+
+        Check(Runnable what) {
+            super(what, "check");
+            setDaemon(true);
+        }
+    }
+
+    /** Tells, within a run, that a step came back. */
+    public static void goesOn() {
+        if (Thread.currentThread() instanceof Check check) {
+            check.steps++;
+        }
+    }
+
+    /** @param seconds the CPU time allowed to a step (s) */
     public GuardedRun(double seconds) {
         this.seconds = seconds;
     }
@@ -47,14 +64,13 @@ public final class GuardedRun {
     public <T> Outcome<T> run(Callable<T> what) {
         AtomicReference<T> value = new AtomicReference<>();
         AtomicReference<Throwable> thrown = new AtomicReference<>();
-        Thread thread = new Thread(() -> {
+        Check thread = new Check(() -> {
             try {
                 value.set(what.call());
             } catch (Throwable t) {
                 thrown.set(t);
             }
-        }, "check");
-        thread.setDaemon(true);
+        });
         running.set(thread);
         thread.start();
         Optional<Finding> stuck = await(thread);
@@ -66,10 +82,12 @@ public final class GuardedRun {
                 : new Outcome<>(Optional.empty(), Optional.of(failure(thrown.get())));
     }
 
-    private Optional<Finding> await(Thread thread) {
+    private Optional<Finding> await(Check thread) {
         ThreadMXBean threads = ManagementFactory.getThreadMXBean();
         long start = System.nanoTime();
         double before = 0;
+        double begun = 0;
+        long steps = 0;
         int waited = 0;
         double waits = WAITS * Math.min(1, seconds);
         while (thread.isAlive()) {
@@ -83,15 +101,17 @@ public final class GuardedRun {
             double computed = threads.getThreadCpuTime(thread.getId()) / NANOS;     // negative once it has ended
             waited = thread.getState() == Thread.State.RUNNABLE || computed != before ? 0 : waited + 1;
             before = computed;
+            begun = thread.steps == steps ? begun : computed;
+            steps = thread.steps;
             double elapsed = (System.nanoTime() - start) / NANOS;
-            if (thread.isAlive() && (computed > seconds || waited > waits || elapsed > GIVE_UP * seconds)) {
+            if (thread.isAlive() && (computed - begun > seconds || waited > waits || elapsed > GIVE_UP * seconds)) {
                 String place = StudentFailure.place(thread.getStackTrace());
                 thread.interrupt();
-                boolean busy = computed <= seconds && waited <= waits;
+                boolean busy = computed - begun <= seconds && waited <= waits;
                 return Optional.of(new Finding(busy ? Kind.UNDECIDED : Kind.FAILURE, (busy ? Formula.text("not decided"
                         + " on this machine, which gave it %s s of a processor in %s s: run it again", computed,
                         elapsed) : Formula.text("it did not come back within %s s of CPU time: %s", seconds, computed
-                        > seconds ? "an endless loop" : "it waits for something that never comes")) + place));
+                        - begun > seconds ? "an endless loop" : "it waits for something that never comes")) + place));
             }
         }
         return Optional.empty();

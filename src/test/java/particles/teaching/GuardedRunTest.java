@@ -15,7 +15,10 @@ import java.util.concurrent.atomic.AtomicLong;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import particles.teaching.solvers.PlantedSolvers;
 import particles.teaching.solvers.SolverCheck;
+import particles.teaching.sources.Springs;
+import particles.teaching.sources.StudentSource;
 
 /** A class that does not come back ends its check with a clear line, and with the place where it was. */
 class GuardedRunTest {
@@ -58,6 +61,18 @@ class GuardedRunTest {
                 + "PlantedClasses.endlessLoop, line ",
                 failure(() -> PlantedClasses.endlessLoop(steps)));
         assertTrue(steps.get() > 0);
+    }
+
+    /** Each step comes back, after less CPU time and fewer evaluations than an endless one has; all take far more. */
+    @Test
+    void manyCostlyStepsAreNoEndlessLoop() {
+        DESolver costly = PlantedSolvers.solver((source, deltaT) -> {
+            for (int evaluation = 0; evaluation < 20_000; evaluation++) {
+                PlantedSolvers.slope(source);
+            }
+        });
+        assertEquals(20_000_000L, new GuardedRun(0.3).run(() -> StudentSource.after(new Springs(), costly, 1000, 1)
+                .getEvaluations()).value().orElseThrow());
     }
 
     /**

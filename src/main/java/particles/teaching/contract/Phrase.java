@@ -19,7 +19,8 @@ public enum Phrase {
     TOO_OLD, ADAMS_START, UNSTABLE, UNCONTROLLED, LARGEST_ERROR, ABSOLUTE_ERROR, ELSEWHERE,
     LAYOUT, ADDS, NO_CONVERGENCE, UNUSED, USES_STEPS_BEFORE, KEPT_ARRAY, KEPT_DERIVATIVE, KEPT_SOMETHING, OTHER_SOURCE,
     STATIC, DELTA_T_CHANGES, DELTA_T_KEPT, CLOCK_IGNORED, SIZE_FAILS, SIZE_UNLIKE, NOTHING_BACK, LOOPS, MOVES_AT_ZERO,
-    NAN_AT_ZERO, SWALLOWS, FOR_PARTICLES, REFUSES_BACK, REFUSES_ZERO, LEFT_WITHIN, NAN_UNNOTICED, NAN_UNSAID;
+    NAN_AT_ZERO, SWALLOWS, FOR_PARTICLES, REFUSES_BACK, REFUSES_ZERO, LEFT_WITHIN, NAN_UNNOTICED, NAN_UNSAID,
+    NAN_HIDDEN;
 
     private static final String BOOK = """
             # the class
@@ -116,7 +117,8 @@ public enum Phrase {
             # methods that are only measured
             method UNSTABLE: it evaluates the derivative once more for each entry, as methods that solve with a \
                 matrix do, and is not stable as they are: a step of %s s multiplies %s by %s. Check the signs in the \
-                matrix, such as I - deltaT J, that all of J is used, and the state of each stage
+                matrix, such as I - deltaT J, or the function of it, that all of J is used, and the state of each \
+                stage
             method UNCONTROLLED: sub-steps are made, and the error is still %s after a step of %s s, and %s after %s \
                 steps over the same time: a sub-step with too large an error has to be made again from the state \
                 before it, with a shorter length
@@ -166,6 +168,8 @@ public enum Phrase {
                 something divided by deltaT?
             state SWALLOWS: the source threw an exception, and stepState returned as if nothing had happened: do not \
                 catch it, so that the caller learns of it
+            state NAN_HIDDEN: this check made the derivative NaN on purpose, and the new state has no NaN: the \
+                derivative has to enter the new state whatever it is, or an exception has to say that it is no number
             # style
             style UNUSED: an evaluation of the step enters nothing, and could be left out
             style FOR_PARTICLES: it works on systems of positions and velocities only, such as particles, and refuses \

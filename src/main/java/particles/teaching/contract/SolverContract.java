@@ -1,6 +1,7 @@
 package particles.teaching.contract;
 
 import deSolvers.DESolver;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
@@ -135,7 +136,8 @@ public record SolverContract(Supplier<DESolver> maker) {
         source.spoilDerivative();
         try {
             maker.get().stepState(source, H);
-            return Phrase.NAN_UNNOTICED.when(true);
+            boolean hidden = Arrays.stream(source.getState()).noneMatch(Double::isNaN);
+            return Optional.of((hidden ? Phrase.NAN_HIDDEN : Phrase.NAN_UNNOTICED).of());
         } catch (EndlessLoop e) {
             return loops("this check made the derivative NaN on purpose, and the step", "end a loop that waits for a"
                     + " small error when the error is NaN", e);

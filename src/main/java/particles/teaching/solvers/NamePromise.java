@@ -73,7 +73,8 @@ record NamePromise(String says, int order, List<String> methods, String kind, St
             Kutta's 3/8 rule | 4 | rk38 rungekutta38 kutta38 threeeighth | Kutta's 3/8 rule |
             a method of order 4 or 5 | 4 | rkf45 rk45 ode45 fehlberg rungekuttafehlberg cashkarp dormandprince dopri \
             merson kuttamerson | |
-            a Runge-Kutta method of order 5 | 5 | rk5 rungekutta5 fifth-rungekutta dopri5 rkf5 | |
+            a Runge-Kutta method of order 5 | 5 | rk5 rungekutta5 fifth-rungekutta dopri5 rkf5 dormandprince5 \
+            fehlberg5 cashkarp5 five-dormandprince five-rungekutta | |
             velocity or position Verlet | 2 | verlet velocity-verlet position-verlet stormer-verlet stoermer-verlet \
             leapfrog kickdriftkick driftkickdrift stormer stoermer | velocity Verlet (leapfrog: kick, drift, kick); \
             position Verlet (drift, kick, drift) |
@@ -81,22 +82,26 @@ record NamePromise(String says, int order, List<String> methods, String kind, St
             position Verlet | 2 | leapfrogdkd | position Verlet (drift, kick, drift) |
             Ruth's method of order 3 | 3 | ruth ruth3 | |
             a symplectic method of order 4 | 4 | yoshida forestruth ruth4 candyrozmus pefrl | |
-            an Adams method of order 2 | 2 | ab2 adamsbashforth2 adams2 | | earlier
-            an Adams method of order 3 | 3 | ab3 adamsbashforth3 adams3 abm3 | | earlier
-            an Adams method of order 4 | 4 | ab4 adamsbashforth4 adams4 abm4 | | earlier
+            an Adams method of order 2 | 2 | ab2 adamsbashforth2 adams2 two-adams | | earlier
+            an Adams method of order 3 | 3 | ab3 adamsbashforth3 adams3 abm3 three-adams | | earlier
+            an Adams method of order 4 | 4 | ab4 adamsbashforth4 adams4 abm4 four-adams | | earlier
             an Adams method | 2 | adams adamsbashforth adamsmoulton adamsbashforthmoulton | |
-            a BDF method of order 2 | 2 | bdf2 | | earlier
-            a BDF method of order 3 | 3 | bdf3 | | earlier
+            a BDF method of order 2 | 2 | bdf2 two-bdf | | earlier
+            a Rosenbrock method | 1 | rosenbrock | | implicit
+            a Rosenbrock method of order 2 | 2 | ros2 rosenbrock2 two-rosenbrock | | implicit
+            TR-BDF2 | 2 | trbdf2 | | implicit
+            a Nystrom method | 3 | nystrom nystroem | |
+            a BDF method of order 3 | 3 | bdf3 three-bdf | | earlier
             Beeman's method | 2 | beeman | |
             a predictor-corrector method | 2 | pec pece predictor-corrector | |
             a Gauss method | 2 | gauss gausslegendre | | implicit
-            a Gauss method of order 4 | 4 | gauss4 gausslegendre4 | | implicit
+            a Gauss method of order 4 | 4 | gauss4 gausslegendre4 four-gauss | | implicit
             a Lobatto method | 2 | lobatto | | implicit
-            a Radau method | 2 | radau | | implicit
+            a Radau method | 3 | radau | | implicit
             a Radau method of order 3 | 3 | radau3 radauiia3 | | implicit
             Radau IIA of order 5 | 5 | radau5 radauiia5 | | implicit
-            a diagonally implicit method of order 2 | 2 | sdirk2 dirk2 | | implicit
-            a diagonally implicit method of order 3 | 3 | sdirk3 dirk3 | | implicit
+            a diagonally implicit method of order 2 | 2 | sdirk2 dirk2 two-sdirk two-dirk | | implicit
+            a diagonally implicit method of order 3 | 3 | sdirk3 dirk3 three-sdirk three-dirk | | implicit
             """;
 
     /** The parts of a word stand in a name in any order. */

@@ -103,7 +103,8 @@ public final class SolverCheck {
     private void judge() {
         memory = SolverMemory.of(contract);
         multistep = memory.multistep();
-        clock = ClockCheck.mistake(maker).map(finding -> unread.rejectedClock().orElse(finding));
+        clock = ClockCheck.mistake(maker).map(finding -> unread.rejectedClock().orElse(finding)).or(() ->
+                Search.first(unread::still));
         Diagnosis diagnosis = memory.remembers() ? remembering()
                 : explicit.diagnosis(1).or(this::equation).orElseGet(this::measured);
         identity = diagnosis.identity();
@@ -177,7 +178,7 @@ public final class SolverCheck {
         return new Diagnosis(UNREAD, clock.or(() -> Search.first(unread::entryByEntry, () -> firstSubStep(finding ->
                 finding.kind() != Finding.Kind.METHOD), unread::uncut, () -> poorOrder(() -> firstSubStep(
                 finding -> true), unread::unstable), unread::elsewhere, this::stageClocks, unread::uncontrolled,
-                unread::asymmetric, unread::unstable)));
+                unread::asymmetric, () -> promise.kind().equals("implicit") ? unread.unstable() : Optional.empty())));
     }
 
     /** A mistake in the first sub-step of an adaptive method, which it accepts where derivatives are tiny. */

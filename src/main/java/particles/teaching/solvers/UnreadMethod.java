@@ -63,11 +63,11 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
     /** @return the mistake if an entry of the new state changes with another one's state or derivative */
     Optional<Finding> mixed() {
         double[] numbers = new Random(9).doubles(SIZE, StepReading.TINY, 2 * StepReading.TINY).toArray();
-        double[] usual = stepWith(numbers);
+        double[] usual = stepWith(numbers).getState();
         return IntStream.range(0, SIZE).boxed().flatMap(j -> {
             double[] changed = numbers.clone();
             changed[j] *= -2;
-            double[] other = stepWith(changed);         // a velocity moves its position, too
+            double[] other = stepWith(changed).getState();      // a velocity moves its position, too
             return IntStream.range(0, SIZE).filter(k -> k != j && (k != j - 3 || k % 6 > 2) && Math.abs(other[k]
                     - usual[k]) > ALIKE * StepReading.TINY).mapToObj(k -> Phrase.LAYOUT.of(k, j));
         }).findFirst();
@@ -75,15 +75,22 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
 
     /** @return the mistake if a state and derivatives of 0 do not stay 0 */
     Optional<Finding> adds() {
-        double[] end = stepWith(new double[SIZE]);
+        double[] end = stepWith(new double[SIZE]).getState();
         return IntStream.range(0, SIZE).filter(k -> Math.abs(end[k]) > ALIKE).mapToObj(k -> Phrase.ADDS.of(k, end[k]))
                 .findFirst();
     }
 
-    /** The state after a step from these numbers, which are the derivatives, too, and never change. */
-    private double[] stepWith(double[] numbers) {
+    /** @return the mistake if the clock does not move where nothing else does */
+    Optional<Finding> still() {
+        double moved = (stepWith(new double[SIZE]).getTime() - START) / H;
+        return Phrase.CLOCK_ENDS.when(!Formula.sameTime(moved, 1), "where state and derivative are 0, ", Formula.time(
+                moved), H);
+    }
+
+    /** A source after a step from these numbers, which are the derivatives, too, and never change. */
+    private Probe stepWith(double[] numbers) {
         return after(new Probe.OfParticles(numbers, START, (evaluation, dSdt) -> System.arraycopy(numbers, 0, dSdt, 0,
-                SIZE), MOST, false), H).getState();
+                SIZE), MOST, false), H);
     }
 
     /** @return the mistake if the derivative is evaluated for each entry, between two that are written */

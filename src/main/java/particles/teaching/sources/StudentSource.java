@@ -7,11 +7,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import particles.teaching.EndlessLoop;
+import particles.teaching.GuardedRun;
 
 /** A source for a student's solver: it records arrays of a wrong length, and uses the part of them that fits. */
 public abstract class StudentSource extends ReferenceProblem {
     private static final int MOST_RECORDED = 4;
-    /** A right adaptive solver needs 100,000 in its longest measurement. */
+    /** In one step; a right adaptive solver needs 100,000 in its longest measurement. */
     private static final long MOST_EVALUATIONS = 2_000_000;
 
     private Optional<Integer> wrongLength = Optional.empty();
@@ -19,6 +20,7 @@ public abstract class StudentSource extends ReferenceProblem {
     private int reads;
     private int timeMoves;
     private boolean isSet;
+    private long before;
 
     /** @param start the state at t = 0 */
     public StudentSource(double... start) {
@@ -42,6 +44,8 @@ public abstract class StudentSource extends ReferenceProblem {
     public static <S extends StudentSource> S after(S source, DESolver solver, int steps, double deltaT) {
         for (int step = 0; step < steps; step++) {
             solver.stepState(source, deltaT);
+            ((StudentSource) source).before = source.getEvaluations();
+            GuardedRun.goesOn();
         }
         return source;
     }
@@ -110,7 +114,7 @@ public abstract class StudentSource extends ReferenceProblem {
 
     @Override
     public void getStateDerivative(double[] dSdt) {
-        if (getEvaluations() == MOST_EVALUATIONS) {
+        if (getEvaluations() - before == MOST_EVALUATIONS) {
             throw new EndlessLoop("the derivative was evaluated " + MOST_EVALUATIONS + " times");
         }
         if (evaluatedAt.size() < MOST_RECORDED) {

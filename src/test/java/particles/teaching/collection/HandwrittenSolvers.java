@@ -91,6 +91,13 @@ final class HandwrittenSolvers {
                         "^method: two new solvers make different steps from the same place", (f, h) ->
                         ++entries[0] > 40 ? h / 2 * f : h * f),
                 increment("gravity of its own", "something is added", (f, h) -> h * (f - 9.81)),
+                increment("NaN taken for 0", "the new state has no NaN", (f, h) -> Double.isNaN(f) ? 0 : h * f),
+                wrong("Mine", "clock stays with the state", "where state and derivative are 0, the clock ends at t",
+                        (source, h) -> {
+                            double[] s = state(source);
+                            euler(source, h);
+                            source.incTime(Arrays.equals(s, state(source)) ? -h : 0);
+                        }),
                 increment("NaN", "^state: the new state is NaN", (f, h) -> Math.sqrt(-1 - f * f)),
                 wrong("HeunSolver", "1/2 of whole numbers", "no derivative is in it.*1/2 is 0", () ->
                         new HeunOnFixedStep(0)),

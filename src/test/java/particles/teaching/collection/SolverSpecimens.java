@@ -152,6 +152,9 @@ final class SolverSpecimens {
                 -> 0.7071067811865476 0.2928932188134524 : newton 1e-11 50
                 GaussLegendre4 | two stages | | irk 1/4 -0.03867513459481287; 0.5386751345948129 1/4 -> 1/2 1/2 \
                 : newton 1e-11 60
+                TrBdf2Solver | a BDF method in one step | | irk ; 0.2928932188134524 0.2928932188134524; \
+                0.3535533905932738 0.3535533905932738 0.2928932188134524 \
+                -> 0.3535533905932738 0.3535533905932738 0.2928932188134524 : newton 1e-11 60
                 AdamsBashforth2 | Euler at first | | adams 2 1
                 AB3Solver | RK4 at first | | adams 3 4
                 AdamsBashforth4Solver | RK4 at first | | adams 4 4
@@ -400,6 +403,8 @@ final class SolverSpecimens {
                 | iteration for the new state ends too early, after 2 rounds.*midpoint \
                 | rk 1/2; 0 1/2 -> 0 0 1
                 BackwardEuler | is implicit midpoint | midpoint/or/order | IMPLICIT_MIDPOINT NEWTON
+                SdirkTwoSolver | is backward Euler | not a diagonally implicit method of order 2 | BACKWARD NEWTON
+                DormandPrince5 | is of order 4 | not a Runge-Kutta method of order 5 | rk DOPRI DOPRI4
                 BackwardEulerNewton | is the trapezoid | trapezoidal rule and not backward Euler | TRAPEZOID NEWTON
                 W60BackwardEuler | is Euler | Euler method, which is explicit | rk -> 1
                 W63ImplicitMidpoint | is midpoint | midpoint method, which is explicit | rk 1/2 -> 0 1
