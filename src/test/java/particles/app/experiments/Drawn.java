@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -23,6 +24,7 @@ record Drawn(String title, String quantity, Map<String, List<double[]>> series) 
     private static final String OUTSIDE_QUOTES = ",(?=(?:[^\"]*\"[^\"]*\")*[^\"]*$)";
     /** Ends the name of a series that shows the points of another one again. */
     static final String AGAIN = " again";
+    private static final int BAR = 3;
 
     /** @return the charts of a file; those with the same title and quantity, as on panels, are one */
     static List<Drawn> read(Path csv) throws IOException {
@@ -32,12 +34,17 @@ record Drawn(String title, String quantity, Map<String, List<double[]>> series) 
             List<String> cells = cells(line);
             Map<String, List<double[]>> all = charts.computeIfAbsent(cells.get(4), quantity ->
                     new Drawn(cells.get(0), quantity, new LinkedHashMap<>())).series();
-            double y = Double.parseDouble(cells.get(5));
+            double[] point = {Double.parseDouble(cells.get(3)), Double.parseDouble(cells.get(5))};
             String name = cells.get(1);
-            boolean again = cells.get(2).matches("evaluations of.*|CPU time.*") && (all.containsKey(name + AGAIN)
-                    || all.getOrDefault(name, List.of()).stream().anyMatch(point -> point[1] == y));
-            all.computeIfAbsent(name + (again ? AGAIN : ""), first -> new ArrayList<>())
-                    .add(new double[] {Double.parseDouble(cells.get(3)), y});
+            boolean again = cells.get(2).startsWith("evaluations of") && (all.containsKey(name + AGAIN)
+                    || all.getOrDefault(name, List.of()).stream().anyMatch(known -> Arrays.equals(known, point)));
+            all.computeIfAbsent(name + (again ? AGAIN : ""), first -> new ArrayList<>()).add(point);
+            if (cells.get(2).startsWith("CPU time") && Double.isNaN(point[0])) {
+                List<double[]> points = all.get(name);          // a gap is behind each bar of two points
+                List<double[]> bar = points.subList(points.size() - BAR, points.size());
+                all.computeIfAbsent(name + AGAIN, first -> new ArrayList<>()).addAll(bar);
+                bar.clear();
+            }
         }
         return List.copyOf(charts.values());
     }

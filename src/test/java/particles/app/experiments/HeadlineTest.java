@@ -177,6 +177,20 @@ class HeadlineTest {
         assertThrows(AssertionError.class, () -> judge(title, Drawn.read(csv)), title);
     }
 
+    /** Errors as small as round-off are equal now and then. */
+    @Test
+    void barsAreToldFromALineWithEqualErrors() throws IOException {
+        Path csv = Files.writeString(top.resolve("made.csv"), """
+                chart,series,x quantity,x,y quantity,y
+                t,rk4,CPU time,1,error,1e-15
+                t,rk4,CPU time,2,error,1e-15
+                t,rk4,CPU time,0.5,error,1e-15
+                t,rk4,CPU time,1.5,error,1e-15
+                t,rk4,CPU time,NaN,error,NaN
+                """);
+        assertEquals(2, Drawn.read(csv).get(0).of("rk4").size());
+    }
+
     /** The words of a claim in a headline. */
     private record Said(MatchResult words) {
         String text(int group) {
