@@ -185,7 +185,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
         }
         int most = 2 * RadauNewton.MOST_ITERATIONS + 1;
         double safety = 0.9 * most / (most - 1 + newton.getIterations());
-        double factor = error == 0 ? MOST_GROWTH : fourthRoot(1 / error);
+        double factor = error == 0 ? MOST_GROWTH : Math.sqrt(Math.sqrt(1 / error));
         factor = Math.max(MOST_SHRINKING, Math.min(MOST_GROWTH, safety * factor));
         rejected = error > 1;
         if (rejected) {
@@ -193,10 +193,6 @@ public final class RadauIIASolver extends AdaptiveSolver {
         }
         take();
         return jacobianKnown && factor >= 1 && factor < WORTH_FACTORISING ? h : h * factor;
-    }
-
-    private static double fourthRoot(double value) {
-        return Math.sqrt(Math.sqrt(value));
     }
 
     /** The sub-step is taken: its polynomial serves the next one. */

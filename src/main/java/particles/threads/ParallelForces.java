@@ -1,7 +1,7 @@
 package particles.threads;
 
 import java.util.Optional;
-import java.util.concurrent.RecursiveAction;
+import java.util.concurrent.ForkJoinTask;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import particles.ParticleSystem;
@@ -25,7 +25,7 @@ public final class ParallelForces implements ParallelDerivative {
     private final Particles particles;
     private final long paysFrom;
     private final int threads;
-    private final Part[] parts;                         // all but the caller's
+    private final ForkJoinTask<?>[] parts;              // all but the caller's, made once: a step allocates nothing
     private double[] state;
     private double time;
     private double[] dSdt;
@@ -36,27 +36,13 @@ public final class ParallelForces implements ParallelDerivative {
     private final IntConsumer end = this::finishRange;
     private IntConsumer work;                           // one of these
 
-    /** A thread's part of the work, made once, since a step allocates nothing. */
-    private final class Part extends RecursiveAction {
-        private static final long serialVersionUID = 1L;
-        private final int part;
-
-        Part(int part) {
-            this.part = part;
-        }
-
-        @Override
-        protected void compute() {
-            work.accept(part);
-        }
-    }
-
     private ParallelForces(ForceSum forces, Particles particles, int threads, long paysFrom) {
         this.forces = forces;
         this.particles = particles;
         this.paysFrom = paysFrom;
         this.threads = threads;
-        parts = IntStream.range(1, threads).mapToObj(Part::new).toArray(Part[]::new);
+        parts = IntStream.range(1, threads).mapToObj(part -> ForkJoinTask.adapt(() -> work.accept(part)))
+                .toArray(ForkJoinTask<?>[]::new);
     }
 
     /**
@@ -111,7 +97,7 @@ public final class ParallelForces implements ParallelDerivative {
      */
     private void run(IntConsumer task) {
         work = task;
-        for (Part part : parts) {
+        for (ForkJoinTask<?> part : parts) {
             part.reinitialize();
             part.fork();
         }
@@ -122,7 +108,7 @@ public final class ParallelForces implements ParallelDerivative {
                 parts[p].quietlyJoin();
             }
         }
-        for (Part part : parts) {
+        for (ForkJoinTask<?> part : parts) {
             part.join();
         }
     }
