@@ -2,7 +2,6 @@ package deSolvers.adaptive;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
@@ -21,9 +20,6 @@ import deSolvers.problems.StiffPair;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Contract of adaptive solvers, besides that of all solvers. */
@@ -186,7 +182,7 @@ public abstract class AdaptiveContract extends DESolverContract {
 
     @Test
     void invalidTolerancesAreRefused() {
-        double[][] bad = {{-1e-6, 1e-6}, {1e-6, -1e-6}, {0, 0}, {Double.NaN, 1e-6}, {1e-6, Double.NaN},
+        double[][] bad = {{-1e-9, 1e-6}, {1e-6, -1e-9}, {0, 0}, {Double.NaN, 1e-6}, {1e-6, Double.NaN},
             {Double.POSITIVE_INFINITY, 1e-6}, {1e-6, Double.POSITIVE_INFINITY}, {0.0011, 1e-6}, {0.1, 1e-6}};
         for (double[] pair : bad) {
             Steps.assertFails(IllegalArgumentException.class, "relativeTolerance " + pair[0],
@@ -234,30 +230,6 @@ public abstract class AdaptiveContract extends DESolverContract {
             assertEquals(errorFrom(0, omega, 1.0 / 60), errorFrom(1.7e9, omega, 1.0 / 60), LATE, "omega " + omega);
         }
         assertEquals(errorFrom(0, 20, 0.01), errorFrom(1e12, 20, 0.01), LATE);
-    }
-
-    /** A period of 6e-5 s, where 4 units of the clock's last place are 4.9e-4 s. */
-    @Test
-    void aSystemTooFastForItsClockIsAnErrorThatNamesTheResolution() {
-        Oscillator problem = new Oscillator(1e5, 1, 0);
-        problem.incTime(1e12);
-        Steps.assertFails(DESolverException.class, "the resolution of the clock is 4.8828125E-4 s",
-                () -> maker.create(1e-6, 1e-9).stepState(problem, 0.01));
-    }
-
-    @Tag("slow")
-    @Test
-    void atLeast300000SubStepsAreAllowedAndNoEndIsAnException() {
-        Oscillator problem = new Oscillator();
-        DESolver solver = maker.create(1e-6, 1e-6);
-        DESolverException e = assertThrows(DESolverException.class, () -> solver.stepState(problem, 1e9));
-        assertEquals(0, problem.error());
-        assertEquals(0, problem.getTime());
-        Matcher message = Pattern.compile("given up after (\\d+) sub-steps, (\\S+) s from the beginning")
-                .matcher(e.getMessage());
-        assertTrue(message.find(), e.getMessage());
-        double secondsASubStep = Double.parseDouble(message.group(2)) / Integer.parseInt(message.group(1));
-        solver.stepState(problem, 310_000 * secondsASubStep);       // the sub-steps are all alike here
     }
 
     @Test

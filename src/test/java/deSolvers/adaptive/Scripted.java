@@ -18,8 +18,6 @@ final class Scripted extends AdaptiveSolver {
     final List<Double> slopes = new ArrayList<>();
     /** The growth of the next sub-step as a function of the length; NaN for the solver's own rule. */
     DoubleUnaryOperator growth = h -> Double.NaN;
-    /** The number of restarts. */
-    int restarts;
     private double end;
 
     /** @param error from offset and length, in units of the tolerance */
@@ -37,11 +35,6 @@ final class Scripted extends AdaptiveSolver {
     @Override
     protected void resize(int n) {
         assertEquals(1, n);
-    }
-
-    @Override
-    protected void restart() {
-        restarts++;
     }
 
     @Override
