@@ -29,7 +29,6 @@ public final class EnergyHistory extends StridedRecorder {
     private final MinMaxThinning potential = new MinMaxThinning(BUCKETS);
     private final List<Effect> effects = new ArrayList<>();
     private final List<MinMaxThinning> stored = new ArrayList<>();
-    private double[] values = {};
     private double internal;                            // kinetic plus stored energy, latest
     private double largestInternal = Double.NEGATIVE_INFINITY;
     private double[] lowest = {};                       // the lowest energy of each effect's bonds, 0 or less
@@ -53,7 +52,6 @@ public final class EnergyHistory extends StridedRecorder {
     public void started(ParticleSystem system) {
         effects.addAll(system.getEffects());
         effects.forEach(effect -> stored.add(new MinMaxThinning(BUCKETS)));
-        values = new double[effects.size()];
         lowest = new double[effects.size()];
         restScale = RestScale.of(system);
         super.started(system);
@@ -65,15 +63,15 @@ public final class EnergyHistory extends StridedRecorder {
         double motion = system.getKineticEnergy(state);
         double sum = 0;
         internal = motion;
-        for (int e = 0; e < values.length; e++) {
+        for (int e = 0; e < lowest.length; e++) {
             Effect effect = effects.get(e);
-            values[e] = effect.getPotentialEnergy(state, time);
-            sum += values[e];
+            double energy = effect.getPotentialEnergy(state, time);
+            sum += energy;
             if (effect.getTraits().contains(Effect.Trait.INTERNAL)) {
-                internal += values[e];
-                lowest[e] = Math.min(lowest[e], values[e]);
+                internal += energy;
+                lowest[e] = Math.min(lowest[e], energy);
             }
-            stored.get(e).add(time, values[e]);
+            stored.get(e).add(time, energy);
         }
         kinetic.add(time, motion);
         potential.add(time, sum);
