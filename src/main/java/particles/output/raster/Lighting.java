@@ -43,10 +43,9 @@ public final class Lighting {
         if (h <= 0) {
             return 0;
         }
-        float h2 = h * h;
-        float h4 = h2 * h2;
-        float h8 = h4 * h4;
-        float h16 = h8 * h8;
-        return GLOSS * h16 * h16;
+        for (int doubling = 0; doubling < 5; doubling++) {
+            h *= h;                                 // to the power of 32 in the end
+        }
+        return GLOSS * h;
     }
 }
