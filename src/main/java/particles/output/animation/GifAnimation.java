@@ -16,7 +16,8 @@ import particles.output.frames.FrameSink;
 
 /**
  * Writes the frames as {@code animation.gif}, which repeats for ever in simulated time. Of each frame only the changed
- * rectangle is written, with unchanged pixels transparent, and with a palette of its own, which ImageIO chooses.
+ * rectangle is written, with unchanged pixels transparent, and with a palette of its own, which ImageIO chooses. The
+ * first frame has most colours, those of the sky and the ground, and is dithered.
  */
 public final class GifAnimation implements FrameSink {
     /** The file's name. */
@@ -25,6 +26,13 @@ public final class GifAnimation implements FrameSink {
     /** The shortest delay (1/100 s): viewers show frames with a shorter one for a tenth of a second. */
     private static final int SHORTEST = 2;
     private static final int LONGEST = 65_535;
+    /** The shades of each primary colour beside black, and the thresholds of an ordered dither between two of them. */
+    private static final int SHADES = 31;
+    private static final int[] BAYER = {
+        0, 8, 2, 10,
+        12, 4, 14, 6,
+        3, 11, 1, 9,
+        15, 7, 13, 5};
 
     private final OutputFolder folder;
     private final double fps;
@@ -68,6 +76,16 @@ public final class GifAnimation implements FrameSink {
         return () -> add(index, small);
     }
 
+    /** A colour of so few shades that a palette has them all: an even change of colour shows no bands. */
+    private static int dithered(int rgb, int threshold) {
+        int dithered = 0;
+        for (int shift = 0; shift < 24; shift += 8) {
+            int shade = ((rgb >> shift & 255) * SHADES + 255 * threshold / BAYER.length) / 255;
+            dithered |= shade * 255 / SHADES << shift;
+        }
+        return dithered;
+    }
+
     private void add(int index, int[] small) {
         if (writer != null && due(index) - due(pending.index) < SHORTEST) {
             return;         // too fast to be shown
@@ -99,8 +117,10 @@ public final class GifAnimation implements FrameSink {
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB);
         Rectangle place = new Rectangle(0, 0, -1, -1);
         for (int p = 0; p < small.length; p++) {
-            if (before.length == 0 || small[p] != before[p]) {
-                image.setRGB(p % width, p / width, OPAQUE | small[p]);
+            boolean first = before.length == 0;
+            if (first || small[p] != before[p]) {
+                int rgb = first ? dithered(small[p], BAYER[(p / width & 3) << 2 | p % width & 3]) : small[p];
+                image.setRGB(p % width, p / width, OPAQUE | rgb);
                 place.add(new Rectangle(p % width, p / width, 1, 1));
             }
         }
