@@ -2,8 +2,9 @@ package particles.energy;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.Stream;
 import particles.view.ChartData.Mark;
@@ -94,11 +95,12 @@ public final class MinMaxThinning {
 
     /** @return the times and the values of the points kept: the extremes of each bucket, the first and the last */
     public double[][] points() {
+        Map<Long, Sample> kept = new TreeMap<>();
         Stream<Sample> extremes = buckets.stream().flatMap(bucket -> Stream.of(bucket.low, bucket.high));
-        List<Sample> kept = isEmpty() ? List.of() : Stream.concat(Stream.of(first, last), extremes)
-                .distinct().sorted(Comparator.comparingLong(Sample::index)).toList();
-        return new double[][] {kept.stream().mapToDouble(Sample::time).toArray(),
-            kept.stream().mapToDouble(Sample::value).toArray()};
+        Stream.concat(isEmpty() ? Stream.of() : Stream.of(first, last), extremes)
+                .forEach(sample -> kept.put(sample.index, sample));
+        return new double[][] {kept.values().stream().mapToDouble(Sample::time).toArray(),
+            kept.values().stream().mapToDouble(Sample::value).toArray()};
     }
 
     /** @return a line through the points kept, with each value shown in its own way */
