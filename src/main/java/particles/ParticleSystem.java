@@ -122,9 +122,10 @@ public final class ParticleSystem implements JacobianStateSource, ArrayStateSour
      *
      * @param time          t (s)
      * @param accelerations receives the accelerations of the moving anchors (m/s&sup2;) in the entries of their
-     *                      velocities; other entries are left alone
+     *                      velocities, and 0 in all others
      */
     public void putAnchorAccelerations(double time, double[] accelerations) {
+        Arrays.fill(accelerations, 0);          // an index may have been that of a particle which is gone
         anchors.accelerate(time, accelerations);
     }
 
