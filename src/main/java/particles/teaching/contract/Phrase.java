@@ -158,8 +158,8 @@ public enum Phrase {
                 compare source.getTime() as well, since forces may depend on the time
             # every source, every deltaT
             state SIZE_FAILS: with a source of %s numbers, stepState ends in %s: %s
-            state SIZE_UNLIKE: with a source of %s numbers, entry %s of a state is %s and entry %s is %s, though all \
-                particles are alike: %s
+            state SIZE_UNLIKE: with a source of %s numbers, entry %s of a state is %s and entry %s is %s, though \
+                they have to be alike: %s
             state NOTHING_BACK: a step of negative deltaT does nothing, and says nothing: step backwards, or throw an \
                 exception that says why not
             failure LOOPS: %s does not come back, an endless loop: %s

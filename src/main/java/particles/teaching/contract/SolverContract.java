@@ -45,15 +45,23 @@ public record SolverContract(Supplier<DESolver> maker) {
 
     /**
      * Steps a source much larger than that of a first example - smaller where the work in a step grows with the square
-     * of the size - and one on a line. Their particles are equal, and so are the coordinates of each.
+     * of the size -, one of seven numbers, into which no blocks fit, and one on a line. Their particles are equal, and
+     * so are the coordinates of each. A method that does not move six equal numbers alike needs positions and
+     * velocities.
      */
     private Optional<Finding> ofAnySize() {
         int particles = solvesWithMatrix() ? SOME : MANY;
-        return unlike(new WindyOscillators(particles), particles + " particles, " + 6 * particles, "an array or a loop"
-                + " has a fixed length; source.getStateSize() has to be asked in every step").or(() -> unlike(
-                WindyOscillators.onLine(5), "5 particles on a line, 10", "three coordinates are taken for granted;"
+        return unlike(new WindyOscillators(particles), 3, particles + " particles, " + 6 * particles, "an array or a"
+                + " loop has a fixed length; source.getStateSize() has to be asked in every step").or(() ->
+                isForParticles() || unlike(alike(6), 6, "", "").isPresent() ? Optional.empty() : unlike(alike(7), 7,
+                "7", "go through the entries one by one, to source.getStateSize()")).or(() -> unlike(
+                WindyOscillators.onLine(5), 1, "5 particles on a line, 10", "three coordinates are taken for granted;"
                 + " ((SecondOrderStateSource) source).getDimension() says how many positions and then velocities"
                 + " each particle has"));
+    }
+
+    private static Probe alike(int size) {
+        return new Probe(new double[size], 0, (evaluation, dSdt) -> Arrays.fill(dSdt, 1), MOST);
     }
 
     /** @return the number of evaluations in a step of nonlinear particles; -1 if it is too long for the solver */
@@ -70,14 +78,13 @@ public record SolverContract(Supplier<DESolver> maker) {
         return evaluations(2, H) >= evaluations(1, H) + 6;
     }
 
-    private Optional<Finding> unlike(WindyOscillators source, String size, String cause) {
+    private Optional<Finding> unlike(StudentSource source, int d, String size, String cause) {
         try {
             maker.get().stepState(source, H);
         } catch (RuntimeException e) {
-            return Phrase.SIZE_FAILS.when(source.getDimension() == 3 || !StudentFailure.isRefusal(e), size,
+            return Phrase.SIZE_FAILS.when(d == 3 || !StudentFailure.isRefusal(e), size,
                     StudentFailure.describe(e), cause);
         }
-        int d = source.getDimension();
         return Stream.concat(source.evaluatedAt().stream(), Stream.of(source.getState())).flatMap(state ->
                 IntStream.range(0, state.length).filter(k -> !(Math.abs(state[k] - state[k / d % 2 * d]) <= ALIKE))
                 .mapToObj(k -> Phrase.SIZE_UNLIKE.of(size, k, state[k], k / d % 2 * d, state[k / d % 2 * d], cause)))

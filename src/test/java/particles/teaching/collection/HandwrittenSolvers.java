@@ -28,6 +28,9 @@ final class HandwrittenSolvers {
     private static final String KEPT = "^state: deltaT changes from one step to the next, and the step is not the one"
             + " that a new solver makes with it: deltaT of an earlier step is kept";
 
+    private static final String ONE_BY_ONE = "^state: with a source of 7 numbers, stepState ends in .*: go through the"
+            + " entries one by one, to source.getStateSize";
+
     private HandwrittenSolvers() {
     }
 
@@ -140,6 +143,10 @@ final class HandwrittenSolvers {
                         HandwrittenSolvers::halves),
                 wrong("Mine", "three coordinates", "on a line, 10 numbers, stepState ends in .*getDimension", () ->
                         PlantedSolvers.blocks()),
+                wrong("MidpointSolver", "entries in pairs", ONE_BY_ONE, (source, h) -> blocks(source, h, 2, false)),
+                wrong("MidpointSolver", "blocks of six", ONE_BY_ONE, (source, h) -> blocks(source, h, 6, false)),
+                wrong("MidpointSolver", "whole blocks only", "7 numbers, entry 6 of .* alike: go through", (source, h)
+                        -> blocks(source, h, 3, true)),
                 wrong("Mine", "velocity of the particle before", "entry 6 of the new state changes with entry 3",
                         HandwrittenSolvers::neighbour),
                 wrong("Mine", "the time for deltaT", "length is the time, source.getTime.., and", (source, h) -> {
@@ -211,6 +218,28 @@ final class HandwrittenSolvers {
         }
         source.setState(state);
         source.incTime(deltaT);
+    }
+
+    /** The midpoint method, whose loops go from block to block. */
+    private static void blocks(DEStateSource source, double h, int size, boolean whole) {
+        double[] s = state(source);
+        double[] half = s.clone();
+        double[] f = slope(source);
+        int end = whole ? s.length / size * size : s.length;
+        for (int i = 0; i < end; i += size) {
+            for (int j = i; j < i + size; j++) {
+                half[j] += h / 2 * f[j];
+            }
+        }
+        source.incTime(h / 2);
+        f = slopeAt(source, half);
+        for (int i = 0; i < end; i += size) {
+            for (int j = i; j < i + size; j++) {
+                s[j] += h * f[j];
+            }
+        }
+        source.setState(s);
+        source.incTime(h / 2);
     }
 
     private static double[] mean(double a, double[] x, double[] y) {
