@@ -12,7 +12,8 @@ import java.util.function.Supplier;
 
 /**
  * Runs tasks on several threads, and the last part of each in the order in which they were added. A few tasks may wait;
- * then the caller waits. After a failure nothing more is run, and it is thrown to the next caller, once.
+ * then the caller waits. After a failure no task begins; to add one throws the failure, and so does {@link #close} if
+ * none was added.
  *
  * @param <T> a tool that tasks use, one at a time, such as a picture to draw on
  */
@@ -27,6 +28,8 @@ public final class Pipeline<T> implements AutoCloseable {
     private final ExecutorService threads;
     private final Semaphore room;
     private CompletableFuture<Void> last = CompletableFuture.completedFuture(null);
+    private volatile boolean failed;
+    private boolean reported;
 
     /**
      * @param threads the number of threads
@@ -59,16 +62,24 @@ public final class Pipeline<T> implements AutoCloseable {
      * @return is complete when the task is done; it fails with it, or with an earlier one
      */
     public CompletableFuture<Void> add(Function<T, Runnable> task) {
-        if (last.isCompletedExceptionally()) {
+        if (failed) {
             awaitLast();
         }
         room.acquireUninterruptibly();
         CompletableFuture<Void> earlier = last;
         last = CompletableFuture.runAsync(() -> run(task, earlier), threads);
-        return last.whenComplete((done, failure) -> room.release());
+        return last.whenComplete((done, failure) -> {
+            if (failure != null) {
+                failed = true;
+            }
+            room.release();
+        });
     }
 
     private void run(Function<T, Runnable> task, CompletableFuture<Void> earlier) {
+        if (failed) {
+            earlier.join();             // throws the failure, before a frame is drawn that nobody will see
+        }
         T tool = idle.poll();
         Runnable rest;
         try {
@@ -88,15 +99,17 @@ public final class Pipeline<T> implements AutoCloseable {
     @Override
     public void close() {
         threads.shutdown();
-        awaitLast();
+        if (!reported) {
+            awaitLast();
+        }
     }
 
-    /** Waits for the last task, and throws a failure, once only: the close that follows must not throw it again. */
+    /** Waits for the last task, and throws a failure, which the close that follows must not throw again. */
     private void awaitLast() {
         try {
             last.join();
         } catch (CompletionException e) {
-            last = CompletableFuture.completedFuture(null);
+            reported = true;
             if (e.getCause() instanceof Error error) {
                 throw error;
             }

@@ -109,6 +109,39 @@ class PipelineTest {
         }
     }
 
+    /** Task 3 fails, as on a full disk; only the few tasks already in progress then may begin. */
+    @Test
+    void noTaskBeginsAfterAFailure() {
+        for (int threads : new int[] {1, 2, 5}) {
+            IllegalStateException failure = new IllegalStateException("3");
+            AtomicInteger begun = new AtomicInteger();
+            AtomicInteger added = new AtomicInteger();
+            Pipeline<Object> pipeline = new Pipeline<>(threads, Object::new);
+            Runnable addAll = () -> {
+                for (int k = 0; k < COUNT; k++) {
+                    int number = k;
+                    pipeline.add(tool -> {
+                        begun.incrementAndGet();
+                        work(number);
+                        return () -> {
+                            if (number == 3) {
+                                throw failure;
+                            }
+                        };
+                    });
+                    added.incrementAndGet();
+                }
+            };
+            assertSame(failure, assertThrows(IllegalStateException.class, addAll::run));
+            int before = added.get();
+            assertTrue(begun.get() <= 3 + threads + 2, begun + " tasks begun by " + threads + " threads");
+            assertTrue(before <= 3 + threads + 3, before + " tasks added");
+            assertSame(failure, assertThrows(IllegalStateException.class, addAll::run));
+            assertEquals(before, added.get());
+            assertDoesNotThrow(pipeline::close);
+        }
+    }
+
     /** A tool that cannot be made, as when memory is short, ends the work like any failure. */
     @Test
     void aToolThatCannotBeMadeIsAFailure() {
