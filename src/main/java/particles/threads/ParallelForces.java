@@ -35,13 +35,14 @@ public final class ParallelForces implements ParallelDerivative {
     private final IntConsumer middle = this::addBlocks;
     private final IntConsumer end = this::finishRange;
     private IntConsumer work;                           // one of these
+    private volatile Throwable failure;
 
     private ParallelForces(ForceSum forces, Particles particles, int threads, long paysFrom) {
         this.forces = forces;
         this.particles = particles;
         this.paysFrom = paysFrom;
         this.threads = threads;
-        parts = IntStream.range(1, threads).mapToObj(part -> ForkJoinTask.adapt(() -> work.accept(part)))
+        parts = IntStream.range(1, threads).mapToObj(part -> ForkJoinTask.adapt(() -> runPart(part)))
                 .toArray(ForkJoinTask<?>[]::new);
     }
 
@@ -93,23 +94,31 @@ public final class ParallelForces implements ParallelDerivative {
 
     /**
      * Runs all parts, part 0 in this thread, which also runs those that no other thread of the common pool has begun.
-     * An exception of any part is thrown when all have ended.
+     * An exception of any part is thrown, as it is, when all have ended.
      */
     private void run(IntConsumer task) {
         work = task;
+        failure = null;
         for (ForkJoinTask<?> part : parts) {
             part.reinitialize();
             part.fork();
         }
-        try {
-            work.accept(0);
-        } finally {
-            for (int p = parts.length - 1; p >= 0; p--) {
-                parts[p].quietlyJoin();
-            }
+        runPart(0);
+        for (int p = parts.length - 1; p >= 0; p--) {
+            parts[p].join();
         }
-        for (ForkJoinTask<?> part : parts) {
-            part.join();
+        if (failure instanceof Error error) {
+            throw error;
+        } else if (failure != null) {
+            throw (RuntimeException) failure;
+        }
+    }
+
+    private void runPart(int part) {
+        try {
+            work.accept(part);
+        } catch (RuntimeException | Error e) {      // a joined task would throw a copy, without its message at times
+            failure = e;
         }
     }
 

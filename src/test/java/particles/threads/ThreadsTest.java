@@ -196,7 +196,8 @@ class ThreadsTest {
         cloth.addEffect(failing);
         ParallelForces.use(cloth, 3);
         double[] dSdt = new double[cloth.getStateSize()];
-        assertThrows(ArithmeticException.class, () -> cloth.getStateDerivative(dSdt));
+        assertEquals("particle " + particle,
+                assertThrows(ArithmeticException.class, () -> cloth.getStateDerivative(dSdt)).getMessage());
         failing.particle.set(-1);
         cloth.getStateDerivative(dSdt);
         double[] expected = new double[cloth.getStateSize()];

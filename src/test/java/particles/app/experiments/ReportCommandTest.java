@@ -76,7 +76,7 @@ class ReportCommandTest {
     void theCountdownIsNearlyRight() {
         requireCountdown(List.of(new LectureFiguresCommand(), new EnergyDriftCommand(), new PhasePlotsCommand(),
                 new RaceCommand(), new WorkPrecisionCommand(), new StiffGalleryCommand(), new StabilityCommand(),
-                new EffectCostCommand(), new StiffClothCommand()), 2, 2, 0.4, 3, 42, 5, 2, 4, 50);
+                new EffectCostCommand(), new StiffClothCommand()), 2, 2, 0.4, 3, 42, 5, 2, 4, 25);
         requireCountdown(List.of(new EnergyDriftCommand(), new PhasePlotsCommand(), new RaceCommand(),
                 new StabilityCommand()), 12, 4, 31, 5);
     }
