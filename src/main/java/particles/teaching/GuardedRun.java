@@ -4,41 +4,34 @@ import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
 import particles.teaching.Finding.Kind;
 
 /**
  * Runs a student's class in a thread of its own and reports an endless loop, a stack overflow or a lack of memory. Only
- * the CPU time of that thread since its last {@link #goesOn} tells that a loop does not end, so that neither a busy
+ * the CPU time of that thread since the last {@link #goesOn} tells that a loop does not end, so that neither a busy
  * machine nor a costly class makes one endless; a run that takes too long in all is not decided. It does not protect
  * from {@code System.exit}; only a separate process does.
  */
 public final class GuardedRun {
     /** The elapsed time after which a run is not decided, as a multiple of the CPU time allowed to a step. */
     private static final double GIVE_UP = 100;
+    /** The same for its CPU time: with 7 s for a step, 63 s in all. */
+    private static final double COSTLY = 9;
     private static final double NANOS = 1e9;
     private static final long POLL_MILLIS = 20;
     /** So many looks at a thread that waits and computes nothing tell that it waits for ever; fewer below a second. */
     private static final int WAITS = 100;
+    /** The number of steps that came back in the run of this thread, or of the one that started it. */
+    private static final InheritableThreadLocal<AtomicLong> STEPS = new InheritableThreadLocal<>();
 
     private final double seconds;
     private final AtomicReference<Thread> running = new AtomicReference<>();
 
-    /** The thread of a run. */
-    private static final class Check extends Thread {
-        private volatile long steps;
-
-        Check(Runnable what) {
-            super(what, "check");
-            setDaemon(true);
-        }
-    }
-
     /** Tells, within a run, that a step came back. */
     public static void goesOn() {
-        if (Thread.currentThread() instanceof Check check) {
-            check.steps++;
-        }
+        Optional.ofNullable(STEPS.get()).ifPresent(AtomicLong::incrementAndGet);    // null outside of a run
     }
 
     /** @param seconds the CPU time allowed to a step (s) */
@@ -64,16 +57,19 @@ public final class GuardedRun {
     public <T> Outcome<T> run(Callable<T> what) {
         AtomicReference<T> value = new AtomicReference<>();
         AtomicReference<Throwable> thrown = new AtomicReference<>();
-        Check thread = new Check(() -> {
+        AtomicLong done = new AtomicLong();
+        Thread thread = new Thread(() -> {
+            STEPS.set(done);
             try {
                 value.set(what.call());
             } catch (Throwable t) {
                 thrown.set(t);
             }
-        });
+        }, "check");
+        thread.setDaemon(true);
         running.set(thread);
         thread.start();
-        Optional<Finding> stuck = await(thread);
+        Optional<Finding> stuck = await(thread, done);
         if (stuck.isPresent()) {
             return new Outcome<>(Optional.empty(), stuck);
         }
@@ -82,7 +78,7 @@ public final class GuardedRun {
                 : new Outcome<>(Optional.empty(), Optional.of(failure(thrown.get())));
     }
 
-    private Optional<Finding> await(Check thread) {
+    private Optional<Finding> await(Thread thread, AtomicLong done) {
         ThreadMXBean threads = ManagementFactory.getThreadMXBean();
         long start = System.nanoTime();
         double before = 0;
@@ -101,17 +97,19 @@ public final class GuardedRun {
             double computed = threads.getThreadCpuTime(thread.getId()) / NANOS;     // negative once it has ended
             waited = thread.getState() == Thread.State.RUNNABLE || computed != before ? 0 : waited + 1;
             before = computed;
-            begun = thread.steps == steps ? begun : computed;
-            steps = thread.steps;
+            begun = done.get() == steps ? begun : computed;
+            steps = done.get();
             double elapsed = (System.nanoTime() - start) / NANOS;
-            if (thread.isAlive() && (computed - begun > seconds || waited > waits || elapsed > GIVE_UP * seconds)) {
+            if (thread.isAlive() && (computed - begun > seconds || waited > waits || computed > COSTLY * seconds
+                    || elapsed > GIVE_UP * seconds)) {
                 String place = StudentFailure.place(thread.getStackTrace());
                 thread.interrupt();
                 boolean busy = computed - begun <= seconds && waited <= waits;
-                return Optional.of(new Finding(busy ? Kind.UNDECIDED : Kind.FAILURE, (busy ? Formula.text("not decided"
-                        + " on this machine, which gave it %s s of a processor in %s s: run it again", computed,
-                        elapsed) : Formula.text("it did not come back within %s s of CPU time: %s", seconds, computed
-                        - begun > seconds ? "an endless loop" : "it waits for something that never comes")) + place));
+                return Optional.of(new Finding(busy ? Kind.UNDECIDED : Kind.FAILURE, (busy ? Formula.text("%s s of CPU"
+                        + " time in %s s were too little for all steps: make a step cheaper, or run it again on a"
+                        + " machine that is less busy", computed, elapsed) : Formula.text("it did not come back within"
+                        + " %s s of CPU time: %s", seconds, computed - begun > seconds ? "an endless loop"
+                        : "it waits for something that never comes")) + place));
             }
         }
         return Optional.empty();

@@ -63,6 +63,17 @@ class GuardedRunTest {
         assertTrue(steps.get() > 0);
     }
 
+    @Test
+    void costlyStepsWithoutEndAreNotDecided() {
+        String found = new GuardedRun(0.1).run(() -> {
+            for (int step = 1; step > 0 && !Thread.currentThread().isInterrupted(); step++) {
+                GuardedRun.goesOn();
+            }
+            return "";
+        }).failure().orElseThrow().toString();
+        assertHas(found, "not decided: ", " s were too little for all steps: ");
+    }
+
     /** Each step comes back, after less CPU time and fewer evaluations than an endless one has; all take far more. */
     @Test
     void manyCostlyStepsAreNoEndlessLoop() {
@@ -71,7 +82,8 @@ class GuardedRunTest {
                 PlantedSolvers.slope(source);
             }
         });
-        assertEquals(20_000_000L, new GuardedRun(0.3).run(() -> StudentSource.after(new Springs(), costly, 1000, 1)
+        assertEquals(20_000_000L, new GuardedRun(0.3).run(() -> StudentSource.after(new Springs(),
+                StudentSource.watched(() -> costly).get(), 1000, 1)
                 .getEvaluations()).value().orElseThrow());
     }
 

@@ -16,7 +16,6 @@ import particles.output.charts.Panel;
 import particles.output.report.Picture;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
-import particles.teaching.GuardedRun;
 import particles.teaching.StudentFailure;
 import particles.teaching.figures.SolverFigures;
 import particles.teaching.solvers.SolverCheck;
@@ -73,10 +72,7 @@ public final class CheckSolverCommand extends CheckCommand {
     @Override
     Checked check() {
         String full = SolverCatalog.names().contains(solver) || solver.contains(".") ? solver : "exercises." + solver;
-        Supplier<DESolver> maker = () -> {
-            GuardedRun.goesOn();                        // the steps of the solver before came back
-            return SolverCatalog.create(full);
-        };
+        Supplier<DESolver> maker = () -> SolverCatalog.create(full);
         String name;
         try {
             name = maker.get().getClass().getSimpleName();

@@ -11,6 +11,7 @@ import particles.law.Particles;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
+import particles.teaching.GuardedRun;
 import particles.teaching.effects.EffectSample;
 
 /** Runs a class once more, to see whether it computes the same outside of the check, and after many calls. */
@@ -36,7 +37,12 @@ final class PlainRuns {
     static double[] end(String solver) {
         Scene scene = SceneBuilder.build(SceneReader.read("the check's scene", SCENE.formatted(solver)
                 .getBytes(StandardCharsets.UTF_8)));
-        scene.simulation().run();
+        scene.simulation().start();
+        while (!scene.simulation().isOver()) {
+            scene.simulation().advance();
+            GuardedRun.goesOn();
+        }
+        scene.simulation().finish();
         return scene.system().getOwnState();
     }
 
@@ -47,6 +53,7 @@ final class PlainRuns {
         double[] force = new double[state.length];
         for (int call = 0; call < STEPS; call++) {
             effect.addForces(state, call * DELTA_T, force);
+            GuardedRun.goesOn();
         }
         return force;
     }

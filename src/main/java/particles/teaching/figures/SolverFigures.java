@@ -15,6 +15,7 @@ import particles.teaching.StudentFailure;
 import particles.teaching.solvers.OrderMeasurement;
 import particles.teaching.solvers.SolverVerdict;
 import particles.teaching.sources.Springs;
+import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
@@ -48,11 +49,12 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
      * Measures.
      *
      * @param name    the solver's name in the charts
-     * @param maker   makes a new solver
+     * @param plain   makes a new solver
      * @param verdict the result of the check
      * @return the numbers and charts
      */
-    public static SolverFigures of(String name, Supplier<DESolver> maker, SolverVerdict verdict) {
+    public static SolverFigures of(String name, Supplier<DESolver> plain, SolverVerdict verdict) {
+        Supplier<DESolver> maker = StudentSource.watched(plain);
         OrderMeasurement order = OrderMeasurement.of(maker);
         List<double[]> energy = energy(maker);
         StabilityFigures stability = StabilityFigures.of(name, maker, verdict.multistep());

@@ -35,6 +35,7 @@ public final class SolverCheck {
     private static final String MULTISTEP = "This is a method that uses earlier steps (a multistep method)";
     private static final String UNREAD = "This is a method without fixed coefficients, adaptive or implicit";
 
+    private final Supplier<DESolver> plain;
     private final Supplier<DESolver> maker;
     private final NamePromise promise;
     private final ExplicitMethod explicit;
@@ -47,8 +48,9 @@ public final class SolverCheck {
     private String identity = "Its step cannot be judged yet.";
     private boolean multistep;
 
-    private SolverCheck(Supplier<DESolver> maker, String className) {
-        this.maker = maker;
+    private SolverCheck(Supplier<DESolver> plain, String className) {
+        this.plain = plain;
+        maker = StudentSource.watched(plain);
         promise = NamePromise.of(className);
         explicit = new ExplicitMethod(maker, promise, this::measurement);
         contract = new SolverContract(maker);
@@ -86,9 +88,8 @@ public final class SolverCheck {
         WindyOscillators source = new WindyOscillators(2);
         WindyOscillators again = source.copy();
         double[] before = source.getState();
-        DESolver solver = maker.get();
-        solver.stepState(source, SHORT);
-        boolean written = source.getEvaluations() > 1 || !(solver instanceof FixedStepSolver) && (source.isSet()
+        maker.get().stepState(source, SHORT);
+        boolean written = source.getEvaluations() > 1 || !(plain.get() instanceof FixedStepSolver) && (source.isSet()
                 || source.timeMoves() > 0);
         return Phrase.NOTHING_YET.when(!written && Arrays.equals(before, source.getState())).or(() ->
                 Phrase.NOT_FINITE.when(!Double.isFinite(Arrays.stream(source.getState()).sum()))).or(() ->

@@ -1,11 +1,13 @@
 package particles.teaching.sources;
 
 import deSolvers.DESolver;
+import deSolvers.DEStateSource;
 import deSolvers.problems.ReferenceProblem;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import particles.teaching.EndlessLoop;
 import particles.teaching.GuardedRun;
 
@@ -44,10 +46,36 @@ public abstract class StudentSource extends ReferenceProblem {
     public static <S extends StudentSource> S after(S source, DESolver solver, int steps, double deltaT) {
         for (int step = 0; step < steps; step++) {
             solver.stepState(source, deltaT);
-            ((StudentSource) source).before = source.getEvaluations();
-            GuardedRun.goesOn();
         }
         return source;
+    }
+
+    /** @return makes a student's solvers; it is heard that each of their steps comes back */
+    public static Supplier<DESolver> watched(Supplier<DESolver> maker) {
+        return () -> new Watched(maker.get());
+    }
+
+    /** Does the same, and tells that it came back. */
+    private static final class Watched extends DESolver {
+        private final DESolver solver;
+
+        Watched(DESolver solver) {
+            this.solver = solver;
+        }
+
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            solver.stepState(source, deltaT);
+            if (source instanceof StudentSource student) {
+                student.before = student.getEvaluations();
+            }
+            GuardedRun.goesOn();
+        }
+
+        @Override
+        public void reset() {
+            solver.reset();
+        }
     }
 
     /** @return the length of the first array that was not as long as the state */

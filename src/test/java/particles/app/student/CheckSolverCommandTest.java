@@ -1,5 +1,6 @@
 package particles.app.student;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Texts.assertHas;
 import static particles.Texts.assertStarts;
@@ -10,6 +11,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.Callable;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -19,6 +21,10 @@ import particles.app.CheckProcess;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
+import particles.teaching.GuardedRun;
+import particles.teaching.figures.SolverFigures;
+import particles.teaching.solvers.SolverCheck;
+import particles.teaching.solvers.SolverVerdict;
 
 /** The check of a solver through the program: its screen, its report, and a class that ends the program. */
 class CheckSolverCommandTest {
@@ -44,6 +50,18 @@ class CheckSolverCommandTest {
         public void stepState(DEStateSource source, double deltaT) {
             if (deltaT == 1) {
                 throw new IndexOutOfBoundsException("at 1");
+            }
+            new deSolvers.EulerSolver().stepState(source, deltaT);
+        }
+    }
+
+    /** Euler that thinks for 60 microseconds. */
+    public static final class Thinks extends DESolver {
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            long begun = System.nanoTime();
+            while (System.nanoTime() - begun < 60_000) {
+                Thread.onSpinWait();
             }
             new deSolvers.EulerSolver().stepState(source, deltaT);
         }
@@ -185,6 +203,18 @@ class CheckSolverCommandTest {
         assertTrue(screen.startsWith("Iterates: right. This is backward Euler."), screen);
         String report = Files.readString(folder.resolve("report/checkSolver.md"));
         assertTrue(report.contains("(region.png)") && report.contains("| refused |"), report);
+    }
+
+    /** Each has 10,000 steps or more, of 0.6 s or more in all, and an endless loop is told after 0.2 s. */
+    @Test
+    void manyCostlyStepsAreNoEndlessLoop() {
+        SolverVerdict verdict = SolverCheck.check(Thinks::new, "Thinks");
+        for (Callable<?> part : List.<Callable<?>>of(() -> SolverCheck.check(Thinks::new, "Thinks").wrong().isEmpty(),
+                () -> SolverFigures.of("Thinks", Thinks::new, verdict).region().isPresent(),
+                () -> !PlainRuns.differ(Runnable::run, () -> PlainRuns.end(Thinks.class.getName())))) {
+            assertEquals("Outcome[value=Optional[true], failure=Optional.empty]", new GuardedRun(0.2).run(part)
+                    .toString());
+        }
     }
 
     @Test
