@@ -1,6 +1,7 @@
 package particles.teaching.solvers;
 
 import static particles.teaching.solvers.KnownMethods.IMPLICIT;
+import static particles.teaching.solvers.KnownMethods.IMPLICIT_MIDPOINT;
 
 import java.util.Comparator;
 import java.util.List;
@@ -41,6 +42,9 @@ record NamePromise(String says, int order, List<String> methods, String kind, St
             + "|sub|small|tiny|twice|half|halves|multi|rosenbrock|exponential|linear|ensemble|corrected|compos|blend"
             + "|filter|lowstorage|stabili[sz]ed|chebyshev|predict");
     private static final int SHORT = 4;
+    /** An order: SdirkTwo is one of order 2. Before these words it is the number of them, as in TwoStageSdirk. */
+    private static final Pattern NUMBER = Pattern.compile(
+            "(?<=[A-Za-z])(Two|Three|Four|Five)(?!Stage|Step|Phase|Point|Eighth)");
     private static final Pattern EXTRAPOLATES = Pattern.compile("richardson|extrapol");
     private static final Pattern ADAPTS = Pattern.compile("adapt|stepdoubling|stepsizecontrol|variablestep");
 
@@ -74,7 +78,7 @@ record NamePromise(String says, int order, List<String> methods, String kind, St
             a method of order 4 or 5 | 4 | rkf45 rk45 ode45 fehlberg rungekuttafehlberg cashkarp dormandprince dopri \
             merson kuttamerson | |
             a Runge-Kutta method of order 5 | 5 | rk5 rungekutta5 fifth-rungekutta dopri5 rkf5 dormandprince5 \
-            fehlberg5 cashkarp5 five-dormandprince five-rungekutta | |
+            fehlberg5 cashkarp5 | |
             velocity or position Verlet | 2 | verlet velocity-verlet position-verlet stormer-verlet stoermer-verlet \
             leapfrog kickdriftkick driftkickdrift stormer stoermer | velocity Verlet (leapfrog: kick, drift, kick); \
             position Verlet (drift, kick, drift) |
@@ -82,26 +86,26 @@ record NamePromise(String says, int order, List<String> methods, String kind, St
             position Verlet | 2 | leapfrogdkd | position Verlet (drift, kick, drift) |
             Ruth's method of order 3 | 3 | ruth ruth3 | |
             a symplectic method of order 4 | 4 | yoshida forestruth ruth4 candyrozmus pefrl | |
-            an Adams method of order 2 | 2 | ab2 adamsbashforth2 adams2 two-adams | | earlier
-            an Adams method of order 3 | 3 | ab3 adamsbashforth3 adams3 abm3 three-adams | | earlier
-            an Adams method of order 4 | 4 | ab4 adamsbashforth4 adams4 abm4 four-adams | | earlier
+            an Adams method of order 2 | 2 | ab2 adamsbashforth2 adams2 | | earlier
+            an Adams method of order 3 | 3 | ab3 adamsbashforth3 adams3 abm3 | | earlier
+            an Adams method of order 4 | 4 | ab4 adamsbashforth4 adams4 abm4 | | earlier
             an Adams method | 2 | adams adamsbashforth adamsmoulton adamsbashforthmoulton | |
-            a BDF method of order 2 | 2 | bdf2 two-bdf | | earlier
+            a BDF method of order 2 | 2 | bdf2 | | earlier
             a Rosenbrock method | 1 | rosenbrock | | implicit
-            a Rosenbrock method of order 2 | 2 | ros2 rosenbrock2 two-rosenbrock | | implicit
+            a Rosenbrock method of order 2 | 2 | ros2 rosenbrock2 | | implicit
             TR-BDF2 | 2 | trbdf2 | | implicit
             a Nystrom method | 3 | nystrom nystroem | |
-            a BDF method of order 3 | 3 | bdf3 three-bdf | | earlier
+            a BDF method of order 3 | 3 | bdf3 | | earlier
             Beeman's method | 2 | beeman | |
             a predictor-corrector method | 2 | pec pece predictor-corrector | |
             a Gauss method | 2 | gauss gausslegendre | | implicit
-            a Gauss method of order 4 | 4 | gauss4 gausslegendre4 four-gauss | | implicit
+            a Gauss method of order 4 | 4 | gauss4 gausslegendre4 | | implicit
             a Lobatto method | 2 | lobatto | | implicit
             a Radau method | 3 | radau | | implicit
             a Radau method of order 3 | 3 | radau3 radauiia3 | | implicit
             Radau IIA of order 5 | 5 | radau5 radauiia5 | | implicit
-            a diagonally implicit method of order 2 | 2 | sdirk2 dirk2 two-sdirk two-dirk | | implicit
-            a diagonally implicit method of order 3 | 3 | sdirk3 dirk3 three-sdirk three-dirk | | implicit
+            a diagonally implicit method of order 2 | 2 | sdirk2 dirk2 | | implicit
+            a diagonally implicit method of order 3 | 3 | sdirk3 dirk3 | | implicit
             """;
 
     /** The parts of a word stand in a name in any order. */
@@ -131,7 +135,8 @@ record NamePromise(String says, int order, List<String> methods, String kind, St
      * @return the promise
      */
     static NamePromise of(String className) {
-        String bare = className.replaceAll("[^A-Za-z0-9]", "");
+        String bare = NUMBER.matcher(className.replaceAll("[^A-Za-z0-9]", "")).replaceAll(word -> String.valueOf(2
+                + List.of("Two", "Three", "Four", "Five").indexOf(word.group())));
         String lower = bare.toLowerCase(Locale.ROOT);
         boolean adapts = ADAPTS.matcher(lower).find();
         return ROWS.stream().filter(row -> row.isIn(bare)).max(Comparator.comparingInt(Row::length)).map(best -> {
@@ -157,7 +162,9 @@ record NamePromise(String says, int order, List<String> methods, String kind, St
 
     /** @return whether a method of this name and order may be called so */
     boolean allows(String method, int itsOrder) {
-        return methods.contains(method) || itsOrder >= order && (methods.isEmpty() || strength == Strength.CHANGED);
+        return methods.contains(method) || method.equals(IMPLICIT_MIDPOINT) && says.matches(
+                "a (Gauss|diagonally implicit) method( of order 2)?") || itsOrder >= order && (methods.isEmpty()
+                || strength == Strength.CHANGED);
     }
 
     /** @return the meaning of the name, with the order */

@@ -53,6 +53,29 @@ class SolverCollectionTest {
         assertNamed(SolverSpecimens.sentences());
     }
 
+    /** A number word tells the order where it follows the family, and something else before a word such as Stage. */
+    @Test
+    void namesPromiseNoMoreThanTheySay() {
+        assertAccepted(SolverTable.read("""
+                FiveStageRungeKuttaSolver | Merson, order 4 | | rk 1/3; 1/6 1/6; 1/8 0 3/8; 1/2 0 -3/2 2 \
+                -> 1/6 0 0 2/3 1/6
+                FiveRungeKutta4 | RK4 | | rk RK4 SIXTHS
+                FourStageAdams | order 2 | | adams 2 1
+                TwoPhaseImplicitBdf | one step | | irk ; 0.2928932188134524 0.2928932188134524; \
+                0.3535533905932738 0.3535533905932738 0.2928932188134524 \
+                -> 0.3535533905932738 0.3535533905932738 0.2928932188134524 : newton 1e-11 60
+                GaussSolver | one stage | | IMPLICIT_MIDPOINT NEWTON
+                SdirkTwo | one stage | | IMPLICIT_MIDPOINT NEWTON
+                """));
+        assertNamed(SolverTable.read("""
+                SdirkTwoSolver | gamma, order 1 | order is .* method of order 2: | irk 0.7071067811865476; \
+                0.2928932188134524 0.7071067811865476 -> 0.2928932188134524 0.7071067811865476 NEWTON
+                DormandPrinceFiveSolver | order 4 | not a Runge-Kutta method of order 5 | rk DOPRI DOPRI4
+                RungeKuttaFour | Heun | not a Runge-Kutta method of order 4 | rk HEUN
+                TwoStageGauss | the trapezoidal rule | not a Gauss method | TRAPEZOID NEWTON
+                """));
+    }
+
     @Test
     void methodsWithoutANameArePlaced() {
         Specimen adams = SolverTable.read("Mine | Adams | | adams 2 1").get(0);
