@@ -5,7 +5,7 @@ package deSolvers;
  * extend this class; to write one, implement {@link #stepState}.
  *
  * <p><b>A solver must</b> read state and derivative, compute, and leave the source at state s(t + deltaT) and time
- * t + deltaT. A student's solver need do no more.
+ * t + deltaT, and come back, also where the derivative is NaN. A student's solver need do no more.
  *
  * <p><b>The solvers in this project follow these rules too</b>, and tests check them. A solver that extends
  * {@link FixedStepSolver} follows them without code of its own:

@@ -23,6 +23,7 @@ public abstract class StudentSource extends ReferenceProblem {
     private int timeMoves;
     private boolean isSet;
     private long before;
+    private long most = MOST_EVALUATIONS;
 
     /** @param start the state at t = 0 */
     public StudentSource(double... start) {
@@ -76,6 +77,11 @@ public abstract class StudentSource extends ReferenceProblem {
         public void reset() {
             solver.reset();
         }
+    }
+
+    /** @param evaluations the number in one step that tells an endless loop */
+    protected final void endAfter(long evaluations) {
+        most = evaluations;
     }
 
     /** @return the length of the first array that was not as long as the state */
@@ -142,8 +148,8 @@ public abstract class StudentSource extends ReferenceProblem {
 
     @Override
     public void getStateDerivative(double[] dSdt) {
-        if (getEvaluations() - before == MOST_EVALUATIONS) {
-            throw new EndlessLoop("the derivative was evaluated " + MOST_EVALUATIONS + " times");
+        if (getEvaluations() - before == most) {
+            throw new EndlessLoop("the derivative was evaluated " + most + " times");
         }
         if (evaluatedAt.size() < MOST_RECORDED) {
             evaluatedAt.add(getState());

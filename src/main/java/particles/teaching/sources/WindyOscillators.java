@@ -11,6 +11,8 @@ import java.util.Arrays;
  */
 public final class WindyOscillators extends StudentSource implements SecondOrderSource {
     private static final double COUPLING = 0.5;
+    /** An iteration that gives up does so long before, also one of 10,000 rounds. */
+    private static final int MOST_SPOILT = 20_000;
 
     private final int bend;
     private final int dimension;
@@ -86,6 +88,7 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
     /** Makes the derivative NaN from now on. */
     public void spoilDerivative() {
         spoilt = true;
+        endAfter(MOST_SPOILT);
     }
 
     @Override

@@ -77,6 +77,19 @@ class SolverCollectionTest {
     }
 
     @Test
+    void aLoopAtNaNIsToldAfterFewEvaluations() {
+        long[] evaluations = {0};
+        assertNamed(List.of(Specimen.wrong("EulerSolver", "waits for a number", "derivative NaN .* endless loop",
+                (source, h) -> {
+                    do {
+                        evaluations[0]++;
+                    } while (Double.isNaN(PlantedSolvers.slope(source)[0]));
+                    HandwrittenSolvers.euler(source, h);
+                })));
+        assertTrue(evaluations[0] < 100_000, evaluations[0] + " evaluations");
+    }
+
+    @Test
     void methodsWithoutANameArePlaced() {
         Specimen adams = SolverTable.read("Mine | Adams | | adams 2 1").get(0);
         assertTrue(SolverCheck.check(adams.maker(), "Mine").multistep());
