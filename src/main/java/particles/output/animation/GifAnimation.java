@@ -3,6 +3,7 @@ package particles.output.animation;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.util.Arrays;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageTypeSpecifier;
@@ -16,8 +17,8 @@ import particles.output.frames.FrameSink;
 
 /**
  * Writes the frames as {@code animation.gif}, which repeats for ever in simulated time. Of each frame only the changed
- * rectangle is written, with unchanged pixels transparent, and with a palette of its own, which ImageIO chooses. The
- * first frame has most colours, those of the sky and the ground, and is dithered.
+ * rectangle is written, with unchanged pixels transparent, and with a palette of its own, which ImageIO chooses. All
+ * frames are dithered by the same matrix, so that the sky behind something that moves is as it was before.
  */
 public final class GifAnimation implements FrameSink {
     /** The file's name. */
@@ -73,6 +74,7 @@ public final class GifAnimation implements FrameSink {
     @Override
     public Runnable prepare(int index, int[] rgb) {
         int[] small = shrinker.shrink(rgb);
+        Arrays.setAll(small, p -> OPAQUE | dithered(small[p], BAYER[(p / width & 3) << 2 | p % width & 3]));
         return () -> add(index, small);
     }
 
@@ -117,10 +119,8 @@ public final class GifAnimation implements FrameSink {
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB);
         Rectangle place = new Rectangle(0, 0, -1, -1);
         for (int p = 0; p < small.length; p++) {
-            boolean first = before.length == 0;
-            if (first || small[p] != before[p]) {
-                int rgb = first ? dithered(small[p], BAYER[(p / width & 3) << 2 | p % width & 3]) : small[p];
-                image.setRGB(p % width, p / width, OPAQUE | rgb);
+            if (before.length == 0 || small[p] != before[p]) {
+                image.setRGB(p % width, p / width, small[p]);
                 place.add(new Rectangle(p % width, p / width, 1, 1));
             }
         }

@@ -25,6 +25,7 @@ final class GifMetadata {
         IIOMetadataNode root = new IIOMetadataNode(IMAGE);
         add(root, "ImageDescriptor", "imageLeftPosition", place.x, "imageTopPosition", place.y, "imageWidth",
                 place.width, "imageHeight", place.height, "interlaceFlag", "FALSE");
+        // the transparent colour is one of the palette that the writer chooses: it then sets flag and index itself
         add(root, "GraphicControlExtension", "disposalMethod", "doNotDispose", "userInputFlag", "FALSE",
                 "transparentColorFlag", "FALSE", "transparentColorIndex", 0, "delayTime", delay);
         if (first) {

@@ -111,7 +111,7 @@ class GifAnimationTest {
         assertEquals(20, frames.stream().limit(frames.size() - 1).mapToInt(Frame::delay).sum(), 2);
     }
 
-    /** Each frame, composed from its changes, is the picture that was drawn, up to the dither of the first one. */
+    /** Each frame, composed from its changes, is the picture that was drawn, up to the dither. */
     @Test
     void everyFrameReadsBackAsItsPicture() throws IOException {
         write(25, 11, W);
@@ -121,6 +121,19 @@ class GifAnimationTest {
             IntSummaryStatistics off = differences(renderer.render(ball(k)), frames.get(k).rgb());
             assertTrue(off.getAverage() < 3 && off.getMax() < 12, "frame " + k + " is off by " + off);   // 2.6 and 9
         }
+    }
+
+    @Test
+    void theSkyBehindAMovingBallIsAsInTheFirstFrame() throws IOException {
+        write(25, 11, W);
+        List<Frame> frames = read();
+        FrameRenderer renderer = renderer();
+        int[] opening = renderer.render(ball(0)).clone();
+        int[] end = renderer.render(ball(10));
+        int[] first = frames.get(0).rgb();
+        int[] last = frames.get(10).rgb();
+        assertArrayEquals(new int[0], IntStream.range(0, W * H).filter(p -> end[p] == opening[p] && last[p] != first[p])
+                .toArray());
     }
 
     @Test
