@@ -116,10 +116,7 @@ public final class BlowUpMessage {
 
     /** Contacts that open and close without end. */
     private void findForContacts() {
-        boolean everBouncing = scene.system().getReactions().stream().anyMatch(reaction ->
-                reaction instanceof RestingContacts contacts && contacts.getSurfaces().stream()
-                        .anyMatch(surface -> surface.restSpeed() == 0 && surface.restitution() > 0));
-        if (everBouncing) {
+        if (scene.description().bouncesForEver()) {
             found("with restSpeed 0, bounces become ever smaller and never end",
                     AdviceRule.byHand("restSpeed: 0.01 in the scene's rule"));
         } else {

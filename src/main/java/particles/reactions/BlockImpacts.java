@@ -9,10 +9,12 @@ import particles.reactions.contact.ContactModes;
 import particles.reactions.contact.ContactModes.Mode;
 
 /** Impacts of a particle with a surface or another ball, see the {@linkplain particles.reactions theory}. */
-final class BlockImpacts {
+public final class BlockImpacts {
     private static final int STRIDE = Particles.STRIDE;
     /** The largest error of speeds after an impact, relative to those before. */
     private static final double CONTRADICTION = 1e-4;
+    /** Speeds below this are round-off, relative to those before. */
+    private static final double ROUNDING = 1e-12;
 
     private final ParticleSystem system;
     private final RestingContacts contacts;
@@ -26,9 +28,21 @@ final class BlockImpacts {
         this.blocks = blocks;
     }
 
-    /** As {@link RestingContacts#canPush}: some impulses of the block move the particle away from the surface. */
-    boolean canPush(int surface, int particle, double[] state) {
+    /**
+     * Whether a surface can push a particle away. It cannot where rods and wires keep the particle from moving across
+     * the surface, as at the bottom of a wire that touches the ground there: the wire then carries the particle, and
+     * the surface exerts no force.
+     *
+     * @param surface  the surface's index
+     * @param particle the particle's index
+     * @param state    the state, with the particle on the surface
+     * @return true for every particle that is not coupled
+     */
+    public boolean canPush(int surface, int particle, double[] state) {
         Block block = blocks.of(particle);
+        if (!block.isJoined()) {
+            return true;
+        }
         Mode before = modes.get(surface, particle);
         int struck = takeForImpact(block, surface, particle, state);
         modes.set(surface, particle, before);
@@ -44,12 +58,22 @@ final class BlockImpacts {
         return block.find(Kind.SURFACE, surface, particle);
     }
 
-    /** As {@link RestingContacts#strike}. */
-    void strike(int surface, int particle, double leaving, double[] state) {
+    /**
+     * Applies an impact: the particle and its whole linkage change velocity by the impulses of rods, wires and other
+     * touched surfaces, without friction, but not by those of balls in contact. Sticking particles slide from now on,
+     * and lifted ones lose contact.
+     *
+     * @param surface  the surface's index
+     * @param particle the particle's index
+     * @param leaving  the speed with which it leaves (m/s)
+     * @param pull     a velocity whose component into a surface brings a lifted particle back in time (m/s)
+     * @param state    the state, in which velocities are changed
+     */
+    public void strike(int surface, int particle, double leaving, Vector3 pull, double[] state) {
         Block block = blocks.of(particle);
         Mode before = modes.get(surface, particle);
         int struck = takeForImpact(block, surface, particle, state);
-        strike(block, struck, leaving, leaving + Vector3.at(state, STRIDE * particle + 3).norm1(), state);
+        strike(block, struck, leaving, leaving + Vector3.at(state, STRIDE * particle + 3).norm1(), pull, state);
         if (before == Mode.FREE) {
             modes.set(surface, particle, before);
         }
@@ -63,7 +87,7 @@ final class BlockImpacts {
         block.take(state, particle -> false, pair);
         int struck = block.find(Kind.BALLS, pair, i);
         Vector3 slip = Vector3.at(state, STRIDE * j + 3).minus(Vector3.at(state, STRIDE * i + 3));
-        strike(block, struck, leaving, leaving + slip.norm1(), state);
+        strike(block, struck, leaving, leaving + slip.norm1(), Vector3.ZERO, state);
         double impulse = friction * block.force(struck);
         Vector3 normal = Vector3.at(block.rows.gradient, 6 * struck + 3).normalized();
         slip = slip.minus(normal.times(normal.dot(slip)));
@@ -79,25 +103,23 @@ final class BlockImpacts {
     }
 
     /** Solves for the impulses; speeds are relative to the one given as fast (m/s). */
-    private void strike(Block block, int struck, double leaving, double fast, double[] state) {
+    private void strike(Block block, int struck, double leaving, double fast, Vector3 pull, double[] state) {
         blocks.putErrors(block, 3);
         block.right[struck] += leaving;
         if (!block.solve(struck, true) || Math.abs(block.separation(struck)) > CONTRADICTION * fast) {
             throw blocks.failure(block, system.getTime(), "let no impulses keep all particles out");
         }
-        double[] before = state.clone();
         block.move(state, 3);
-        for (int i : block.particles) {            // an impact on one ball leaves the rest of a pile at rest
-            int v = STRIDE * i + 3;
-            if (Vector3.at(state, v).minus(Vector3.at(before, v)).norm1() != 0) {
-                modes.setWhereTouching(i, Mode.SLIDING);
-            }
-        }
-        for (int r = 0; r < block.rows.count; r++) {
-            int p = block.rows.number[r];
-            if (r != struck && block.rows.kind[r] == Kind.SURFACE
-                    && block.separation(r) > contacts.getSurfaces().get(p).restSpeed()) {
-                modes.set(p, block.rows.first[r], Mode.FREE);
+        Rows rows = block.rows;
+        for (int r = 0; r < rows.count; r++) {
+            int p = rows.number[r];
+            if (block.force(r) != 0) {                  // an impact on one ball leaves the rest of a pile at rest
+                modes.setWhereTouching(rows.first[r], Mode.SLIDING);
+                modes.setWhereTouching(Math.max(rows.first[r], rows.second[r]), Mode.SLIDING);
+            } else if (rows.kind[r] == Kind.SURFACE && block.separation(r) > Math.max(ROUNDING * fast,
+                    Math.max(contacts.getSurfaces().get(p).restSpeed(),
+                            -Vector3.at(rows.gradient, 6 * r).dot(pull)))) {
+                modes.set(p, rows.first[r], Mode.FREE);
             }
         }
     }

@@ -135,8 +135,12 @@ final class Blocks {
     void addForces(List<Block> some, double[] state, double time, double[] force) {
         prepare(state, time);
         for (int b = 0; b < some.size(); b++) {
-            solve(some.get(b), state, time, force);
-            addForces(some.get(b), force);
+            Block block = some.get(b);
+            solve(block, state, time, force);
+            block.addForces(force);
+            for (int i = block.held.nextSetBit(0); i >= 0; i = block.held.nextSetBit(i + 1)) {
+                Arrays.fill(force, STRIDE * i + 3, STRIDE * (i + 1), 0.0);
+            }
         }
     }
 
@@ -273,19 +277,9 @@ final class Blocks {
         return scale;
     }
 
-    /** Adds the forces found by {@link #solve}. */
-    void addForces(Block block, double[] force) {
-        block.addForces(force);
-        for (int i = block.held.nextSetBit(0); i >= 0; i = block.held.nextSetBit(i + 1)) {
-            Arrays.fill(force, STRIDE * i + 3, STRIDE * (i + 1), 0.0);
-        }
-    }
-
     /** Sums the forces of effects, rods, wires and contacts, for the particles of a block. */
     double[] addUp(Block block, double[] force) {
-        if (total.length != force.length) {
-            total = new double[force.length];
-        }
+        total = total.length == force.length ? total : new double[force.length];
         for (int i : block.particles) {
             System.arraycopy(force, STRIDE * i + 3, total, STRIDE * i + 3, 3);
         }
@@ -307,6 +301,9 @@ final class Blocks {
      */
     void correct(Block block, double[] state, int place, boolean mayOpen, int pairs) {
         block.take(state, pairs);
+        if (place == 0) {
+            block.rows.evaluate(state, true);
+        }
         correctTaken(block, state, place, mayOpen);
     }
 

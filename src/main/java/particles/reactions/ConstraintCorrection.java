@@ -28,8 +28,14 @@ final class ConstraintCorrection {
         all = IntStream.range(0, rows.count).filter(r -> rows.kind[r] != Rows.Kind.BALLS).toArray();
     }
 
+    /** Corrects positions, then velocities; returns whether anything was changed. */
+    boolean project(double[] state, double time) {
+        boolean moved = positions(state, time);
+        return velocities(state) | moved;
+    }
+
     /** @return whether anything was moved */
-    boolean positions(double[] state, double time) {
+    private boolean positions(double[] state, double time) {
         double before = Double.POSITIVE_INFINITY;
         for (int iteration = 0;; iteration++) {
             rows.evaluate(state, true);
@@ -55,7 +61,7 @@ final class ConstraintCorrection {
     }
 
     /** @return whether anything was changed */
-    boolean velocities(double[] state) {
+    private boolean velocities(double[] state) {
         rows.evaluate(state, true);
         boolean changed = false;
         for (int r : all) {

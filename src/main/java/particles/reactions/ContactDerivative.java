@@ -22,7 +22,6 @@ final class ContactDerivative {
 
     private final Blocks blocks;
     private final double time;
-    private final double[] total = new double[3];
     private final double[] byForce = new double[9];
     private final double[] byPosition = new double[9];
     private final double[] byVelocity = new double[9];
@@ -54,34 +53,26 @@ final class ContactDerivative {
         return size > 0 ? size : 1;
     }
 
-    /** Differentiates the total force by the three entries of an array from an index on; by none if the size is 0. */
+    /**
+     * Differentiates the total force on the block's particle, 0 if it is held, by the three entries of an array from an
+     * index on; by none if the size is 0.
+     */
     private void vary(Block block, double[] vector, int place, double size, double[] state, double[] force,
             double[] result) {
+        int f = STRIDE * block.particles[0] + 3;
         double step = STEP * size;
         Arrays.fill(result, 0);
         for (int c = 0; c < 3 && size > 0; c++) {
             double value = vector[place + c];
             for (int k = 0; k < WEIGHTS.length; k++) {
                 vector[place + c] = value + STEPS[k] * step;
-                findTotal(block, state, force);
-                for (int row = 0; row < 3; row++) {
-                    result[3 * row + c] += WEIGHTS[k] / step * total[row];
+                blocks.solve(block, state, time, force);
+                double[] total = blocks.addUp(block, force);
+                for (int row = 0; row < 3 && block.held.isEmpty(); row++) {
+                    result[3 * row + c] += WEIGHTS[k] / step * total[f + row];
                 }
             }
             vector[place + c] = value;
-        }
-    }
-
-    /** The total force on the particle of the block. */
-    private void findTotal(Block block, double[] state, double[] force) {
-        int f = STRIDE * block.particles[0] + 3;
-        System.arraycopy(force, f, total, 0, 3);
-        blocks.solve(block, state, time, force);
-        blocks.addForces(block, force);
-        for (int c = 0; c < 3; c++) {
-            double sum = force[f + c];
-            force[f + c] = total[c];
-            total[c] = sum;
         }
     }
 }

@@ -41,6 +41,10 @@ public final class RestingContacts implements Reaction {
     /** Relative to the speed before: less than this is left where the forces change a little in the step of a stop. */
     private static final double ALMOST_STOPPED = 0.01;
 
+    /** Largest distance from surfaces that a particle was put on, relative to 1 m plus that from the origin. */
+    private static final double ON_ALL = 1e-13;
+    private static final int MOST_ITERATIONS = 100;
+
     private final ParticleSystem system;
     private final Particles particles;
     private final List<ContactSurface> surfaces;
@@ -110,10 +114,6 @@ public final class RestingContacts implements Reaction {
         return blocks;
     }
 
-    BlockImpacts getImpacts() {
-        return impacts;
-    }
-
     /**
      * @param particle its index
      * @return whether it is coupled to others, which then feel an impulse on it
@@ -122,46 +122,21 @@ public final class RestingContacts implements Reaction {
         return blocks.isCoupled(particle);
     }
 
-    /**
-     * Applies an impact to a coupled particle: its whole linkage changes velocity by the impulses of rods, wires and
-     * other touched surfaces, without friction, but not by those of balls in contact. Sticking particles slide from now
-     * on, and lifted ones lose contact.
-     *
-     * @param surface  the surface's index
-     * @param particle the particle's index
-     * @param leaving  the speed with which it leaves (m/s)
-     * @param state    the state, in which velocities are changed
-     */
-    public void strike(int surface, int particle, double leaving, double[] state) {
-        impacts.strike(surface, particle, leaving, state);
+    /** @return the impacts of these contacts */
+    public BlockImpacts getImpacts() {
+        return impacts;
     }
 
     /**
-     * Whether a surface can push a particle away. It cannot where rods and wires keep the particle from moving across
-     * the surface, as at the bottom of a wire that touches the ground there: the wire then carries the particle, and
-     * the surface exerts no force.
+     * Corrects the velocities of a particle or its linkage after one of them was changed: no rod is stretched, no
+     * touched surface is entered or left, and sticking particles stay.
      *
-     * @param surface  the surface's index
-     * @param particle the particle's index
-     * @param state    the state, with the particle on the surface
-     * @return true for every particle that is not coupled
-     */
-    public boolean canPush(int surface, int particle, double[] state) {
-        return !isCoupled(particle) || impacts.canPush(surface, particle, state);
-    }
-
-    /**
-     * Corrects the velocities of a linkage after one of them was changed: no rod is stretched, no touched surface
-     * entered, and sticking particles stay. Does nothing for a particle that is not coupled.
-     *
-     * @param particle a particle of the linkage
+     * @param particle the particle, or one of the linkage
      * @param balls    whether balls in contact may not separate either
      * @param state    the state, in which velocities are changed
      */
     public void settle(int particle, boolean balls, double[] state) {
-        if (isCoupled(particle)) {
-            blocks.correct(blocks.of(particle), state, 3, false, balls ? Block.ALL : Block.NONE);
-        }
+        blocks.correct(blocks.of(particle), state, 3, false, balls ? Block.ALL : Block.NONE);
     }
 
     /**
@@ -171,9 +146,7 @@ public final class RestingContacts implements Reaction {
      * @param time  t (s), for messages
      */
     public void putBack(double[] state, double time) {
-        ConstraintCorrection correction = new ConstraintCorrection(blocks);
-        correction.positions(state, time);
-        correction.velocities(state);
+        new ConstraintCorrection(blocks).project(state, time);
     }
 
     /**
@@ -362,13 +335,20 @@ public final class RestingContacts implements Reaction {
     }
 
     /**
-     * Removes the components of a particle's velocity into the surfaces that it touches, by the smallest impulses along
-     * their normals. All surfaces are solved together, since the impulse of one may push the particle into another.
+     * Puts a particle on all the surfaces that it touches, with no velocity across them: all are solved together, since
+     * to correct one may push the particle into another. Does nothing for a coupled particle.
      *
      * @param particle its index
-     * @param state    the state, in which its velocity is changed
+     * @param state    the state, in which its position and velocity are changed
      */
-    public void stopEntering(int particle, double[] state) {
-        blocks.correct(blocks.of(particle), state, 3, true, Block.NONE);
+    public void putOnSurfaces(int particle, double[] state) {
+        Block block = blocks.of(particle);
+        double near = ON_ALL * (1 + Vector3.at(state, STRIDE * particle).norm1());
+        double off = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < MOST_ITERATIONS && off > near && !block.isJoined(); k++) {
+            blocks.correct(block, state, 0, false, Block.ALL);
+            off = IntStream.range(0, block.rows.count).mapToDouble(r -> Math.abs(block.rows.value[r])).max().orElse(0);
+            settle(particle, false, state);
+        }
     }
 }

@@ -151,9 +151,7 @@ public final class RigidConstraints implements Reaction, SpringView {
      * @throws SimulationException if no nearby positions satisfy the constraints
      */
     public boolean project(double[] state, double time) {
-        ConstraintCorrection correction = new ConstraintCorrection(blocks);
-        boolean moved = correction.positions(state, time);
-        return correction.velocities(state) | moved;
+        return new ConstraintCorrection(blocks).project(state, time);
     }
 
     /** {@inheritDoc} Errors of rods and contacts are relative to their lengths, those of wires to 1 m. */

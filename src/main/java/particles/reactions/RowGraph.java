@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import particles.law.Particles;
 
 /**
@@ -13,22 +14,21 @@ import particles.law.Particles;
  * matrix has a small bandwidth.
  */
 final class RowGraph {
-    private final Rows rows;
-    private final Map<Integer, List<Integer>> rowsOf = new HashMap<>();     // by movable particle
-    private final Particles particles;
+    private final List<List<Integer>> neighbours = new ArrayList<>();       // by row
 
     RowGraph(Rows rows, Particles particles) {
-        this.rows = rows;
-        this.particles = particles;
+        Map<Integer, List<Integer>> rowsOf = new HashMap<>();               // by movable particle
         for (int r = 0; r < rows.count; r++) {
-            join(r, rows.first[r]);
-            join(r, rows.second[r]);
+            for (int i : new int[] {rows.first[r], rows.second[r]}) {
+                if (i >= 0 && !particles.isFixed(i)) {
+                    rowsOf.computeIfAbsent(i, p -> new ArrayList<>()).add(r);
+                }
+            }
         }
-    }
-
-    private void join(int row, int particle) {
-        if (particle >= 0 && !particles.isFixed(particle)) {
-            rowsOf.computeIfAbsent(particle, p -> new ArrayList<>()).add(row);
+        for (int r = 0; r < rows.count; r++) {
+            List<Integer> all = new ArrayList<>(rowsOf.getOrDefault(rows.first[r], List.of()));
+            all.addAll(rowsOf.getOrDefault(rows.second[r], List.of()));
+            neighbours.add(all);
         }
     }
 
@@ -38,40 +38,23 @@ final class RowGraph {
      */
     List<int[]> parts() {
         List<int[]> parts = new ArrayList<>();
-        boolean[] placed = new boolean[rows.count];
-        Comparator<Integer> byDegree = Comparator.comparingInt(this::degree);
-        List<Integer> all = new ArrayList<>();
-        for (int r = 0; r < placed.length; r++) {
-            all.add(r);
-        }
-        all.sort(byDegree);
-        for (int start : all) {
-            if (placed[start]) {
-                continue;
-            }
+        boolean[] placed = new boolean[neighbours.size()];
+        Comparator<Integer> byDegree = Comparator.comparingInt(row -> neighbours.get(row).size());
+        IntStream.range(0, placed.length).boxed().sorted(byDegree).filter(row -> !placed[row]).forEach(start -> {
             List<Integer> part = new ArrayList<>();
             ArrayDeque<Integer> queue = new ArrayDeque<>(List.of(start));
             placed[start] = true;
             while (!queue.isEmpty()) {
                 int row = queue.remove();
                 part.add(row);
-                neighbours(row).stream().filter(other -> !placed[other]).distinct().sorted(byDegree).forEach(other -> {
-                    placed[other] = true;
-                    queue.add(other);
-                });
+                neighbours.get(row).stream().filter(other -> !placed[other]).distinct().sorted(byDegree)
+                        .forEach(other -> {
+                            placed[other] = true;
+                            queue.add(other);
+                        });
             }
             parts.add(part.stream().mapToInt(Integer::intValue).toArray());
-        }
+        });
         return parts;
-    }
-
-    private int degree(int row) {
-        return neighbours(row).size();
-    }
-
-    private List<Integer> neighbours(int row) {
-        List<Integer> all = new ArrayList<>(rowsOf.getOrDefault(rows.first[row], List.of()));
-        all.addAll(rowsOf.getOrDefault(rows.second[row], List.of()));
-        return all;
     }
 }

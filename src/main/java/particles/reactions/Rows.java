@@ -39,9 +39,6 @@ final class Rows {
     double[] pull = {};                                 // the force on both per 1 N of the row, with sliding friction
     double[] push = {};                                 // of a contact without friction (N)
     private int changes;
-    private final double[] values = new double[Curve.ROWS];
-    private final double[] gradients = new double[3 * Curve.ROWS];
-    private final double[] bends = new double[Curve.ROWS];
 
     void clear() {
         count = 0;
@@ -168,10 +165,10 @@ final class Rows {
             if (kind[r] == Kind.SURFACE) {
                 evaluateContact(r, state, x, withDistance);
             } else if (kind[r] == Kind.WIRE) {
-                curve[r].evaluate(state, x, values, gradients, bends);
-                value[r] = values[function[r]];
-                bend[r] = bends[function[r]];
-                System.arraycopy(gradients, 3 * function[r], gradient, 6 * r, 3);
+                Vector3 at = Vector3.at(state, x);
+                value[r] = curve[r].value(function[r], at);
+                bend[r] = curve[r].bend(function[r], at, Vector3.at(state, x + 3));
+                curve[r].gradient(function[r], at).put(gradient, 6 * r);
                 rate[r] = dot(gradient, 6 * r, state, x + 3);
             } else {
                 evaluateLink(r, state, x, STRIDE * second[r]);

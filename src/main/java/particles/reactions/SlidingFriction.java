@@ -3,6 +3,7 @@ package particles.reactions;
 import java.util.Arrays;
 import particles.ParticleSystem;
 import particles.law.Particles;
+import particles.law.Vector3;
 import particles.reactions.Rows.Kind;
 import particles.reactions.contact.Friction;
 
@@ -73,7 +74,7 @@ final class SlidingFriction {
      */
     boolean startsFromRest(int particle) {
         int v = Particles.STRIDE * particle + 3;
-        return v < stepBegin.length && stepBegin[v] == 0 && stepBegin[v + 1] == 0 && stepBegin[v + 2] == 0;
+        return v < stepBegin.length && Vector3.at(stepBegin, v).norm1() <= RestingContacts.ROUNDING;
     }
 
     /** Whether two rows are contacts of one particle with surfaces. */

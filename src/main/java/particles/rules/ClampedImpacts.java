@@ -87,10 +87,12 @@ public final class ClampedImpacts extends Impacts {
             double most = Math.max(Math.abs(gained), Math.abs(speed - normal.dot(velocity(before, i))));
             double leaving = surface.restitution() * atSurface;
             boolean rests = leaving <= Math.max(surface.restSpeed(), most);
-            bounce(system, p, i, leaving, rests);
-            if (rests && !contacts.isCoupled(i)) {      // it stays on others where it would be back in half a step
-                keepOnOthers(p, i, state, 0,
-                        velocity(forces(system), i).times(deltaT / 2 / system.getParticles().mass(i)));
+            // a particle that rests stays on others where it would be back in half a step
+            Vector3 pull = rests && !contacts.isCoupled(i)
+                    ? velocity(forces(system), i).times(deltaT / 2 / system.getParticles().mass(i)) : Vector3.ZERO;
+            bounce(system, p, i, leaving, rests, pull);
+            if (rests) {
+                contacts.putOnSurfaces(i, state);
                 forceKnown = false;
             }
         } else if (!contacts.isCoupled(i)) {
@@ -147,6 +149,7 @@ public final class ClampedImpacts extends Impacts {
         }
         double u = firstBelow(surface, before, state, deltaT, i, 0);
         if (!Double.isNaN(u)) {
+            double[] points = crossing.points;
             for (int c = 0; c < 3; c++) {
                 state[STRIDE * i + c] = (1 - u) * (1 - u) * ((1 - u) * points[c] + 3 * u * points[3 + c])
                         + u * u * (3 * (1 - u) * points[6 + c] + u * points[9 + c]);

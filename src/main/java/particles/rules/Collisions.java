@@ -43,10 +43,6 @@ public final class Collisions implements EventRule {
     private final double largest;
     private final NeighbourGrid grid = new NeighbourGrid();
     private final FirstCrossing crossing = new FirstCrossing();
-    private final double[] points = new double[12];
-    private final double[] coefficients = new double[FirstCrossing.MOST_COEFFICIENTS];
-    private double[] moves = {};                        // the farthest that each particle may get in a motion
-    private int[] near = {};
 
     /**
      * The law of impact.
@@ -98,12 +94,6 @@ public final class Collisions implements EventRule {
     /** Balls that begin in contact, and are pressed on each other, stay in contact from the start. */
     @Override
     public void start(ParticleSystem system) {
-        double[] state = system.getOwnState();
-        findPairs(system, state, new double[system.getParticles().count()], (i, j) -> {
-            if (gap(state, i, j) <= slack(state, i) && Math.abs(rate(state, i, j)) <= balls.restSpeed) {
-                touching.touch(i, j, reach(i, j));
-            }
-        });
         settle(system);
     }
 
@@ -129,29 +119,24 @@ public final class Collisions implements EventRule {
                 found.add(new ExactImpacts.Change(Math.nextDown(motion.getEndTime()), true, this::push, this::release));
             }
         }
-        moves = moves.length < system.getParticles().count() ? new double[system.getParticles().count()] : moves;
+        double h = motion.getEndTime() - motion.getStartTime();
+        double[] moves = new double[system.getParticles().count()];     // the farthest that each may get
         for (int i = 0; i < system.getParticles().count(); i++) {
-            Arrays.fill(points, 0);
-            addPath(motion, i, 1);
-            moves[i] = 0;
+            crossing.begin(begin, motion.getEndState(), h, i);
             for (int k = 3; k < 12; k += 3) {
-                moves[i] = Math.max(moves[i], Vector3.at(points, k).minus(Vector3.at(points, 0)).length());
+                moves[i] = Math.max(moves[i], Vector3.at(crossing.points, k).minus(Vector3.at(begin, STRIDE * i))
+                        .length());
             }
         }
         double size = ExactImpacts.DEEP * ExactImpacts.size(motion);
         findPairs(system, begin, moves, (i, j) -> findMeeting(motion, i, j, size, found));
     }
 
-    private void addPath(Motion motion, int i, int factor) {
-        Impacts.addPath(points, factor, motion.getStartState(), motion.getEndState(),
-                motion.getEndTime() - motion.getStartTime(), i);
-    }
-
     /** Finds all pairs that are in reach, may move relative to each other and are not in contact. */
     private void findPairs(ParticleSystem system, double[] state, double[] moves, Pair pair) {
         Particles particles = system.getParticles();
         int n = particles.count();
-        near = near.length < n ? new int[n] : near;
+        int[] near = new int[n];
         double farthest = Arrays.stream(moves).max().orElse(0);
         Set<List<Integer>> links = touching.findLinks();
         grid.build(state, n, (2 * largest + 2 * farthest) * (1 + TOUCHING) + TOUCHING);
@@ -172,14 +157,10 @@ public final class Collisions implements EventRule {
         double gap = gap(begin, i, j);
         boolean begins = gap <= slack(begin, i);
         double below = begins ? Math.max(0, rounding + ExactImpacts.DEEP * reach(i, j) - gap) : 0;
-        Arrays.fill(points, 0);
-        addPath(motion, i, 1);
-        addPath(motion, j, -1);
-        int count = new Sphere(Vector3.ZERO, reach(i, j), false).separation(points, coefficients);
-        for (int k = 0; k < count; k++) {
-            coefficients[k] += below * (2 * reach(i, j) - below);
-        }
-        double u = crossing.of(coefficients, count);
+        double h = motion.getEndTime() - motion.getStartTime();
+        crossing.begin(begin, motion.getEndState(), h, i);
+        crossing.add(-1, begin, motion.getEndState(), h, j);
+        double u = crossing.into(new Sphere(Vector3.ZERO, reach(i, j), false), below * (2 * reach(i, j) - below));
         if (!Double.isNaN(u)) {
             ToDoubleFunction<ParticleSystem> function = s -> {
                 double above = gap(s.getOwnState(), i, j) + below;
@@ -192,9 +173,17 @@ public final class Collisions implements EventRule {
         }
     }
 
-    /** Applies the impacts of balls in contact; contacts that do not push end. */
+    /**
+     * Applies the impacts of balls in contact; contacts that do not push end. Balls that touch but for round-off and
+     * are as slow as at rest take part: left out, a ball could bounce for ever in a gap of round-off size.
+     */
     private void settle(ParticleSystem system) {
         double[] state = system.getOwnState();
+        findPairs(system, state, new double[system.getParticles().count()], (i, j) -> {
+            if (gap(state, i, j) <= slack(state, i) && Math.abs(rate(state, i, j)) <= balls.restSpeed) {
+                touching.touch(i, j, reach(i, j));
+            }
+        });
         int r = findImpact(state);
         for (int left = MOST_IMPACTS * touching.end(); r >= 0 && left > 0; left--) {
             double leaving = -balls.restitution * separation(r, state);

@@ -66,7 +66,9 @@ public final class ExactImpacts extends Impacts implements EventRule {
             for (int i = 0; !surface.obstacle().isFlat() && i < system.getParticles().count(); i++) {
                 if (modes.get(p, i) != Mode.FREE) {
                     putOn(surface, state, i);
-                    contacts.stopEntering(i, state);
+                    if (!contacts.isCoupled(i)) {
+                        contacts.settle(i, false, state);
+                    }
                 } else if (surface.distance(state, i) < 0 && surface.normalSpeed(state, i) >= 0
                         && !system.getParticles().isFixed(i)) {
                     lift(surface, state, i);
@@ -197,11 +199,8 @@ public final class ExactImpacts extends Impacts implements EventRule {
             double leaving = approach < 0 ? -surface.restitution() * approach : approach;   // born inside: it leaves
             boolean rests = leaving <= surface.restSpeed();
             boolean isAlone = !contacts.isCoupled(i);
-            bounce(system, p, i, leaving, rests);
-            if (isAlone) {
-                contacts.stopEntering(i, state);
-                keepOnOthers(p, i, state, ROUNDING * speed, Vector3.ZERO);
-            }
+            bounce(system, p, i, leaving, rests, Vector3.ZERO);
+            contacts.putOnSurfaces(i, state);
             if (rests || isAlone) {
                 stickIfSlow(system, i, speed);
             }

@@ -1,5 +1,9 @@
 package particles.rules;
 
+import java.util.Arrays;
+import particles.law.Obstacle;
+import particles.law.Particles;
+
 /**
  * Finds the first root at which a polynomial becomes negative, by subdivision of its B&eacute;zier form: a piece
  * without negative coefficients is nowhere negative, so that no crossing is missed, however short. (Method: T.
@@ -7,7 +11,7 @@ package particles.rules;
  */
 final class FirstCrossing {
     /** The number of coefficients of a squared cubic. */
-    static final int MOST_COEFFICIENTS = 7;
+    private static final int MOST_COEFFICIENTS = 7;
     private static final int DEEPEST = 45;
     /** Far more than 6 roots need, each at the end of {@value #DEEPEST} halvings; only round-off takes more. */
     private static final int MOST_PIECES = 10_000;
@@ -15,6 +19,34 @@ final class FirstCrossing {
     /** The right halves still to be searched, by depth, and the current piece at its own depth. */
     private final double[][] pieces = new double[DEEPEST + 2][MOST_COEFFICIENTS];
     private int searched;
+    /** The path: the four B&eacute;zier points of a cubic (m). */
+    final double[] points = new double[12];
+    private final double[] coefficients = new double[MOST_COEFFICIENTS];
+
+    /** Begins with the path of a particle, the cubic between two states that are a time h apart (s). */
+    void begin(double[] begin, double[] end, double h, int i) {
+        Arrays.fill(points, 0);
+        add(1, begin, end, h, i);
+    }
+
+    /** Adds a multiple of a particle's path. */
+    void add(int factor, double[] begin, double[] end, double h, int i) {
+        for (int c = 0, x = Particles.STRIDE * i; c < 3; c++, x++) {
+            points[c] += factor * begin[x];
+            points[3 + c] += factor * (begin[x] + h * begin[x + 3] / 3);
+            points[6 + c] += factor * (end[x] - h * end[x + 3] / 3);
+            points[9 + c] += factor * end[x];
+        }
+    }
+
+    /** When the path first enters an obstacle whose separation is larger by an amount; NaN if it does not. */
+    double into(Obstacle obstacle, double more) {
+        int count = obstacle.separation(points, coefficients);
+        for (int k = 0; k < count; k++) {
+            coefficients[k] += more;
+        }
+        return of(coefficients, count);
+    }
 
     /**
      * @param coefficients B&eacute;zier coefficients; for a cubic f: f(0), f(0) + f'(0)/3, f(1) - f'(1)/3, f(1)

@@ -1,6 +1,5 @@
 package particles.rules;
 
-import java.util.Arrays;
 import java.util.List;
 import particles.ParticleSystem;
 import particles.Rule;
@@ -23,20 +22,15 @@ abstract class Impacts implements Rule {
     static final double ROUNDING = 1e-12;
     /** Largest distance from a surface in contact, relative to 1 m plus the distance from the origin. */
     private static final double ON_SURFACE = 1e-9;
-    /** The same for {@link #keepOnOthers}, which puts a particle on all its surfaces. */
-    private static final double ON_ALL = 1e-13;
-    private static final int MOST_SWEEPS = 100;
     /** The largest error of an event's time, in ulps of the clock. */
     private static final int CLOCK_ROUNDINGS = 4;
 
     final RestingContacts contacts;
     final List<ContactSurface> surfaces;
     final ContactModes modes;
-    final double[] points = new double[12];             // of the last path: the cubic's Bezier points
     boolean forceKnown;
     private double[] force = {};
-    private final FirstCrossing crossing = new FirstCrossing();
-    private final double[] coefficients = new double[FirstCrossing.MOST_COEFFICIENTS];
+    final FirstCrossing crossing = new FirstCrossing();
 
     Impacts(RestingContacts contacts) {
         this.contacts = contacts;
@@ -98,19 +92,14 @@ abstract class Impacts implements Rule {
     }
 
     /**
-     * Lets a particle leave a surface or rest on it. If it is coupled, rods and wires transmit the impulse, which may
-     * lift others off.
+     * Lets a particle leave a surface or rest on it. Rods, wires and other touched surfaces transmit the impulse, which
+     * may lift it or others off.
      *
      * @param leaving the normal speed with which it leaves (m/s)
+     * @param pull    a velocity whose component into a surface brings a lifted particle back in time (m/s)
      */
-    final void bounce(ParticleSystem system, int p, int i, double leaving, boolean rests) {
-        double[] state = system.getOwnState();
-        if (contacts.isCoupled(i)) {
-            contacts.strike(p, i, rests ? 0 : leaving, state);
-        } else if (!rests) {
-            Vector3 normal = surfaces.get(p).normal(state, i);
-            moveAlong(normal, state, STRIDE * i + 3, leaving - normal.dot(velocity(state, i)));
-        }
+    final void bounce(ParticleSystem system, int p, int i, double leaving, boolean rests, Vector3 pull) {
+        contacts.getImpacts().strike(p, i, rests ? 0 : leaving, pull, system.getOwnState());
         if (rests) {
             rest(system, p, i);
         }
@@ -118,44 +107,12 @@ abstract class Impacts implements Rule {
 
     /** Lets a particle rest on a surface; where contact lasts until a release, only if the forces press it on. */
     private void rest(ParticleSystem system, int p, int i) {
-        if (contacts.canPush(p, i, system.getOwnState())) {
+        if (contacts.getImpacts().canPush(p, i, system.getOwnState())) {
             stopAlong(surfaces.get(p).normal(system.getOwnState(), i), system.getOwnState(), i);
             modes.set(p, i, Mode.SLIDING);
             modes.setWhereTouching(i, Mode.SLIDING);
             if (contacts.isHolding() && pressure(system, p, i) <= 0) {
                 modes.set(p, i, Mode.FREE);
-            }
-        }
-    }
-
-    /**
-     * Puts a particle that hit surface p onto the others that it touches, as at the bottom of a groove, one after the
-     * other until only round-off is left. An impulse may lift it off another: it leaves that one if it is faster than
-     * the rest speed and than the given limits.
-     *
-     * @param slow speeds below this are round-off (m/s)
-     * @param pull a velocity whose component into a surface brings it back in time (m/s)
-     */
-    final void keepOnOthers(int p, int i, double[] state, double slow, Vector3 pull) {
-        for (int q = 0; q < surfaces.size(); q++) {
-            ContactSurface other = surfaces.get(q);
-            double back = -other.normal(state, i).dot(pull);
-            if (q != p && modes.get(q, i) != Mode.FREE
-                    && other.normalSpeed(state, i) > Math.max(other.restSpeed(), Math.max(slow, back))) {
-                modes.set(q, i, Mode.FREE);
-            }
-        }
-        double near = ON_ALL / ON_SURFACE * slack(state, i);
-        boolean put = false;
-        for (int sweep = 0; sweep < MOST_SWEEPS && !put; sweep++) {
-            put = true;
-            for (int q = 0; q < surfaces.size(); q++) {
-                if (modes.get(q, i) != Mode.FREE) {
-                    ContactSurface surface = surfaces.get(q);
-                    put &= Math.abs(surface.distance(state, i)) <= near
-                            && Math.abs(surface.normalSpeed(state, i)) <= slow;
-                    putOn(surface, state, i);
-                }
             }
         }
     }
@@ -211,34 +168,18 @@ abstract class Impacts implements Rule {
     }
 
     /**
-     * Finds where a particle first goes below a surface, on the cubic between two states; its B&eacute;zier points are
-     * left in {@link #points}.
+     * Finds where a particle first goes below a surface, on the cubic between two states; its path is left in {@link
+     * #crossing}.
      *
      * @param h     the time between the states (s)
      * @param below how far below it has to go (m)
      * @return the fraction of the time, 0 ... 1; NaN if it does not
      */
     final double firstBelow(ContactSurface surface, double[] begin, double[] end, double h, int i, double below) {
-        Arrays.fill(points, 0);
-        addPath(points, 1, begin, end, h, i);
-        int count = surface.obstacle().separation(points, coefficients);
+        crossing.begin(begin, end, h, i);
         // a sphere's coefficients are those of r^2 - R^2 = (r - R) (r + R)
         double more = surface.obstacle().isFlat() ? below : 2 / surface.curvature(begin, i) * below;
-        more += surface.obstacle().raise(surface.radius().applyAsDouble(i));
-        for (int k = 0; k < count; k++) {
-            coefficients[k] += more;
-        }
-        return crossing.of(coefficients, count);
-    }
-
-    /** Adds a multiple of the B&eacute;zier points of a particle's path, the cubic between two states. */
-    static void addPath(double[] points, int factor, double[] begin, double[] end, double h, int i) {
-        for (int c = 0, x = STRIDE * i; c < 3; c++, x++) {
-            points[c] += factor * begin[x];
-            points[3 + c] += factor * (begin[x] + h * begin[x + 3] / 3);
-            points[6 + c] += factor * (end[x] - h * end[x + 3] / 3);
-            points[9 + c] += factor * end[x];
-        }
+        return crossing.into(surface.obstacle(), more + surface.obstacle().raise(surface.radius().applyAsDouble(i)));
     }
 
     /** Whether a particle is on a surface but for round-off. */

@@ -151,8 +151,10 @@ class BlowUpMessageTest {
     }
 
     /** The times of the bounces converge: without a rest speed, they are more than any number in one step. */
-    @Test
-    void bouncesWithoutEndNameTheRestSpeed() {
+    @ParameterizedTest
+    @ValueSource(strings = {"ground: {restitution: 0.8, restSpeed: 0}",
+        "collisions: {radius: 0.25, restitution: 0.8, restSpeed: 0}"})
+    void bouncesWithoutEndNameTheRestSpeed(String rule) {
         String text = """
                 title: A ball
                 teaches: When bounces end.
@@ -162,12 +164,12 @@ class BlowUpMessageTest {
                 impact: exact
                 particles:
                   - {id: a, position: [0, 1, 0]}
+                  - {id: stand, position: [0, -0.5, 0], fixed: true}
                 effects: [gravity]
                 rules:
-                  - ground: {restitution: 0.8, restSpeed: 0}
-                """;
-        Scene scene = TestScenes.build(text);
-        String lines = blowUp(scene);
+                  - %s
+                """.formatted(rule);
+        String lines = blowUp(TestScenes.build(text));
         assertTrue(lines.matches("rk4 stopped at t = 4\\.06 s: contacts make no headway: .*\nwith restSpeed 0, bounces"
                 + " become ever smaller and never end\ntry restSpeed: 0\\.01 in the scene's rule"), lines);
     }

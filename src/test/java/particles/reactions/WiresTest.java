@@ -60,22 +60,13 @@ class WiresTest {
         double h = 1e-4;
         for (int k = 0; k < 20; k++) {
             double[] state = random.doubles(6, -1, 1).toArray();
-            double[][] values = new double[3][2];
-            double[] gradients = new double[6];
-            double[] bends = new double[2];
-            for (int s = -1; s <= 1; s++) {
-                double[] moved = state.clone();
-                for (int c = 0; c < 3; c++) {
-                    moved[c] += s * h * state[3 + c];
-                }
-                curve.evaluate(moved, 0, values[s + 1], new double[6], bends);
-            }
-            curve.evaluate(state, 0, values[1], gradients, bends);
+            Vector3 x = Vector3.at(state, 0);
+            Vector3 v = Vector3.at(state, 3);
             for (int r = 0; r < 2; r++) {
-                double rate = gradients[3 * r] * state[3] + gradients[3 * r + 1] * state[4]
-                        + gradients[3 * r + 2] * state[5];
-                assertEquals((values[2][r] - values[0][r]) / (2 * h), rate, 1e-7);
-                assertEquals((values[2][r] - 2 * values[1][r] + values[0][r]) / (h * h), bends[r], 9e-7);
+                double before = curve.value(r, x.minus(v.times(h)));
+                double after = curve.value(r, x.plus(v.times(h)));
+                assertEquals((after - before) / (2 * h), curve.gradient(r, x).dot(v), 1e-7);
+                assertEquals((after - 2 * curve.value(r, x) + before) / (h * h), curve.bend(r, x, v), 9e-7);
             }
         }
     }

@@ -15,7 +15,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.junit.jupiter.params.provider.ValueSource;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
@@ -342,10 +341,13 @@ class CollisionsTest {
         assertTrue(run.work("collisions") < 0 || text.contains("period") || text.contains("duration"), "a loss");
     }
 
-    /** Nine balls fall into a box: dependent contacts open, close, stick and slide, until all balls lie still. */
+    /**
+     * Nine balls fall into a box: dependent contacts open, close, stick and slide, until all balls lie still. In a gap
+     * of round-off size a ball may not bounce between two others for ever, and round-off is no direction of sliding.
+     */
     @ParameterizedTest
-    @ValueSource(doubles = {0, 0.3})
-    void aBoxOfBallsComesToRest(double friction) {
+    @CsvSource({"0.47, 0", "0.47, 0.3", "0.53, 0.3"})
+    void aBoxOfBallsComesToRest(double half, double friction) {
         String law = "restitution: 0.3, friction: {law: coulomb, coefficient: " + friction + "}";
         ShortRun run = ShortRun.of("rk4 exact 0.005 1.5", """
                 shapes:
@@ -353,10 +355,10 @@ class CollisionsTest {
                             columns: 3, rows: 3, mass: 1, surface: false}
                 rules:
                   - collisions: {radius: 0.1, restitution: 0.3, friction: %s}
-                  - plane: {point: [-0.5, 0, 0], normal: [1, 0, 0], %s}
-                  - plane: {point: [0.5, 0, 0], normal: [-1, 0, 0], %2$s}
-                  - ground: {%2$s}
-                """.formatted(friction, law));
+                  - plane: {point: [-%s, 0, 0], normal: [1, 0, 0], %s}
+                  - plane: {point: [%2$s, 0, 0], normal: [-1, 0, 0], %3$s}
+                  - ground: {%3$s}
+                """.formatted(friction, half, law));
         double fastest = 0;
         for (int i = 0; i < 9; i++) {
             fastest = Math.max(fastest, Vector3.at(run.getScene().system().getOwnState(), 6 * i + 3).length());

@@ -12,7 +12,6 @@ public final class EnvelopeMatrix {
     private int size;
     private int[] first = new int[4];                   // column of a row's first entry
     private int[] begin = new int[4];                   // index where column 0 of a row would be
-    private int[] end = new int[4];                     // index after its diagonal
     private double[] lower = new double[16];            // A by rows, with the diagonal
     private double[] upper = new double[16];            // A by columns, without it
     private double[] l = new double[16];
@@ -28,12 +27,11 @@ public final class EnvelopeMatrix {
 
     /** Adds a row and a column of zeros. @param first the first entry that can differ from zero */
     public void add(int first) {
-        int place = size == 0 ? 0 : end[size - 1];
+        int place = size == 0 ? 0 : begin[size - 1] + size;
         int after = place + size - first + 1;
         if (size == this.first.length) {
             this.first = Arrays.copyOf(this.first, 2 * size);
             begin = Arrays.copyOf(begin, 2 * size);
-            end = Arrays.copyOf(end, 2 * size);
             factored = new boolean[2 * size];
         }
         if (after > lower.length) {
@@ -43,8 +41,7 @@ public final class EnvelopeMatrix {
             u = new double[2 * after];
         }
         this.first[size] = first;
-        begin[size] = place - first;
-        end[size++] = after;
+        begin[size++] = place - first;
     }
 
     /** Sets A(row, column) and A(column, row), with the column in the envelope, not to the right of the diagonal. */

@@ -39,16 +39,19 @@ public final class CircularWire implements Curve {
     }
 
     @Override
-    public void evaluate(double[] state, int x, double[] values, double[] gradients, double[] bends) {
-        Vector3 d = Vector3.at(state, x).minus(centre);
-        Vector3 velocity = Vector3.at(state, x + 3);
-        values[0] = d.dot(axis);
-        axis.put(gradients, 0);
-        bends[0] = 0;
-        values[1] = (d.dot(d) - radius * radius) / (2 * radius);
-        gradients[3] = d.x() / radius;
-        gradients[4] = d.y() / radius;
-        gradients[5] = d.z() / radius;
-        bends[1] = velocity.dot(velocity) / radius;
+    public double value(int k, Vector3 x) {
+        Vector3 d = x.minus(centre);
+        return k == 0 ? d.dot(axis) : (d.dot(d) - radius * radius) / (2 * radius);
+    }
+
+    @Override
+    public Vector3 gradient(int k, Vector3 x) {
+        Vector3 d = x.minus(centre);
+        return k == 0 ? axis : new Vector3(d.x() / radius, d.y() / radius, d.z() / radius);
+    }
+
+    @Override
+    public double bend(int k, Vector3 x, Vector3 v) {
+        return k == 0 ? 0 : v.dot(v) / radius;
     }
 }

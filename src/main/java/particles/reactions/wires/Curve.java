@@ -1,5 +1,6 @@
 package particles.reactions.wires;
 
+import particles.law.Vector3;
 import particles.view.CurveView;
 
 /**
@@ -11,15 +12,12 @@ public interface Curve extends CurveView {
     /** The number of functions of a curve. */
     int ROWS = 2;
 
-    /**
-     * Evaluates both functions for a moving point.
-     *
-     * @param state     position (m) and velocity (m/s) of the point, in the six entries from {@code x} on
-     * @param x         index of the first of these entries
-     * @param values    receives the two values
-     * @param gradients receives the two gradients, one after the other, 6 doubles
-     * @param bends     receives, for each function, the second derivative along the velocity: v<sup>T</sup> H v with
-     *                  the function's matrix H of second derivatives
-     */
-    void evaluate(double[] state, int x, double[] values, double[] gradients, double[] bends);
+    /** @return the value of function k, 0 or 1, at a point: about its distance from where that is 0 (m) */
+    double value(int k, Vector3 x);
+
+    /** @return its gradient */
+    Vector3 gradient(int k, Vector3 x);
+
+    /** @return its second derivative along a velocity: v<sup>T</sup> H v with the matrix H of second derivatives */
+    double bend(int k, Vector3 x, Vector3 v);
 }

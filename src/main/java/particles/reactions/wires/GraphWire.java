@@ -76,15 +76,19 @@ public final class GraphWire implements Curve {
     }
 
     @Override
-    public void evaluate(double[] state, int x, double[] values, double[] gradients, double[] bends) {
-        Vector3 d = Vector3.at(state, x).minus(origin);
-        double s = d.dot(along);
-        double speed = Vector3.at(state, x + 3).dot(along);
-        values[0] = d.dot(across);
-        across.put(gradients, 0);
-        bends[0] = 0;
-        values[1] = d.dot(up) - profile.value.applyAsDouble(s);
-        up.minus(along.times(profile.slope.applyAsDouble(s))).put(gradients, 3);
-        bends[1] = -profile.bend.applyAsDouble(s) * speed * speed;
+    public double value(int k, Vector3 x) {
+        Vector3 d = x.minus(origin);
+        return k == 0 ? d.dot(across) : d.dot(up) - profile.value.applyAsDouble(d.dot(along));
+    }
+
+    @Override
+    public Vector3 gradient(int k, Vector3 x) {
+        return k == 0 ? across : up.minus(along.times(profile.slope.applyAsDouble(x.minus(origin).dot(along))));
+    }
+
+    @Override
+    public double bend(int k, Vector3 x, Vector3 v) {
+        double speed = v.dot(along);
+        return k == 0 ? 0 : -profile.bend.applyAsDouble(x.minus(origin).dot(along)) * speed * speed;
     }
 }

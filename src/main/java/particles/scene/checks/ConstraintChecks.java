@@ -177,16 +177,13 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
                     + " is fixed; a bead must be free to move");
         } else {
             Curve curve = wire.kind().curve(wire.values(), x);
-            double[] off = new double[Curve.ROWS];
-            double[] gradients = new double[3 * Curve.ROWS];
-            curve.evaluate(new double[] {x.x(), x.y(), x.z(), v.x(), v.y(), v.z()}, 0, off, gradients,
-                    new double[Curve.ROWS]);
-            for (int r = 0; r < Curve.ROWS; r++) {
-                double leaving = gradients[3 * r] * v.x() + gradients[3 * r + 1] * v.y() + gradients[3 * r + 2] * v.z();
-                if (Math.abs(off[r]) > ON_WIRE || Math.abs(leaving) > STILL) {
-                    problems.add(wire.values().place(WireKind.BEAD), Wording.quote(bead) + (Math.abs(off[r]) > ON_WIRE
+            for (int k = 0; k < Curve.ROWS; k++) {
+                double off = Math.abs(curve.value(k, x));
+                double leaving = Math.abs(curve.gradient(k, x).dot(v));
+                if (off > ON_WIRE || leaving > STILL) {
+                    problems.add(wire.values().place(WireKind.BEAD), Wording.quote(bead) + (off > ON_WIRE
                             ? " begins " + distance(curve, x) + " off its wire; place it on the wire"
-                            : " leaves its wire at " + Digits.exact(Math.abs(leaving))
+                            : " leaves its wire at " + Digits.exact(leaving)
                                     + " m/s; its velocity must be along the wire"));
                     break;
                 }
@@ -197,16 +194,15 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
 
     /** Describes the distance of a point from a wire, found by Newton's method. */
     private static String distance(Curve curve, Vector3 from) {
-        double[] off = new double[Curve.ROWS];
-        double[] g = new double[3 * Curve.ROWS];
         Vector3 at = from;
         for (int n = 0; n < MOST_STEPS; n++) {
-            curve.evaluate(new double[] {at.x(), at.y(), at.z(), 0, 0, 0}, 0, off, g, new double[Curve.ROWS]);
-            Vector3 a = Vector3.at(g, 0);
-            Vector3 b = Vector3.at(g, 3);
+            Vector3 a = curve.gradient(0, at);
+            Vector3 b = curve.gradient(1, at);
+            double toA = curve.value(0, at);
+            double toB = curve.value(1, at);
             double determinant = a.dot(a) * b.dot(b) - a.dot(b) * a.dot(b);
-            at = at.minus(a.times((b.dot(b) * off[0] - a.dot(b) * off[1]) / determinant))
-                    .minus(b.times((a.dot(a) * off[1] - a.dot(b) * off[0]) / determinant));
+            at = at.minus(a.times((b.dot(b) * toA - a.dot(b) * toB) / determinant))
+                    .minus(b.times((a.dot(a) * toB - a.dot(b) * toA) / determinant));
         }
         double distance = at.minus(from).length();
         return Double.isFinite(distance) ? "about " + Digits.few(distance) + " m" : "far";

@@ -74,6 +74,11 @@ public record SceneDescription(Values values, SolverDescription solving, Content
         return values.get(SceneFormat.IMPACT).equals("exact") || hasHardBalls();
     }
 
+    /** @return whether bounces become ever smaller and never end */
+    public boolean bouncesForEver() {
+        return contents.rules().stream().anyMatch(RuleKind::bouncesForEver);
+    }
+
     /** @return whether particles are hard balls */
     public boolean hasHardBalls() {
         return contents.rules().stream().anyMatch(RuleKind::hasBalls);

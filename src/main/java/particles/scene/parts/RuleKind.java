@@ -89,6 +89,12 @@ public class RuleKind extends Kind {
                 * Math.min(duration, rule.find(BirthAndDeath.LIFETIME).orElse(duration) + deltaT);
     }
 
+    /** @return whether a rule makes particles bounce lower and lower, without end */
+    public static boolean bouncesForEver(Chosen<RuleKind> rule) {
+        return rule.values().find(REST_SPEED).filter(speed -> speed == 0).isPresent()
+                && rule.values().get(RESTITUTION) > 0;
+    }
+
     /** @return whether this rule of a scene makes hard balls of particles */
     public static boolean hasBalls(Chosen<RuleKind> rule) {
         return rule.kind() == COLLISIONS;
