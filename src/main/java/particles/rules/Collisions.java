@@ -34,6 +34,11 @@ public final class Collisions implements EventRule {
     private static final int STRIDE = Particles.STRIDE;
     /** The largest gap of balls that begin in contact, relative to 1 m plus the distance from the origin. */
     private static final double TOUCHING = 1e-9;
+    /**
+     * The same at an impact, where only round-off counts: with 1e-9, a row of balls that fits exactly between two walls
+     * stuck in steps of nanoseconds.
+     */
+    private static final double ROUND_OFF = 1e-13;
     /** The largest number of simultaneous impacts for each contact; with r = 0.5, speeds fall to a millionth in 20. */
     private static final int MOST_IMPACTS = 100;
 
@@ -94,7 +99,7 @@ public final class Collisions implements EventRule {
     /** Balls that begin in contact, and are pressed on each other, stay in contact from the start. */
     @Override
     public void start(ParticleSystem system) {
-        settle(system);
+        settle(system, TOUCHING);
     }
 
     /** {@inheritDoc} Removes the solver's error that would let balls in contact drift, as {@link ExactImpacts} does. */
@@ -111,7 +116,8 @@ public final class Collisions implements EventRule {
         if (touching.hasContacts()) {
             if (IntStream.range(touching.begin(), touching.end())       // a surface has struck or stopped a ball
                     .anyMatch(r -> Math.abs(separation(r, begin)) > slow(r, begin))) {
-                found.add(new ExactImpacts.Change(motion.getStartTime(), false, s -> 0, this::settle));
+                found.add(new ExactImpacts.Change(motion.getStartTime(), false, s -> 0,
+                        s -> settle(s, ROUND_OFF)));
                 return;
             }
             if (push(system) < 0) {
@@ -168,7 +174,7 @@ public final class Collisions implements EventRule {
             };
             found.add(ExactImpacts.Change.meeting(motion, u, begins, function, s -> {
                 touching.touch(i, j, reach(i, j));
-                settle(s);
+                settle(s, ROUND_OFF);
             }));
         }
     }
@@ -176,11 +182,14 @@ public final class Collisions implements EventRule {
     /**
      * Applies the impacts of balls in contact; contacts that do not push end. Balls that touch but for round-off and
      * are as slow as at rest take part: left out, a ball could bounce for ever in a gap of round-off size.
+     *
+     * @param near the largest gap, relative to 1 m plus the distance from the origin
      */
-    private void settle(ParticleSystem system) {
+    private void settle(ParticleSystem system, double near) {
         double[] state = system.getOwnState();
         findPairs(system, state, new double[system.getParticles().count()], (i, j) -> {
-            if (gap(state, i, j) <= slack(state, i) && Math.abs(rate(state, i, j)) <= balls.restSpeed) {
+            if (gap(state, i, j) <= near / TOUCHING * slack(state, i)
+                    && Math.abs(rate(state, i, j)) <= balls.restSpeed) {
                 touching.touch(i, j, reach(i, j));
             }
         });
