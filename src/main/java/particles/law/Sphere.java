@@ -62,10 +62,13 @@ public record Sphere(Vector3 centre, double radius, boolean hollow) implements O
         for (int k = 0; k <= 6; k++) {
             coefficients[k] = -side * radius * radius;
         }
+        Vector3[] r = new Vector3[4];
+        for (int a = 0; a < 4; a++) {
+            r[a] = Vector3.at(points, 3 * a).minus(centre);
+        }
         for (int a = 0; a < 4; a++) {
             for (int b = 0; b < 4; b++) {
-                double product = Vector3.at(points, 3 * a).minus(centre).dot(Vector3.at(points, 3 * b).minus(centre));
-                coefficients[a + b] += side * CUBIC[a] * CUBIC[b] / SEXTIC[a + b] * product;
+                coefficients[a + b] += side * CUBIC[a] * CUBIC[b] / SEXTIC[a + b] * r[a].dot(r[b]);
             }
         }
         return 7;
