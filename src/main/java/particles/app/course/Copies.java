@@ -12,11 +12,11 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import particles.app.student.SolverSkeleton;
-import particles.app.student.StudentLoader;
 
 /** Finds sources for a human to look at: those that are alike, and those that only call the project's solvers. */
 final class Copies {
     private static final String USES = "uses";
+    private static final Pattern COMMENT = Pattern.compile("(?s)/[*].*?[*]/|//[^\n]*");
     private static final Pattern HEAD = Pattern.compile("\\b(package|import)\\b[^;]*;");
     private static final Pattern TOKEN = Pattern.compile("[A-Za-z_]\\w*|\\d[\\w.]*|\\S");
 
@@ -26,7 +26,7 @@ final class Copies {
     /** @return the source with each name replaced by a number, without comments, imports and layout */
     static String shape(String source) {
         Map<String, String> names = new HashMap<>();
-        return TOKEN.matcher(HEAD.matcher(StudentLoader.withoutComments(source)).replaceAll(" ")).results()
+        return TOKEN.matcher(HEAD.matcher(COMMENT.matcher(source).replaceAll(" ")).replaceAll(" ")).results()
                 .map(MatchResult::group)
                 .map(word -> Character.isLetter(word.charAt(0)) ? names.computeIfAbsent(word, w -> "n" + names.size())
                 : word).collect(Collectors.joining(" "));
@@ -47,7 +47,7 @@ final class Copies {
             String shape = shape(text);
             if (!skeletons.contains(shape)) {
                 classes.add(name + " " + Marking.digest(shape)
-                        + (ours.matcher(StudentLoader.withoutComments(text)).find() ? " " + USES : ""));
+                        + (ours.matcher(COMMENT.matcher(text).replaceAll(" ")).find() ? " " + USES : ""));
             }
         });
         return classes;

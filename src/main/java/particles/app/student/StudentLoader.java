@@ -10,22 +10,18 @@ import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.util.ArrayDeque;
-import java.util.Deque;
 import java.util.HashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Supplier;
-import java.util.regex.MatchResult;
-import java.util.regex.Pattern;
 import javax.tools.FileObject;
 import javax.tools.ForwardingJavaFileManager;
 import javax.tools.JavaFileManager;
 import javax.tools.JavaFileObject;
 import javax.tools.SimpleJavaFileObject;
+import javax.tools.StandardLocation;
 import particles.javac.Javac;
 import particles.javac.Source;
 
@@ -39,8 +35,6 @@ public final class StudentLoader extends ClassLoader {
     private static final String PACKAGE = "exercises";
     private static final String JAVA = ".java";
     private static final int LARGEST = 1 << 20;
-    private static final Pattern WORD = Pattern.compile("\\w+");
-    private static final Pattern COMMENT = Pattern.compile("(?s)/[*].*?[*]/|//[^\n]*");
 
     private final Supplier<Map<String, String>> sources;
     private final Map<String, ByteArrayOutputStream> compiled = new HashMap<>();
@@ -104,7 +98,8 @@ public final class StudentLoader extends ClassLoader {
             throw new ClassNotFoundException(name);
         }
         if (!compiled.containsKey(name)) {
-            Javac.compile(withUsed(source, sources.get()), InMemory::new);
+            Map<String, String> all = sources.get();
+            Javac.compile(List.of(source(source, all)), files -> new InMemory(files, all));
         }
         if (!compiled.containsKey(name)) {
             String bare = name.replace(PACKAGE + ".", "");
@@ -120,29 +115,31 @@ public final class StudentLoader extends ClassLoader {
         return defineClass(name, bytes, 0, bytes.length);
     }
 
-    /** @return the text of a class with a space in place of each comment */
-    public static String withoutComments(String source) {
-        return COMMENT.matcher(source).replaceAll(" ");
+    private static Source source(String name, Map<String, String> all) {
+        return new Source(Path.of(PACKAGE, name + JAVA), all.get(name));
     }
 
-    /** A class and those that it names, directly or not; others may not compile. */
-    private static List<Source> withUsed(String name, Map<String, String> all) {
-        Set<String> used = new LinkedHashSet<>();
-        Deque<String> open = new ArrayDeque<>(List.of(name));
-        while (!open.isEmpty()) {
-            String next = open.remove();
-            if (used.add(next)) {
-                WORD.matcher(withoutComments(all.get(next))).results().map(MatchResult::group)
-                        .filter(all::containsKey).forEach(open::add);
-            }
-        }
-        return used.stream().map(each -> new Source(Path.of(PACKAGE, each + JAVA), all.get(each))).toList();
-    }
-
-    /** Keeps compiled classes in memory. */
+    /** Shows the compiler all students' sources, of which it compiles those that are used; keeps classes in memory. */
     private final class InMemory extends ForwardingJavaFileManager<JavaFileManager> {
-        InMemory(JavaFileManager files) {
+        private final Map<String, String> all;
+
+        InMemory(JavaFileManager files, Map<String, String> all) {
             super(files);
+            this.all = all;
+        }
+
+        @Override
+        public Iterable<JavaFileObject> list(JavaFileManager.Location location, String packageName,
+                Set<JavaFileObject.Kind> kinds, boolean recurse) throws IOException {
+            return location == StandardLocation.CLASS_PATH && packageName.equals(PACKAGE)
+                    ? all.keySet().stream().<JavaFileObject>map(name -> source(name, all)).toList()
+                    : super.list(location, packageName, kinds, recurse);
+        }
+
+        @Override
+        public String inferBinaryName(JavaFileManager.Location location, JavaFileObject file) {
+            return file instanceof Source ? file.getName().replaceFirst(".*/", PACKAGE + ".").replace(JAVA, "")
+                    : super.inferBinaryName(location, file);
         }
 
         @Override

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
@@ -45,6 +46,23 @@ class StudentLoaderTest {
                 + "  Broken.java:4: cannot find symbol: variable w";
         assertFails(message, loader, "Broken");
         assertFails(message, loader, "User");
+    }
+
+    /** A neighbour's name, its body, and how a class uses it. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+            Help\u00c4  | public static int two = 2; | return Help\u00c4.two;
+            Help$er      | public static int two = 2; | return Help$er.two;
+            Helper       | public static int two = 2; | String page = "https://x.y"; return Helper.two;
+            Helper       | static int one; } class Extra { static int two = 2; | Helper.one++; return Extra.two;
+            EulerSolver  | int x = y;                 | return EulerSolver.class.getName().length() - 19;
+            """)
+    void neighboursAreFoundAsTheCompilerFindsThem(String name, String body, String use) throws Exception {
+        Map<String, String> sources = Map.of(name, "package exercises; class " + name + " {" + body + "}", "Mine",
+                "package exercises; import deSolvers.EulerSolver; public class Mine { public static int of() {" + use
+                + "}}");
+        Class<?> mine = new StudentLoader(() -> sources, getClass().getClassLoader()).loadClass("exercises.Mine");
+        assertEquals(2, mine.getMethod("of").invoke(null));
     }
 
     @Test
