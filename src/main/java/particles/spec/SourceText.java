@@ -14,7 +14,6 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.snakeyaml.engine.v2.scanner.StreamReader;
 import particles.spec.messages.Place;
 
 /** Reads a text file safely: limited size, UTF-8, printable characters only; anything else is a clear problem. */
@@ -86,7 +85,7 @@ public final class SourceText {
         if (mistake.find()) {
             int c = text.codePointBefore(mistake.end());
             return in.problems().add(end(text.substring(0, mistake.end() - Character.charCount(c)), in),
-                    StreamReader.isPrintable(c)
+                    mistake.group().length() > LONGEST_WORD
                     ? "more than " + LONGEST_WORD + " characters without a space between them; break the line"
                     : "a character here is not printable: "
                             + (c == 0 ? "a zero byte; is this a text file?" : String.format("U+%04X", c)));

@@ -60,6 +60,7 @@ class SturdyReaderTest {
         assertEquals(List.of("x.yaml:1:8: a character here is not printable: a zero byte; is this a text file?"),
                 linesFor("title: \0"));
         assertEquals(List.of("x.yaml:2:3: a character here is not printable: U+0007"), linesFor("a: 1\nb:\u0007"));
+        assertEquals(List.of("x.yaml:2:4: a character here is not printable: U+007F"), linesFor("a: 1\nb: \u007f"));
     }
 
     @Test
