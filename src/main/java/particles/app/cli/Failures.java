@@ -47,7 +47,7 @@ public record Failures(PrintWriter err) {
                     + " JAVA_TOOL_OPTIONS=-Xmx%dg%n", Runtime.getRuntime().maxMemory() >> 20,
                     (Runtime.getRuntime().maxMemory() >> 30) + 1);
         } else if (EXPECTED.stream().anyMatch(type -> type.isInstance(thrown))) {
-            thrown.getMessage().lines().forEach(err::println);
+            message(thrown).lines().forEach(err::println);
         } else {
             err.println("internal error; please report it:");
             thrown.printStackTrace(err);
@@ -68,11 +68,14 @@ public record Failures(PrintWriter err) {
         }
         StringBuilder line = new StringBuilder();
         for (Throwable t = e; t != null; t = t.getCause()) {
-            String message = t.getMessage() == null ? t.getClass().getSimpleName() : t.getMessage();
-            if (line.indexOf(message) < 0) {
-                line.append(line.isEmpty() ? "" : ": ").append(message);
+            if (line.indexOf(message(t)) < 0) {
+                line.append(line.isEmpty() ? "" : ": ").append(message(t));
             }
         }
         return line.toString();
+    }
+
+    private static String message(Throwable thrown) {
+        return thrown.getMessage() == null ? thrown.getClass().getSimpleName() : thrown.getMessage();
     }
 }

@@ -133,6 +133,7 @@ class ProgramTest {
         return Stream.of(
                 arguments(ExitCode.STOPPED, "the kinetic energy is too large",
                         new SimulationException(1, 0, "the kinetic energy is too large", null)),
+                arguments(ExitCode.STOPPED, "SimulationException", new SimulationException(1, 0, null, null)),
                 arguments(ExitCode.STOPPED, "EulerSolver at t = 1.0, deltaT = 0.5: not finite",
                         new DESolverException(EulerSolver.class, 1, 0.5, -1, "not finite", "")),
                 arguments(ExitCode.TROUBLE, "build/out/a.csv: No space left on device", new UncheckedIOException(
