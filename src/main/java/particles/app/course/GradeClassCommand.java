@@ -19,6 +19,7 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.PrintedProgress;
 import particles.app.cli.ResultsCommand;
+import particles.app.student.StudentProcess;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.output.frames.Pipeline;
@@ -90,7 +91,7 @@ public final class GradeClassCommand extends ResultsCommand {
             problems.forEach(out::println);
             out.println(said);
         } finally {
-            HandInMarking.delete(copies);
+            StudentProcess.delete(copies);
         }
     }
 

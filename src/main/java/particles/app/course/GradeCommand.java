@@ -11,6 +11,7 @@ import particles.app.cli.ResultsCommand;
 import particles.app.course.Result.Item;
 import particles.app.course.Result.Status;
 import particles.app.student.StudentLoader;
+import particles.app.student.StudentProcess;
 import particles.spec.messages.InvalidInputException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -92,7 +93,7 @@ public final class GradeCommand extends ResultsCommand {
         } catch (IOException e) {
             throw wrong("handin", "'" + handIn + "' cannot be read: " + e.getMessage());
         } finally {
-            HandInMarking.delete(copy);
+            StudentProcess.delete(copy);
         }
     }
 }

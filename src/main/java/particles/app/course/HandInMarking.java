@@ -4,13 +4,11 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Supplier;
-import java.util.stream.Stream;
 import particles.app.cli.Version;
 import particles.spec.messages.InvalidInputException;
 
@@ -55,15 +53,6 @@ final class HandInMarking {
             return Files.isRegularFile(file) ? Optional.of(Result.read(file)) : Optional.empty();
         } catch (InvalidInputException damaged) {
             return Optional.empty();
-        }
-    }
-
-    /** Deletes a folder of copies. */
-    static void delete(Path folder) throws IOException {
-        try (Stream<Path> made = Files.walk(folder)) {
-            for (Path path : made.sorted(Comparator.reverseOrder()).toList()) {
-                Files.delete(path);
-            }
         }
     }
 }

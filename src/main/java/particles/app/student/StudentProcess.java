@@ -1,5 +1,6 @@
 package particles.app.student;
 
+import java.io.File;
 import java.io.IOException;
 import java.io.ObjectOutputStream;
 import java.io.Serializable;
@@ -14,12 +15,14 @@ import java.security.MessageDigest;
 import java.security.SecureRandom;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import javax.crypto.Mac;
 import javax.crypto.spec.SecretKeySpec;
 import particles.app.cli.ExitCode;
@@ -104,19 +107,31 @@ public final class StudentProcess {
         Task task = new Task(secret, new TreeMap<>(sources));
         try {
             Path folder = Files.createTempDirectory("desolver-check");
-            Path verdict = folder.resolve("verdict");
-            List<String> all = new ArrayList<>(args);
-            all.add(VERDICT + "=" + verdict);
-            Optional<Outcome> stopped = await(builder(all).redirectErrorStream(true).redirectOutput(Redirect.DISCARD),
-                    task);
-            boolean isThere = Files.isRegularFile(verdict, LinkOption.NOFOLLOW_LINKS)
-                    && Files.size(verdict) <= LONGEST;
-            byte[] signed = isThere ? Files.readAllBytes(verdict) : new byte[0];
-            Files.deleteIfExists(verdict);
-            Files.deleteIfExists(folder);
-            return stopped.orElseGet(() -> task.read(signed));
+            try {
+                return run(new ArrayList<>(args), task, folder.resolve("verdict"));
+            } finally {
+                delete(folder);
+            }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
+        }
+    }
+
+    private static Outcome run(List<String> args, Task task, Path verdict) throws IOException {
+        args.add(VERDICT + "=" + verdict);
+        Optional<Outcome> stopped = await(builder(args).redirectErrorStream(true).redirectOutput(Redirect.DISCARD),
+                task);
+        boolean isThere = Files.isRegularFile(verdict, LinkOption.NOFOLLOW_LINKS) && Files.size(verdict) <= LONGEST;
+        byte[] signed = isThere ? Files.readAllBytes(verdict) : new byte[0];
+        return stopped.orElseGet(() -> task.read(signed));
+    }
+
+    /** Deletes a folder and all that classes put into it; what cannot be deleted stays. */
+    public static void delete(Path folder) {
+        try (Stream<Path> made = Files.walk(folder)) {
+            made.sorted(Comparator.reverseOrder()).map(Path::toFile).forEach(File::delete);
+        } catch (IOException | UncheckedIOException e) {
+            return;                                     // a class made a folder that cannot be listed
         }
     }
 

@@ -210,6 +210,7 @@ class GradeCommandTest {
                     try { %s } catch (java.io.IOException e) { throw new java.io.UncheckedIOException(e); }
                 }));""".formatted(forge));
         hostile("ForgeSolver", forge + " Runtime.getRuntime().halt(0);");
+        hostile("LitterSolver", "java.nio.file.Files.createDirectory(java.nio.file.Path.of(" + verdict + " + 2));");
         hostile("MoreSolver", """
                 new Thread(() -> { while (true) {
                     try { %s } catch (java.io.IOException e) { continue; }
