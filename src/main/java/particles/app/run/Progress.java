@@ -17,7 +17,7 @@ import particles.scene.format.SceneDescription;
  * second, none for short runs. The time assumes that later steps are like the first ones; a scene in which more and
  * more happens takes longer.
  */
-final class Progress implements Observer {
+final class Progress implements Observer, AutoCloseable {
     private static final double NANO = 1e-9;
     /** Runs shorter than this print nothing (s). */
     private static final double SILENCE = 2;
@@ -36,8 +36,10 @@ final class Progress implements Observer {
     private final LongSupplier nanoTime;
     private final double steps;
     private final long begin;
-    private volatile boolean moves;
-    private boolean announced;
+    private final CompletableFuture<Void> firstStep = new CompletableFuture<>();
+    private volatile boolean announced;
+    private double firstTime;
+    private double firstPart;
     private double lastTime;
     private double lastPart;
 
@@ -59,30 +61,36 @@ final class Progress implements Observer {
         return (nanoTime.getAsLong() - begin) * NANO;
     }
 
-    /** If the first step takes long, all of them are announced as that long at least. */
+    /** If the first step takes long, the user is told what that would mean. */
     @Override
     public void started(ParticleSystem system) {
-        CompletableFuture.delayedExecutor((long) SILENCE, TimeUnit.SECONDS).execute(() -> {
-            if (!moves) {
-                announce(steps * SILENCE);
-            }
+        firstStep.orTimeout((long) SILENCE, TimeUnit.SECONDS).exceptionally(late -> {
+            announced = true;
+            announce("the first step takes over " + Digits.few(SILENCE) + " s; if all do, ", steps * SILENCE);
+            return null;
         });
     }
 
     @Override
     public void moved(Motion motion) {
-        moves = true;
         double seconds = seconds();
         double part = motion.getEndTime() / scene.duration();
+        if (firstPart == 0) {
+            firstStep.complete(null);
+            firstTime = seconds;
+            firstPart = part;
+            return;
+        }
         if (seconds < SILENCE) {
             return;
         }
+        double pace = (seconds - firstTime) / (part - firstPart);       // without the first step, which prepares much
         if (!announced) {
             announced = true;
-            announce(seconds / part);
+            announce("", firstTime + pace * (1 - firstPart));
         }
         if (seconds - lastTime >= PAUSE && part < 1 && (part - lastPart >= NEWS || seconds - lastTime >= LONG_PAUSE)) {
-            double left = Math.ceil(seconds * (1 - part) / part);
+            double left = Math.ceil(pace * (1 - part));
             print("t = " + Digits.few(motion.getEndTime()) + " s of " + Digits.few(scene.duration()) + " s, "
                     + (int) (100 * part) + " %, about " + Digits.few(left) + " s to go");
             lastTime = seconds;
@@ -90,8 +98,17 @@ final class Progress implements Observer {
         }
     }
 
-    /** @param likeNow the time of the run (s) if all steps are like those so far */
-    private void announce(double likeNow) {
+    /** Says nothing more of the first step. */
+    @Override
+    public void close() {
+        firstStep.complete(null);
+    }
+
+    /**
+     * @param reason  why
+     * @param likeNow the time of the run (s) if all steps are like those so far
+     */
+    private void announce(String reason, double likeNow) {
         double atStart = scene.particlesAfter(0);
         double growth = (scene.particlesAfter(scene.duration() / 2) + OVERHEAD) / (atStart + OVERHEAD);
         double particles = Math.ceil(Math.max(atStart, scene.particlesAfter(scene.duration())));
@@ -99,7 +116,7 @@ final class Progress implements Observer {
         double pictures = frames.drawn() ? Math.ceil(scene.duration() * frames.rate()) : 0;
         double seconds = likeNow * Math.max(1, growth);
         if (seconds >= LONG) {
-            print("this takes about " + time(seconds) + ": " + Digits.few(steps) + " steps of "
+            print(reason + "this takes about " + time(seconds) + ": " + Digits.few(steps) + " steps of "
                     + (growth > 1 ? "up to " : "") + String.format(Locale.ROOT, "%.0f particle%s", particles,
                     particles == 1 ? "" : "s") + (pictures > 0 ? " and " + Digits.few(pictures) + " pictures" : ""));
         }

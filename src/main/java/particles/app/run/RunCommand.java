@@ -181,7 +181,7 @@ public final class RunCommand extends ResultsCommand {
             Progress progress = new Progress(out, description, System::nanoTime);
             RunObservers observers = new RunObservers(scene, folder, replay);
             Optional<String> early;
-            try (observers) {
+            try (observers; progress) {
                 observers.attach(progress, stop);
                 early = simulate(scene, folder, observers);
             }
@@ -215,11 +215,12 @@ public final class RunCommand extends ResultsCommand {
                         + Digits.few(e.getTime()) + " s");
             }
             return Optional.of(message.lines());
-        } catch (CancellationException e) {
-            return Optional.of(e.getMessage() + " at t = " + Digits.few(scene.system().getTime()) + " s of "
-                    + Digits.few(description.duration()) + " s");
-        } catch (RuntimeException | Error e) {          // such as a full disk: no incomplete file stays
-            folder.discard();
+        } catch (RuntimeException | Error e) {
+            if (e instanceof CancellationException && stop.isWanted()) {    // not by a class of the user
+                return Optional.of(e.getMessage() + " at t = " + Digits.few(scene.system().getTime()) + " s of "
+                        + Digits.few(description.duration()) + " s");
+            }
+            folder.discard();                           // such as on a full disk: no incomplete file stays
             throw e;
         }
     }

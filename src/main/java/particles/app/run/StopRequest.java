@@ -26,6 +26,11 @@ public final class StopRequest implements Observer {
         Runtime.getRuntime().addShutdownHook(new Thread(this::stopAndWait, "stop"));
     }
 
+    /** @return whether the stop was requested */
+    boolean isWanted() {
+        return wanted;
+    }
+
     /** Requests the stop. */
     void request() {
         wanted = true;

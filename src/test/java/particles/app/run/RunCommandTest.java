@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Texts.assertHas;
 import static particles.Texts.assertStarts;
 
+import deSolvers.DESolver;
+import deSolvers.DEStateSource;
 import deSolvers.text.Digits;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -18,6 +20,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.concurrent.CancellationException;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
@@ -405,6 +408,20 @@ class RunCommandTest {
         assertEquals("the run was stopped at t = 0.01 s of 0.5 s", screen.err());
         assertFiles("animation.gif", "frames/frame-00000.png");
         assertEquals(List.of("0.0", "0.01"), times());
+    }
+
+    /** A student's solver that fails as a stop does. */
+    public static final class Cancelling extends DESolver {
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            throw new CancellationException("mine");
+        }
+    }
+
+    @Test
+    void anExceptionOfAStudentsSolverIsNoStop() {
+        assertEquals(ExitCode.TROUBLE, run("--solver=" + Cancelling.class.getName(), "--frames=false"));
+        assertHas(screen.err(), "CancellationException: mine", "stepState(RunCommandTest.java:");
     }
 
     @Test
