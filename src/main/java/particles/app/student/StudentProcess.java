@@ -108,22 +108,21 @@ public final class StudentProcess {
         try {
             Path folder = Files.createTempDirectory("desolver-check");
             try {
-                return run(new ArrayList<>(args), task, folder.resolve("verdict"));
+                Path verdict = folder.resolve("verdict");
+                List<String> all = new ArrayList<>(args);
+                all.add(VERDICT + "=" + verdict);
+                Optional<Outcome> stopped = await(builder(all).redirectErrorStream(true)
+                        .redirectOutput(Redirect.DISCARD), task);
+                boolean isThere = Files.isRegularFile(verdict, LinkOption.NOFOLLOW_LINKS)
+                        && Files.size(verdict) <= LONGEST;
+                byte[] signed = isThere ? Files.readAllBytes(verdict) : new byte[0];
+                return stopped.orElseGet(() -> task.read(signed));
             } finally {
                 delete(folder);
             }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-    }
-
-    private static Outcome run(List<String> args, Task task, Path verdict) throws IOException {
-        args.add(VERDICT + "=" + verdict);
-        Optional<Outcome> stopped = await(builder(args).redirectErrorStream(true).redirectOutput(Redirect.DISCARD),
-                task);
-        boolean isThere = Files.isRegularFile(verdict, LinkOption.NOFOLLOW_LINKS) && Files.size(verdict) <= LONGEST;
-        byte[] signed = isThere ? Files.readAllBytes(verdict) : new byte[0];
-        return stopped.orElseGet(() -> task.read(signed));
     }
 
     /** Deletes a folder and all that classes put into it; what cannot be deleted stays. */
