@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
@@ -152,6 +154,23 @@ class ShapesTest {
         }
         assertTrue(worst < 2e-14, "left and right differ by " + worst);
         assertTrue(at(scene, 9 * 4 + 8).y() < -0.5, "it has fallen");
+    }
+
+    /** Of 8,000 particles none has its name made 40 times, which takes over 300 bytes. */
+    @Test
+    void solidsCostNoObjectForEachParticle() {
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        String block = "shapes:\n  - jelly: {centre: [0, 0, 0], size: [1, 1, 1], columns: 20, rows: 20, layers: 20,"
+                + " mass: 0.1}\nrules:\n";
+        long[] bytes = new long[2];
+        for (int k = 0; k < 2; k++) {
+            String text = HEAD + block + "  - ground: {height: -2}\n".repeat(1 + 40 * k);
+            TestScenes.read(text);
+            long before = threads.getCurrentThreadAllocatedBytes();
+            TestScenes.read(text);
+            bytes[k] = threads.getCurrentThreadAllocatedBytes() - before;
+        }
+        assertTrue(bytes[1] - bytes[0] < 40 * 8000 * 50L, bytes[1] + " bytes, and " + bytes[0] + " for one solid");
     }
 
     /** A block that lies on the ground is squeezed a little by its weight and comes to rest there. */

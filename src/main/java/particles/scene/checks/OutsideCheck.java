@@ -3,7 +3,8 @@ package particles.scene.checks;
 import deSolvers.text.Digits;
 import java.util.Comparator;
 import java.util.List;
-import java.util.stream.Stream;
+import java.util.Optional;
+import java.util.stream.IntStream;
 import particles.effects.SharedKeys;
 import particles.law.Obstacle;
 import particles.law.Sphere;
@@ -11,8 +12,8 @@ import particles.law.Vector3;
 import particles.scene.parts.ParticleDescription;
 import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RuleKind;
+import particles.scene.parts.ShapeDescription;
 import particles.spec.Chosen;
-import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
 
@@ -36,39 +37,48 @@ record OutsideCheck(Chosen<RuleKind> rule, Obstacle solid, double all, Problems 
         List<Chosen<RuleKind>> sound = rules.stream().filter(rule -> rule.values().isSound()).toList();
         double all = sound.stream().filter(RuleKind::hasBalls)
                 .mapToDouble(rule -> rule.values().get(SharedKeys.BALL_RADIUS)).findFirst().orElse(Double.NaN);
-        for (Chosen<RuleKind> rule : sound) {
-            rule.kind().obstacle(rule.values()).ifPresent(solid -> {
-                OutsideCheck check = new OutsideCheck(rule, solid, all, problems);
-                index.getParticles().forEach(particle -> check.check(Stream.of(particle), particle.place()));
-                index.getShapes().forEach(shape -> check.check(shape.particles(), shape.chosen().place()));
-            });
+        List<OutsideCheck> checks = sound.stream().flatMap(rule -> rule.kind().obstacle(rule.values()).stream()
+                .map(solid -> new OutsideCheck(rule, solid, all, problems))).toList();
+        checks.forEach(check -> index.getParticles().forEach(check::check));
+        for (ShapeDescription shape : index.getShapes()) {
+            List<Vector3> positions = IntStream.range(0, (int) shape.lattice().size())
+                    .mapToObj(shape.lattice()::position).toList();
+            checks.forEach(check -> check.check(shape, positions));
         }
     }
 
-    /** Reports the free particle that is deepest inside the solid, if one is. */
-    private void check(Stream<ParticleDescription> particles, Place place) {
-        particles.filter(particle -> !particle.fixed() && distance(particle) < 0)
-                .min(Comparator.comparingDouble(this::distance))
-                .ifPresent(deepest -> problems.add(place, inside(deepest)));
+    /** Reports the free particle of a shape that is deepest inside the solid, if one is. */
+    private void check(ShapeDescription shape, List<Vector3> positions) {
+        IntStream.range(0, positions.size())
+                .filter(n -> !shape.fixed().get(n) && distance(positions.get(n), shape.radius()) < 0).boxed()
+                .min(Comparator.comparingDouble(n -> distance(positions.get(n), shape.radius())))
+                .map(shape::particle).ifPresent(this::check);
     }
 
-    private String inside(ParticleDescription particle) {
+    private void check(ParticleDescription particle) {
+        double distance = distance(particle.position(), particle.radius());
+        if (!particle.fixed() && distance < 0) {
+            problems.add(particle.place(), inside(particle, -distance));
+        }
+    }
+
+    private String inside(ParticleDescription particle, double depth) {
         boolean hollow = solid instanceof Sphere sphere && sphere.hollow();
-        String ball = radius(particle) > 0 ? ", a ball of radius " + Digits.exact(radius(particle)) + " m," : "";
-        return Wording.quote(particle.id()) + ball + " begins " + Digits.exact(-distance(particle)) + " m "
+        double radius = radius(particle.radius());
+        String ball = radius > 0 ? ", a ball of radius " + Digits.exact(radius) + " m," : "";
+        return Wording.quote(particle.id()) + ball + " begins " + Digits.exact(depth) + " m "
                 + (hollow ? "outside the hollow '" : "inside the '") + rule.kind().getName() + "' of line "
                 + rule.place().line() + "; it has to begin " + (hollow ? "inside" : "outside");
     }
 
     /** The radius with which a particle touches solids (m): 0 if particles are not hard balls, which all may be. */
-    private double radius(ParticleDescription particle) {
-        return Double.isNaN(all) ? 0 : particle.radius().orElse(all);
+    private double radius(Optional<Double> own) {
+        return Double.isNaN(all) ? 0 : own.orElse(all);
     }
 
     /** Distance of a ball's surface from the solid (m); round-off counts as 0. */
-    private double distance(ParticleDescription particle) {
-        Vector3 at = particle.position();
-        double distance = solid.distance(at.x(), at.y(), at.z()) - radius(particle);
+    private double distance(Vector3 at, Optional<Double> own) {
+        double distance = solid.distance(at.x(), at.y(), at.z()) - radius(own);
         return Math.abs(distance) <= 1e-9 * (1 + at.length()) ? 0 : distance;
     }
 }
