@@ -3,12 +3,15 @@ package particles.output.report;
 import com.samskivert.mustache.Mustache;
 import com.samskivert.mustache.Template.Fragment;
 import java.io.IOException;
+import java.io.OutputStreamWriter;
 import java.io.Writer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Base64;
 import java.util.Map;
 import particles.output.files.OutputException;
+import particles.output.files.OutputFile;
 import particles.output.files.OutputFolder;
 
 /**
@@ -101,19 +104,31 @@ public final class ReportWriter {
      * @param folder the output folder
      * @param name   the name of its file, such as {@code report.html}
      * @param report the report; the pictures are read from the sections' folders
-     * @throws OutputException if it cannot be written
+     * @throws OutputException if it cannot be written, or a picture cannot be read
      */
     public static void write(OutputFolder folder, String name, Report report) {
         Mustache.Lambda bytes = ReportWriter::putBytes;
-        folder.write(name, Html.fill(PAGE, Map.of("title", report.title(), "text", report.text(), "end", report.end(),
-                "sections", report.sections(), "style", ReportStyle.CSS, "script",
-                ReportStyle.SCRIPT, "bytes", bytes)));
+        try (OutputFile file = folder.create(name)) {
+            Writer page = new OutputStreamWriter(file, StandardCharsets.UTF_8);     // the pictures may be large
+            Html.TEMPLATES.compile(PAGE).execute(Map.of("title", report.title(), "text", report.text(), "end",
+                    report.end(), "sections", report.sections(), "style", ReportStyle.CSS, "script",
+                    ReportStyle.SCRIPT, "bytes", bytes), page);
+            page.flush();
+            file.commit();
+        } catch (IOException e) {
+            throw new OutputException(folder.getPath().resolve(name), "write", e);
+        }
     }
 
     /** Puts a picture in place of the folder that holds it. */
-    private static void putBytes(Fragment folder, Writer page) throws IOException {
+    private static void putBytes(Fragment folder, Writer page) {
         Picture picture = (Picture) folder.context();
-        byte[] file = Files.readAllBytes(Path.of(folder.execute()).resolve(picture.file()));
-        page.write(Base64.getEncoder().encodeToString(picture.data().isEmpty() ? file : SmallImage.of(file)));
+        Path path = Path.of(folder.execute()).resolve(picture.file());
+        try {
+            byte[] file = Files.readAllBytes(path);
+            page.write(Base64.getEncoder().encodeToString(picture.data().isEmpty() ? file : SmallImage.of(file)));
+        } catch (IOException e) {
+            throw new OutputException(path, "read", e);
+        }
     }
 }

@@ -9,6 +9,7 @@ import static particles.Texts.assertStarts;
 import static particles.output.SmallPictures.differences;
 
 import java.awt.image.BufferedImage;
+import java.io.BufferedOutputStream;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -22,6 +23,7 @@ import java.util.IntSummaryStatistics;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicInteger;
 import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilder;
 import javax.xml.parsers.DocumentBuilderFactory;
@@ -35,6 +37,7 @@ import org.w3c.dom.NodeList;
 import org.xml.sax.SAXException;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.Panel;
+import particles.output.files.OutputException;
 import particles.output.files.OutputFile;
 import particles.output.files.OutputFolder;
 import particles.output.report.Report.Section;
@@ -83,6 +86,42 @@ class ReportWriterTest {
         }
         html = Files.readString(top.resolve("report/report.html"));
         page = parse(html);
+    }
+
+    private static Report withPicture(String file) {
+        ResultPage one = new ResultPage("one", "One", List.of(), List.of(Picture.made(file, "It moves.")), List.of());
+        Section section = new Section("one", "Moves.", top, 1, Optional.of(one), Optional.empty());
+        return new Report("One", List.of(), List.of(section), "The end.");
+    }
+
+    /** The report is not held in memory as a whole: it reaches the disk in pieces of a buffer. */
+    @Test
+    void aLargePictureIsWrittenInPieces() throws IOException {
+        Files.write(top.resolve("large.gif"), new byte[300_000]);
+        AtomicInteger largest = new AtomicInteger();
+        OutputFile.Opener counting = file -> new BufferedOutputStream(OutputFile.ON_DISK.open(file), 1) {
+            @Override
+            public void write(byte[] bytes, int offset, int length) throws IOException {
+                largest.accumulateAndGet(length, Math::max);
+                super.write(bytes, offset, length);
+            }
+        };
+        try (OutputFolder folder = OutputFolder.open(top.resolve("pieces"), counting)) {
+            ReportWriter.write(folder, "report.html", withPicture("large.gif"));
+        }
+        assertTrue(Files.size(top.resolve("pieces/report.html")) > 400_000);
+        assertTrue(largest.get() <= 1 << 16, "a piece of " + largest + " bytes");
+    }
+
+    @Test
+    void aPictureThatCannotBeReadIsNamedAndNoReportIsLeft() {
+        try (OutputFolder folder = OutputFolder.open(top.resolve("broken"))) {
+            Report report = withPicture("gone.gif");
+            OutputException failure = assertThrows(OutputException.class,
+                    () -> ReportWriter.write(folder, "report.html", report));
+            assertEquals(top.resolve("gone.gif"), failure.getFile());
+        }
+        assertFalse(Files.exists(top.resolve("broken/report.html")));
     }
 
     private static Document parse(String text) throws IOException, SAXException, ParserConfigurationException {
