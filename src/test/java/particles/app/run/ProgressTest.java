@@ -106,8 +106,8 @@ class ProgressTest {
         Thread.sleep(3000);
         simulation.advance();
         simulation.advance();
-        assertEquals(List.of("the first step takes over 2 s; if all do, this takes about 4 min: 100 steps of 1"
-                + " particle"), out.toString().lines().toList());
+        assertEquals(List.of("the first step takes over 2 s; if all do, this takes about 4 min:"
+                + " 100 steps of 1 particle"), out.toString().lines().toList());
         assertEquals("", failed.toString());
     }
 

@@ -58,9 +58,9 @@ class StudentLoaderTest {
             EulerSolver  | int x = y;                 | return EulerSolver.class.getName().length() - 19;
             """)
     void neighboursAreFoundAsTheCompilerFindsThem(String name, String body, String use) throws Exception {
-        Map<String, String> sources = Map.of(name, "package exercises; class " + name + " {" + body + "}", "Mine",
-                "package exercises; import deSolvers.EulerSolver; public class Mine { public static int of() {" + use
-                + "}}");
+        Map<String, String> sources = Map.of(name, "package exercises; class " + name + " {" + body + "}", "Mine", """
+                package exercises; import deSolvers.EulerSolver;
+                public class Mine { public static int of() { %s } }""".formatted(use));
         Class<?> mine = new StudentLoader(() -> sources, getClass().getClassLoader()).loadClass("exercises.Mine");
         assertEquals(2, mine.getMethod("of").invoke(null));
     }
