@@ -42,7 +42,6 @@ final class PlainRuns {
             scene.simulation().advance();
             GuardedRun.goesOn();
         }
-        scene.simulation().finish();
         return scene.system().getOwnState();
     }
 

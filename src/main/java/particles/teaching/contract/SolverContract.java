@@ -116,7 +116,7 @@ public record SolverContract(Supplier<DESolver> maker) {
     /** @return whether a solver refuses sources without positions and velocities */
     public boolean isForParticles() {
         try {
-            maker.get().stepState(new Probe(new double[6], 0, (evaluation, dSdt) -> dSdt[0] = TINY, MOST), H);
+            maker.get().stepState(alike(6), H);
             return false;
         } catch (RuntimeException e) {
             return !(e instanceof Probe.TooManyEvaluations);    // it works on it, for long

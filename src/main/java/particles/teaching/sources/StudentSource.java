@@ -53,30 +53,24 @@ public abstract class StudentSource extends ReferenceProblem {
 
     /** @return makes a student's solvers; it is heard that each of their steps comes back */
     public static Supplier<DESolver> watched(Supplier<DESolver> maker) {
-        return () -> new Watched(maker.get());
-    }
+        return () -> {
+            DESolver solver = maker.get();
+            return new DESolver() {
+                @Override
+                public void stepState(DEStateSource source, double deltaT) {
+                    solver.stepState(source, deltaT);
+                    if (source instanceof StudentSource student) {
+                        student.before = student.getEvaluations();
+                    }
+                    GuardedRun.goesOn();
+                }
 
-    /** Does the same, and tells that it came back. */
-    private static final class Watched extends DESolver {
-        private final DESolver solver;
-
-        Watched(DESolver solver) {
-            this.solver = solver;
-        }
-
-        @Override
-        public void stepState(DEStateSource source, double deltaT) {
-            solver.stepState(source, deltaT);
-            if (source instanceof StudentSource student) {
-                student.before = student.getEvaluations();
-            }
-            GuardedRun.goesOn();
-        }
-
-        @Override
-        public void reset() {
-            solver.reset();
-        }
+                @Override
+                public void reset() {
+                    solver.reset();
+                }
+            };
+        };
     }
 
     /** @param evaluations the number in one step that tells an endless loop */
