@@ -51,7 +51,7 @@ public final class Overrides {
                 changes.add(scene -> scene.with(key, value, place)));
     }
 
-    /** @throws InvalidInputException with a line for each wrong option */
+    /** @throws particles.spec.messages.InvalidInputException with a line for each wrong option */
     public void check() {
         problems.throwIfAny();
     }
@@ -59,7 +59,7 @@ public final class Overrides {
     /**
      * @param scene a scene's description
      * @return the description with these values in place of its own
-     * @throws InvalidInputException with a line for each wrong option
+     * @throws particles.spec.messages.InvalidInputException with a line for each wrong option
      */
     public SceneDescription applyTo(SceneDescription scene) {
         check();

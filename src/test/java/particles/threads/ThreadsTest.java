@@ -169,8 +169,8 @@ class ThreadsTest {
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         long allocated = threads.getCurrentThreadAllocatedBytes();
         Steps.make(10 * STEPS, solver, cloth, 1.0 / 1024);
-        // Measured 0; one object an evaluation would be 12,800.
-        assertEquals(0, threads.getCurrentThreadAllocatedBytes() - allocated, 4000);
+        // Measured 0, or 7,624 where the pool makes a thread meanwhile; one object an evaluation would be 12,800.
+        assertEquals(0, threads.getCurrentThreadAllocatedBytes() - allocated, 10_000);
     }
 
     /** A force that fails on one particle, in whichever thread evaluates it. */

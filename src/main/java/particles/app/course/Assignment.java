@@ -88,7 +88,7 @@ record Assignment(Optional<OffsetDateTime> deadline, String shows, boolean sheet
     /**
      * @param file the file, or assignment.yaml in this folder, which may be missing
      * @return the assignment
-     * @throws InvalidInputException with a line for each mistake
+     * @throws particles.spec.messages.InvalidInputException with a line for each mistake
      */
     static Assignment read(Optional<Path> file) {
         Path path = file.orElse(Path.of(FILE));

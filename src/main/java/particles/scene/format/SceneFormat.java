@@ -62,8 +62,8 @@ public final class SceneFormat {
             .withDefault("impact", "clamp",
             """
                     exact: each step is divided at the moment of impact. clamp: after each step, particles below a \
-                    surface are moved onto it and bounce, so impacts come up to deltaT late. With clamp, particles \
-                    in a groove may keep jumping by about g deltaT^2. The rule 'collisions' makes it exact.""");
+                    surface are moved onto it and bounce, so impacts come up to deltaT late. The rule \
+                    'collisions' makes it exact.""");
     public static final Key<Values> CAMERA = CameraFormat.TYPE.optional("camera",
             "The position and direction of the camera; by default everything fits into the picture.");
     public static final Key<Values> LOOK = RenderFormat.TYPE.optional("look", "How things are drawn.");
