@@ -44,8 +44,6 @@ public final class StiffCloth {
             effects: [gravity]
             """;
     static final double RK4_LIMIT = 2.8284;
-    /** omega of the fastest vibration with springs of 1 N/m (1/s). */
-    private static final double FASTEST = fastest(1);
     /** The number of RK4 steps that are timed; all cost the same, some 1 ms. */
     private static final int TIMED = 400;
     /** The number of solvers whose first and further steps are timed; medians are used. */
@@ -72,6 +70,12 @@ public final class StiffCloth {
     private StiffCloth() {
     }
 
+    /** Computed when it is first asked for, which takes many seconds. */
+    private static final class Soft {
+        /** omega of the fastest vibration with springs of 1 N/m (1/s). */
+        static final double FASTEST = fastest(1);
+    }
+
     /** A cloth that hangs from two corners, slightly crumpled. */
     static ParticleSystem cloth(double stiffness) {
         ParticleSystem system = SceneRun.of("stiff cloth",
@@ -84,7 +88,7 @@ public final class StiffCloth {
 
     /** The stiffness for which RK4 needs that many steps: the fastest vibration grows with its root. */
     static double stiffnessFor(long steps) {
-        double ratio = (steps - 0.01) * RK4_LIMIT / FRAME / FASTEST;
+        double ratio = (steps - 0.01) * RK4_LIMIT / FRAME / Soft.FASTEST;
         return ratio * ratio;
     }
 
