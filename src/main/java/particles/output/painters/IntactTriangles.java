@@ -1,13 +1,12 @@
 package particles.output.painters;
 
-import java.util.HashSet;
-import java.util.Set;
+import java.util.Arrays;
 import particles.view.Surface;
 
 /** Finds the intact triangles of a surface: in a tearing cloth, one with fewer than two spring edges left is torn. */
 public final class IntactTriangles {
     private final Surface surface;
-    private final Set<Long> springs = new HashSet<>();
+    private long[] springs = {};                        // sorted; in a large cloth, a set would take 80 bytes for each
     private final boolean[] whole;
     private int structure = -1;
 
@@ -32,10 +31,11 @@ public final class IntactTriangles {
     }
 
     private void find(FrameState state) {
-        springs.clear();
-        for (int s = 0; s < state.springs.count() && surface.ofSprings(); s++) {
-            springs.add(pair(state.springs.from()[s], state.springs.to()[s]));
+        springs = new long[surface.ofSprings() ? state.springs.count() : 0];
+        for (int s = 0; s < springs.length; s++) {
+            springs[s] = pair(state.springs.from()[s], state.springs.to()[s]);
         }
+        Arrays.sort(springs);
         int[] corners = surface.triangles();
         for (int t = 0; t < whole.length; t++) {
             int a = corners[3 * t];
@@ -47,7 +47,7 @@ public final class IntactTriangles {
     }
 
     private int edge(int a, int b) {
-        return springs.contains(pair(a, b)) ? 1 : 0;
+        return Arrays.binarySearch(springs, pair(a, b)) >= 0 ? 1 : 0;
     }
 
     private static long pair(int a, int b) {
