@@ -12,8 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Optional;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
+import org.snakeyaml.engine.v2.scanner.StreamReader;
 import particles.spec.messages.Place;
 
 /** Reads a text file safely: limited size, UTF-8, printable characters only; anything else is a clear problem. */
@@ -22,9 +21,8 @@ public final class SourceText {
     static final int LARGEST = 2 << 20;
     /** The longest word; the parser's time grows with the square of a word's length. */
     static final int LONGEST_WORD = 100_000;
-    /** A character that is not printable, by YAML 1.2, or the beginning of a word that is too long. */
-    private static final Pattern REFUSED = Pattern.compile("[^\\t\\n -~\\x85\\xa0-\\ud7ff\\ue000-\\ufffd"
-            + "\ud800\udc00-\udbff\udfff]|(?<![^ \\t\\n])[^ \\t\\n]{" + (LONGEST_WORD + 1) + "}");
+    /** Printable by YAML 1.2, and refused by its parser. */
+    private static final int DELETE = 0x7f;
     /** The two bytes of UTF-16's byte order mark. */
     private static final byte LOW = (byte) 0xfe;
     private static final byte HIGH = (byte) 0xff;
@@ -81,14 +79,17 @@ public final class SourceText {
             return in.problems().add(end(text, in), "a byte here is not UTF-8; save the file as UTF-8");
         }
         text = text.startsWith("\uFEFF") ? text.substring(1) : text;
-        Matcher mistake = REFUSED.matcher(text);
-        if (mistake.find()) {
-            int c = text.codePointBefore(mistake.end());
-            return in.problems().add(end(text.substring(0, mistake.end() - Character.charCount(c)), in),
-                    mistake.group().length() > LONGEST_WORD
+        int word = 0;
+        for (int i = 0, c; i < text.length(); i += Character.charCount(c)) {    // the page's patterns are recursive
+            c = text.codePointAt(i);
+            word = c == ' ' || c == '\t' || c == '\n' ? 0 : word + 1;
+            String problem = word > LONGEST_WORD
                     ? "more than " + LONGEST_WORD + " characters without a space between them; break the line"
-                    : "a character here is not printable: "
-                            + (c == 0 ? "a zero byte; is this a text file?" : String.format("U+%04X", c)));
+                    : StreamReader.isPrintable(c) && c != DELETE ? "" : "a character here is not printable: "
+                            + (c == 0 ? "a zero byte; is this a text file?" : String.format("U+%04X", c));
+            if (!problem.isEmpty()) {
+                return in.problems().add(end(text.substring(0, i), in), problem);
+            }
         }
         return Optional.of(text);
     }
