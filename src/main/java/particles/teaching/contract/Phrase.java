@@ -17,8 +17,8 @@ public enum Phrase {
     DIFFERS, CHANGED, PARTS, WEIGHTS_SUM, LOW_ORDER, OTHER_STEPS, CONTRADICTS, EXPLICIT, ROUNDS, OLD_VELOCITY,
     NEW_VELOCITY, NOTHING_EARLIER, NO_CONTROL, NAME_ORDER, EQUATION, EQUATION_TIME, LOOSE, STALE,
     TOO_OLD, ADAMS_START, UNSTABLE, UNCONTROLLED, LARGEST_ERROR, ABSOLUTE_ERROR, ELSEWHERE,
-    LAYOUT, ADDS, NO_CONVERGENCE, UNUSED, USES_STEPS_BEFORE, KEPT_ARRAY, KEPT_DERIVATIVE, KEPT_SOMETHING, OTHER_SOURCE,
-    STATIC, DELTA_T_CHANGES, DELTA_T_KEPT, CLOCK_IGNORED, SIZE_FAILS, SIZE_UNLIKE, NOTHING_BACK, LOOPS, MOVES_AT_ZERO,
+    LAYOUT, ADDS, GOES_ON, DRAG, NO_CONVERGENCE, UNUSED, USES_STEPS_BEFORE, KEPT_ARRAY, KEPT_DERIVATIVE, KEPT_SOMETHING,
+    OTHER_SOURCE, STATIC, DELTA_T_CHANGES, DELTA_T_KEPT, CLOCK_IGNORED, SIZE_FAILS, SIZE_UNLIKE, NOTHING_BACK, LOOPS, MOVES_AT_ZERO,
     NAN_AT_ZERO, SWALLOWS, FOR_PARTICLES, REFUSES_BACK, REFUSES_ZERO, LEFT_WITHIN, NAN_UNNOTICED, NAN_UNSAID,
     NAN_HIDDEN;
 
@@ -42,8 +42,9 @@ public enum Phrase {
                 moves of the clock in a step together have to make deltaT
             time STAGE_TIMES: %s is evaluated at %s; %s says %s%s
             time TIME_OF_STAGE: %s %s while the clock is at %s; the state there is that of %s
-            time STAGE_CLOCKS: the measured order is %s where a force changes with time, and %s where none does: some \
-                evaluations are at another clock than their states
+            time STAGE_CLOCKS: the error is %s where a force changes with the clock, with deltaT = %s s, and %s \
+                where the same force is read off the state: some evaluations are at another clock than their states, or \
+                the derivative with respect to time is missing in a method with a matrix
             time REJECTED_CLOCK: after a sub-step that is rejected the state is put back and the clock is not: the \
                 clock may move only when a sub-step is accepted
             # the state
@@ -83,6 +84,8 @@ public enum Phrase {
                 of the book
             method OTHER_STEPS: the measured order is %s, and the coefficients of a step are those of a method of \
                 order %s: on other sources, or with another deltaT, it makes another step
+            method GOES_ON: the new state is %s, which goes on from the trial state %s: go back to the start s before \
+                adding
             # the name
             name CONTRADICTS: this is %s and not %s, as its name says
             name EXPLICIT: this is %s, which is explicit, and not %s, as its name says: the equation for the new \
@@ -171,6 +174,8 @@ public enum Phrase {
             state NAN_HIDDEN: this check made the derivative NaN on purpose, and the new state has no NaN: the \
                 derivative has to enter the new state whatever it is, or an exception has to say that it is no number
             # style
+            style DRAG: its order is %s, and %s where the acceleration depends on the velocity, as with drag: there \
+                the velocity of the closing kick has to be iterated
             style UNUSED: an evaluation of the step enters nothing, and could be left out
             style FOR_PARTICLES: it works on systems of positions and velocities only, such as particles, and refuses \
                 others

@@ -1,6 +1,7 @@
 package particles.teaching.solvers;
 
 import deSolvers.DESolver;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -12,6 +13,7 @@ import particles.teaching.contract.Phrase;
 import particles.teaching.sources.Springs;
 import particles.teaching.sources.StiffDecay;
 import particles.teaching.sources.StudentSource;
+import particles.teaching.sources.WindyOscillators;
 
 /**
  * Identifies a method whose step is a combination with fixed weights, and its mistakes: first those that all methods
@@ -70,13 +72,19 @@ record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<Or
             return new Diagnosis("This is " + (same ? "" : "nearest to ") + name, rule.or(() -> nearest.first().filter(
                     finding -> scheme.isInTurn() && nearest.isNear())));
         }
-        Optional<Finding> unused = Phrase.UNUSED.when(!read.isOfParticles() && scheme.size() < read.size());
-        Optional<Finding> unsolved = same ? unused : SolvedEquation.rounds(maker, scheme, promise).or(() ->
+        Optional<Finding> note = read.isOfParticles() ? dragged() : Phrase.UNUSED.when(scheme.size() < read.size());
+        Optional<Finding> unsolved = same ? note : SolvedEquation.rounds(maker, scheme, promise).or(() ->
                 KnownMethods.mistake(scheme)).or(() -> Optional.of(unsolved(scheme)).filter(finding ->
                 promise.isImplicit()));
-        return same ? new Diagnosis("This is " + name, unused, nearest.known().order(), name)
+        return same ? new Diagnosis("This is " + name, note, nearest.known().order(), name)
                 : unsolved.isPresent() ? new Diagnosis("This is an explicit method", unsolved)
-                : unknown(scheme, nearest, unused);
+                : unknown(scheme, nearest, note);
+    }
+
+    /** The note of a method whose order falls where the acceleration depends on the velocity. */
+    private Optional<Finding> dragged() {
+        OrderMeasurement drag = OrderMeasurement.of(maker, WindyOscillators::withDrag);
+        return Phrase.DRAG.when(drag.order() < measured.get().order() - 0.7, measured.get().digits(), drag.digits());
     }
 
     private Finding unsolved(Scheme scheme) {
@@ -89,7 +97,7 @@ record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<Or
     }
 
     /** Judges coefficients that are those of no known method by their measured order, and by the nearest one. */
-    private Diagnosis unknown(Scheme scheme, Comparison nearest, Optional<Finding> unused) {
+    private Diagnosis unknown(Scheme scheme, Comparison nearest, Optional<Finding> note) {
         boolean particles = scheme.isOfParticles();
         OrderMeasurement full = measured.get();
         int wanted = promise.isGiven() ? promise.order() : nearest.isNear() ? nearest.known().order() : 1;
@@ -102,17 +110,30 @@ record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<Or
             return new Diagnosis("This is a " + (particles ? "method of order " + order + " that moves positions and"
                     + " velocities in turn," + (keepsArea ? " symplectic," : "") : "Runge-Kutta method of order "
                     + order) + " with " + count(scheme) + "; its coefficients match no named method",
-                    unused, order, "");
+                    note, order, "");
         }
-        boolean near = nearest.isNear() || promise.isWhole() && nearest.known().size() == scheme.size() && (particles
-                || scheme.size() <= MANY);
+        Optional<Finding> goesOn = nearest.known().size() == scheme.size() ? Optional.empty() : goesOn(scheme);
+        boolean near = goesOn.isEmpty() && (nearest.isNear() || promise.isWhole() && nearest.known().size()
+                == scheme.size() && (particles || scheme.size() <= MANY));
         Combination row = scheme.ends().get(0);
         return new Diagnosis(near ? "This is nearest to " + nearest.known().name() : "This is a method of your own",
-                Search.first(() -> nearest.first().filter(finding -> near), () -> IntStream.range(0, particles ? 0
-                : scheme.size()).mapToObj(i -> offTime(scheme.stages().get(i), scheme.times()[i])).flatMap(
-                Optional::stream).findFirst(), () -> Phrase.WEIGHTS_SUM.when(!particles && !Formula.same(
+                Search.first(() -> goesOn, () -> nearest.first().filter(finding -> near), () -> IntStream.range(0,
+                particles ? 0 : scheme.size()).mapToObj(i -> offTime(scheme.stages().get(i), scheme.times()[i]))
+                .flatMap(Optional::stream).findFirst(), () -> Phrase.WEIGHTS_SUM.when(!particles && !Formula.same(
                 row.increment(), 1), row.increment()), () -> Optional.of(Phrase.LOW_ORDER.of(full.digits(), count(
                 scheme), promise.isGiven() ? "; " + promise.saysWithOrder() : "", row.what(), row.formula()))));
+    }
+
+    /** A step that adds the increment of a method of order 2 to its last trial state. */
+    private static Optional<Finding> goesOn(Scheme scheme) {
+        int n = scheme.size();
+        Combination trial = scheme.stages().get(n - 1);
+        Combination end = scheme.ends().get(0);
+        double[] increment = Combination.plus(end.slopes(n), -1, trial.slopes(n));
+        double[] atTimes = scheme.stages().stream().mapToDouble(Combination::increment).toArray();
+        Arrays.setAll(atTimes, j -> atTimes[j] * increment[j]);
+        return Phrase.GOES_ON.when(!scheme.isOfParticles() && trial.increment() != 0 && Formula.same(Combination.sum(
+                increment), 1) && Formula.same(Combination.sum(atTimes), 0.5), end.formula(), trial.formula());
     }
 
     private static Optional<Finding> offTime(Combination stage, double time) {

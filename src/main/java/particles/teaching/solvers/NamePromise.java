@@ -73,7 +73,11 @@ record NamePromise(String says, int order, List<String> methods, String kind, St
             a Runge-Kutta method of order 3 | 3 | rk3 rungekutta3 third-rungekutta 3rd-rungekutta kutta3 heun3 \
             ralston3 bogackishampine ssprk3 ssp3 | |
             a strong-stability-preserving method | 2 | ssp ssprk shuosher | |
-            a Runge-Kutta method of order 4 | 4 | rk4 rungekutta4 rungekutta classicalrk gill ralston4 ralstonrk4 | |
+            a Runge-Kutta method of order 4 | 4 | rk4 rungekutta4 rungekutta classicalrk gill ralston4 ralstonrk4 \
+            ssprk4 ssprk54 ssprk104 | |
+            a Runge-Kutta method of order 6 | 6 | rk6 rungekutta6 butcher6 | |
+            a Runge-Kutta method of order 8 | 8 | rk8 rungekutta8 | |
+            a stabilized method | 1 | chebyshev legendre rkc rkl | |
             Kutta's 3/8 rule | 4 | rk38 rungekutta38 kutta38 threeeighth | Kutta's 3/8 rule |
             a method of order 4 or 5 | 4 | rkf45 rk45 ode45 fehlberg rungekuttafehlberg cashkarp dormandprince dopri \
             merson kuttamerson | |
@@ -85,27 +89,45 @@ record NamePromise(String says, int order, List<String> methods, String kind, St
             velocity Verlet | 2 | leapfrogkdk | velocity Verlet (leapfrog: kick, drift, kick) |
             position Verlet | 2 | leapfrogdkd | position Verlet (drift, kick, drift) |
             Ruth's method of order 3 | 3 | ruth ruth3 | |
-            a symplectic method of order 4 | 4 | yoshida forestruth ruth4 candyrozmus pefrl | |
+            a symplectic method of order 4 | 4 | yoshida forestruth ruth4 candyrozmus pefrl suzuki | |
+            a symplectic method of order 6 | 6 | yoshida6 suzuki6 kahanli | |
+            a symmetric splitting | 2 | strang suzukitrotter2 trotter2 | |
             an Adams method of order 2 | 2 | ab2 adamsbashforth2 adams2 | | earlier
             an Adams method of order 3 | 3 | ab3 adamsbashforth3 adams3 abm3 | | earlier
             an Adams method of order 4 | 4 | ab4 adamsbashforth4 adams4 abm4 | | earlier
+            an Adams method of order 5 | 5 | ab5 adamsbashforth5 adams5 abm5 | | earlier
+            Milne's or Hamming's method | 4 | milne hamming milnesimpson milnehamming | | earlier
+            a Taylor method of order 2 | 2 | taylor2 taylorseries | |
+            a Taylor method of order 3 | 3 | taylor3 | |
+            a Taylor method of order 4 | 4 | taylor4 | |
             an Adams method | 2 | adams adamsbashforth adamsmoulton adamsbashforthmoulton | |
             a BDF method of order 2 | 2 | bdf2 | | earlier
             a Rosenbrock method | 1 | rosenbrock | | implicit
             a Rosenbrock method of order 2 | 2 | ros2 rosenbrock2 | | implicit
+            a Rosenbrock method of order 3 | 3 | ros3 rosenbrock3 rodas3 | | implicit
+            a Rosenbrock method of order 4 | 4 | ros4 rosenbrock4 rodas kapsrentrop grk4 | | implicit
+            an exponential method of order 2 | 2 | etd2 etdrk2 exponentialmidpoint | |
+            an exponential method of order 4 | 4 | etd4 etdrk4 lawson4 | |
             TR-BDF2 | 2 | trbdf2 | | implicit
-            a Nystrom method | 3 | nystrom nystroem | |
+            a Nystrom method | 3 | nystrom nystroem rkn | |
+            a Nystrom method of order 4 | 4 | nystrom4 nystroem4 rkn4 | |
+            a Nystrom method of order 5 | 5 | nystrom5 nystroem5 rkn5 | |
             a BDF method of order 3 | 3 | bdf3 | | earlier
+            a BDF method of order 4 | 4 | bdf4 | | earlier
+            a BDF method of order 5 | 5 | bdf5 | | earlier
             Beeman's method | 2 | beeman | |
             a predictor-corrector method | 2 | pec pece predictor-corrector | |
             a Gauss method | 2 | gauss gausslegendre | | implicit
             a Gauss method of order 4 | 4 | gauss4 gausslegendre4 | | implicit
+            a Gauss method of order 6 | 6 | gauss6 gausslegendre6 | | implicit
+            a Lobatto method of order 4 | 4 | lobatto4 | | implicit
             a Lobatto method | 2 | lobatto | | implicit
             a Radau method | 3 | radau | | implicit
             a Radau method of order 3 | 3 | radau3 radauiia3 | | implicit
             Radau IIA of order 5 | 5 | radau5 radauiia5 | | implicit
             a diagonally implicit method of order 2 | 2 | sdirk2 dirk2 | | implicit
             a diagonally implicit method of order 3 | 3 | sdirk3 dirk3 | | implicit
+            a diagonally implicit method of order 4 | 4 | sdirk4 dirk4 | | implicit
             """;
 
     /** The parts of a word stand in a name in any order. */
@@ -124,10 +146,12 @@ record NamePromise(String says, int order, List<String> methods, String kind, St
         }
 
         int length() {
-            return String.join("", parts).length();
+            return parts.equals(FAMILY) ? 0 : String.join("", parts).length();
         }
     }
 
+    /** In RungeKuttaHeun, the other word says which. */
+    private static final List<String> FAMILY = List.of("rungekutta");
     private static final List<Row> ROWS = TABLE.lines().flatMap(Row::of).toList();
 
     /**

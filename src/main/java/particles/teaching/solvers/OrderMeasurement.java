@@ -32,23 +32,22 @@ public record OrderMeasurement(double order, List<double[]> points) {
 
     /** @return the measurement, on {@link WindyOscillators} */
     public static OrderMeasurement of(Supplier<DESolver> maker) {
-        return of(maker, () -> new WindyOscillators(1));
+        return measure(maker, () -> new WindyOscillators(1));
     }
 
     /**
-     * @return the measurement on a nonlinear law, not from 0, where the field does not change, so that the first step's
-     *         clock hardly shows
+     * @return the measurement on this law, not from 0, where the field does not change, so that the first step's clock
+     *         hardly shows
      */
-    static OrderMeasurement nonlinear(Supplier<DESolver> maker) {
-        return of(maker, () -> {
-            WindyOscillators source = WindyOscillators.nonlinear(1);
+    static OrderMeasurement of(Supplier<DESolver> maker, Supplier<WindyOscillators> laws) {
+        return measure(maker, () -> {
+            WindyOscillators source = laws.get();
             source.startAt(START);
             return source;
         });
     }
 
-    /** @return the measurement, on sources of this kind */
-    static OrderMeasurement of(Supplier<DESolver> maker, Supplier<? extends StudentSource> sources) {
+    private static OrderMeasurement measure(Supplier<DESolver> maker, Supplier<WindyOscillators> sources) {
         List<double[]> points = new ArrayList<>();
         List<Double> slopes = new ArrayList<>();
         double last = Double.NaN;

@@ -14,7 +14,6 @@ import particles.teaching.StudentFailure;
 import particles.teaching.contract.Phrase;
 import particles.teaching.contract.SolverContract;
 import particles.teaching.contract.SolverMemory;
-import particles.teaching.sources.Springs;
 import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 
@@ -29,8 +28,13 @@ public final class SolverCheck {
     private static final int REPEATED = 6;
     /** Adaptive methods have an error that does not follow deltaT, and a small one. */
     private static final double SMALL_ERROR = 1e-4;
+    /** A step whose states and times belong together makes the same errors; Lawson's method makes 7 times as large. */
+    private static final double OFF_CLOCK = 20;
+    /** Smaller errors may be those of a tolerance. */
+    private static final double TOLERATED = 1e-8;
     /** Below this order the error does not go to 0; Euler measures 0.97 to 1.03. */
     private static final double LOWEST_ORDER = 0.7;
+
 
     private static final String MULTISTEP = "This is a method that uses earlier steps (a multistep method)";
     private static final String UNREAD = "This is a method without fixed coefficients, adaptive or implicit";
@@ -121,7 +125,7 @@ public final class SolverCheck {
     }
 
     private OrderMeasurement measurement() {
-        measured = measured.or(() -> Optional.of(OrderMeasurement.nonlinear(maker)));
+        measured = measured.or(() -> Optional.of(OrderMeasurement.of(maker, () -> WindyOscillators.nonlinear(1))));
         return measured.get();
     }
 
@@ -159,8 +163,9 @@ public final class SolverCheck {
      * reset in time.
      */
     private Optional<Finding> afterContract() {
-        return (multistep ? SolvedEquation.ofEarlierSteps(maker) : Optional.<SolvedEquation>empty()).flatMap(reading ->
-                reading.wrongWeights(measurement(), wanted())).or(() -> poorOrder(() -> multistep ? Optional.empty()
+        return stageClocks().or(() -> (multistep ? SolvedEquation.ofEarlierSteps(maker)
+                : Optional.<SolvedEquation>empty()).flatMap(reading -> reading.wrongWeights(measurement(), wanted())))
+                .or(() -> poorOrder(() -> multistep ? Optional.empty()
                 : firstSubStep(finding -> true), () -> SolvedEquation.of(maker, true).flatMap(SolvedEquation::wrong)));
     }
 
@@ -169,7 +174,7 @@ public final class SolverCheck {
         Optional<SolvedEquation> found = SolvedEquation.of(maker, false);
         return found.map(SolvedEquation::name).or(() -> promise.methods().stream().filter(name ->
                 promise.isImplicit()).findFirst()).or(() -> SolvedEquation.near(maker)).map(name -> new Diagnosis(
-                "This is " + name, Search.first(() -> found.flatMap(SolvedEquation::wrong), unread::unstable, () ->
+                "This is " + name, Search.first(() -> found.flatMap(SolvedEquation::wrong), this::unstable, () ->
                 SolvedEquation.loose(maker, name, contract.solvesWithMatrix() ? 0.5 : 3.0 / 32)), 0,
                 found.isPresent() ? name : ""));
     }
@@ -178,8 +183,13 @@ public final class SolverCheck {
     private Diagnosis measured() {
         return new Diagnosis(UNREAD, clock.or(() -> Search.first(unread::entryByEntry, () -> firstSubStep(finding ->
                 finding.kind() != Finding.Kind.METHOD), unread::uncut, () -> poorOrder(() -> firstSubStep(
-                finding -> true), unread::unstable), unread::elsewhere, this::stageClocks, unread::uncontrolled,
-                unread::asymmetric, () -> promise.kind().equals("implicit") ? unread.unstable() : Optional.empty())));
+                finding -> true), this::unstable), unread::elsewhere, this::stageClocks, unread::uncontrolled,
+                unread::asymmetric, () -> promise.kind().equals("implicit") || measurement().order()
+                < UnreadMethod.SECOND ? unstable() : Optional.empty())));
+    }
+
+    private Optional<Finding> unstable() {
+        return unread.unstable(measurement().order());
     }
 
     /** A mistake in the first sub-step of an adaptive method, which it accepts where derivatives are tiny. */
@@ -198,12 +208,16 @@ public final class SolverCheck {
                 < diagnosis.order() - 0.5, measurement().digits(), diagnosis.order());
     }
 
-    /** Whether the order falls where forces change with time. */
+    /** Whether the law that is read off the clock leads astray, and the same law without a clock does not. */
     private Optional<Finding> stageClocks() {
-        OrderMeasurement constant = OrderMeasurement.of(maker, Springs::new);
-        OrderMeasurement changing = OrderMeasurement.of(maker);
-        return Phrase.STAGE_CLOCKS.when(constant.order() > changing.order() + 0.7, changing.digits(),
-                constant.digits());
+        List<double[]> timeless = OrderMeasurement.of(maker, WindyOscillators::timeless).points();
+        return IntStream.range(0, Math.min(timeless.size(), measurement().points().size())).mapToObj(i -> {
+            double deltaT = timeless.get(i)[0];
+            double error = measurement().points().get(i)[1];
+            double without = timeless.get(i)[1];
+            return Phrase.STAGE_CLOCKS.when(error > OFF_CLOCK * without && error > TOLERATED && Double.isFinite(error),
+                    error, deltaT, without);
+        }).flatMap(Optional::stream).findFirst().map(finding -> unread.rejectedClock().orElse(finding));
     }
 
     /** The lowest order that the name allows; to use earlier steps without gaining order does not pay. */

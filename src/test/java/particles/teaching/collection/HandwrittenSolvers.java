@@ -200,6 +200,8 @@ final class HandwrittenSolvers {
                         (source, h) -> state(source)[source.getStateSize()]++),
                 wrong("W98BackwardEuler", "sign of the Jacobian", "signs in the matrix", (source, h) -> rosenbrock(
                         source, h, -1)),
+                wrong("Mine", "30 deltaT in the matrix", "signs in the matrix", (source, h) -> rosenbrock(source, h,
+                        30)),
                 wrong("Ros2", "sign of the Jacobian", "signs in the matrix", (source, h) -> ros2(source, h, -1)));
     }
 

@@ -61,6 +61,7 @@ class SolverCollectionTest {
                 -> 1/6 0 0 2/3 1/6
                 FiveRungeKutta4 | RK4 | | rk RK4 SIXTHS
                 FourStageAdams | order 2 | | adams 2 1
+                RungeKuttaHeun | the family first | | rk HEUN
                 TwoPhaseImplicitBdf | one step | | irk ; 0.2928932188134524 0.2928932188134524; \
                 0.3535533905932738 0.3535533905932738 0.2928932188134524 \
                 -> 0.3535533905932738 0.3535533905932738 0.2928932188134524 : newton 1e-11 60
@@ -74,6 +75,13 @@ class SolverCollectionTest {
                 RungeKuttaFour | Heun | not a Runge-Kutta method of order 4 | rk HEUN
                 TwoStageGauss | the trapezoidal rule | not a Gauss method | TRAPEZOID NEWTON
                 """));
+    }
+
+    @Test
+    void aClosingKickThatIsNotIteratedGetsANote() {
+        Specimen leapfrog = SolverTable.read("Leapfrog | | | LEAPFROG").get(0);
+        assertTrue(SolverCheck.check(leapfrog.maker(), "Leapfrog").findings().stream().anyMatch(note ->
+                note.toString().startsWith("style: its order is 2.00, and 1.09 where the acceleration depends")));
     }
 
     @Test

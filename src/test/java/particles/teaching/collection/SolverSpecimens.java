@@ -379,7 +379,7 @@ final class SolverSpecimens {
                 W88AdamsBashforth2 | no reset | reset\\(\\) was called | adams 2 4 : no-reset
                 W56AdamsBashforth2 | deltaT not compared | deltaT changes | adams 2 4 : any-deltaT
                 W25AdamsBashforth2 | state not compared | as a collision does | adams 2 4 : any-state
-                W89AdamsBashforth3 | stages of the start at t | first steps.*not accurate enough \
+                W89AdamsBashforth3 | stages of the start at t | at another clock than their states \
                 | adams 3 4 : start-clock
                 W142AdamsBashforth2 | clock stays later | from step 2 on the clock never moves | adams 2 4 : clock-stays
                 Bdf2Solver | 2/3 missing | formula of order 2 | bdf 1
@@ -450,6 +450,17 @@ final class SolverSpecimens {
                 GaussSolver | clocks of the stages exchanged | at another clock than their states \
                 | irk 0.25 -0.03867513459481287; 0.5386751345948129 0.25 -> 1/2 1/2 \
                 @ 0.7886751345948129 0.21132486540518713 NEWTON
+                GaussLegendre | weights of the stages exchanged, simple iteration | at another clock than their states \
+                | irk 1/4 0.5386751345948129; -0.03867513459481287 1/4 -> 1/2 1/2 \
+                @ 0.21132486540518713 0.7886751345948129 SIMPLE
+                SuzukiTrotter | the piece backwards comes last | measured order is .* symplectic method of order 4 \
+                | irk 0.20724538589718786; 0.4144907717943757 0.20724538589718786; \
+                0.4144907717943757 0.4144907717943757 0.20724538589718786; \
+                0.4144907717943757 0.4144907717943757 0.4144907717943757 0.20724538589718786; \
+                0.4144907717943757 0.4144907717943757 0.4144907717943757 0.4144907717943757 -0.3289815435887514 \
+                -> 0.4144907717943757 0.4144907717943757 0.4144907717943757 0.4144907717943757 -0.6579630871775028 \
+                SIMPLE
+                Mine | goes on from the trial state | goes on from the trial state | rk 3/4 -> 13/12 2/3
                 Again | clock moves though rejected | clock may move only when \
                 | pair 1/2; -1 2 -> 1/6 2/3 1/6 -> 1 0 0 : 1e-6 3 clock-runs
                 Homework5 | three stages, not Runge-Kutta of order 5 | k3 is evaluated at s - k1 \\+ k2; \
