@@ -15,10 +15,13 @@ import org.snakeyaml.engine.v2.nodes.Tag;
  */
 public record TextType(String describe, Pattern pattern, boolean alsoNumbers) implements Type<String> {
     static final int LONGEST = 2000;
+    /** All but tabs and ends of lines. */
+    private static final String CONTROL = "\\x00-\\x08\\x0b\\x0c\\x0e-\\x1f\\x7f-\\x9f";
 
-    /** @return the type of any text that is not empty */
+    /** @return the type of any text that is not empty; control characters would make files unreadable */
     public static TextType prose() {
-        return new TextType("a text that is not empty", Pattern.compile("\\S"), false);
+        return new TextType("a text that is not empty, without control characters",
+                Pattern.compile("^[^" + CONTROL + "]*[^\\s" + CONTROL + "][^" + CONTROL + "]*$"), false);
     }
 
     /**

@@ -441,12 +441,20 @@ class BrokenScenesTest {
             solver: rk5
             deltaT: 0
             duration: soon
-            x.yaml:1:1: the scene needs 'teaches': a text that is not empty
-            x.yaml:1:8: 'title' is the text ''; it has to be a text that is not empty
+            x.yaml:1:1: the scene needs 'teaches': a text that is not empty, without control characters
+            x.yaml:1:8: 'title' is the text ''; it has to be a text that is not empty, without control characters
             x.yaml:2:9: unknown solver 'rk5'; did you mean 'rk4'? known: {solvers}, or the full name of a class, \
             such as exercises.MySolver
             x.yaml:3:9: 'deltaT' is 0; it has to be a number over 0 (s)
             x.yaml:4:11: 'duration' is the text 'soon'; it has to be a number from 0 up (s)
+
+            title: "a\\x07b"
+            teaches: "two\\tlines\\n"
+            solver: rk4
+            deltaT: 0
+            duration: 1
+            x.yaml:1:8: 'title' is the text 'a b'; it has to be a text that is not empty, without control characters
+            x.yaml:4:9: 'deltaT' is 0; it has to be a number over 0 (s)
 
             title: A
             teaches: B
