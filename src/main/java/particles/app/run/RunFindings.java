@@ -19,6 +19,8 @@ final class RunFindings {
     /** Extents that differ by less than this are called equal. */
     private static final double EQUAL = 0.05;
     private static final int NAMED = 3;
+    /** A path of fewer states has no halves that could be compared. */
+    private static final int FEW_STATES = 10;
     /** Smaller factors are not told apart in a chart. */
     private static final double TINY = 0.01;
 
@@ -72,7 +74,7 @@ final class RunFindings {
     static String path(Series path) {
         double wider = growth(path.x());
         double higher = growth(path.y());
-        boolean known = Double.isFinite(wider) && Double.isFinite(higher);
+        boolean known = path.x().length >= FEW_STATES && Double.isFinite(wider) && Double.isFinite(higher);
         String begin = "the second half of the path is ";
         return !known ? "a path of " + path.x().length + (path.x().length == 1 ? " state" : " states")
                 : wider == 0 && higher == 0 ? "the particle is at rest in the second half of the path"
@@ -88,7 +90,8 @@ final class RunFindings {
 
     /** The extent of the second half of the values, as a multiple of the first's; NaN or infinite if there is none. */
     private static double growth(double[] values) {
-        return extent(values, values.length / 2, values.length) / extent(values, 0, values.length / 2 + 1);
+        int half = values.length / 2 + 1;               // both have as many steps
+        return extent(values, values.length - half, values.length) / extent(values, 0, half);
     }
 
     private static double extent(double[] values, int from, int to) {

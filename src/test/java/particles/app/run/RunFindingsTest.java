@@ -15,6 +15,7 @@ import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -103,8 +104,8 @@ class RunFindingsTest {
     @Test
     void pathsThatHardlyGrowOrGrowFarHaveNumbersOfASensibleSize() {
         assertEquals("the second half of the path is less than 0.01 times as wide and more than 100 times as high",
-                RunFindings.path(new Series("rk4", Mark.LINE, new double[] {0, 1, 1, 1.001}, new double[] {0, 1, 1,
-                    200})));
+                RunFindings.path(new Series("rk4", Mark.LINE, new double[] {0, 1, 1, 1, 1, 1, 1, 1, 1, 1.001},
+                        new double[] {0, 1, 1, 1, 1, 1, 1, 1, 1, 200})));
     }
 
     @Test
@@ -116,11 +117,19 @@ class RunFindingsTest {
     }
 
     @Test
-    void aPathOfOneStateHasNoHalvesAndOneMayEndAtRest() {
+    void aPathMayEndAtRest() {
         assertEquals("the particle is at rest in the second half of the path", RunFindings.path(new Series("path",
-                Mark.LINE, new double[] {3, 2, 1, 1, 1, 1}, new double[] {4, 2, 0, 0, 0, 0})));
-        assertEquals("a path of 1 state", RunFindings.path(new Series("path", Mark.LINE, new double[1],
-                new double[1])));
+                Mark.LINE, new double[] {3, 2, 1, 1, 1, 1, 1, 1, 1, 1}, new double[] {4, 2, 0, 0, 0, 0, 0, 0, 0, 0})));
+    }
+
+    /** With constant velocity, both halves are of one size. */
+    @ParameterizedTest
+    @CsvSource({"1, a path of 1 state", "2, a path of 2 states", "9, a path of 9 states",
+        "10, the second half of the path is as large as the first",
+        "11, the second half of the path is as large as the first"})
+    void aPathOfFewStatesHasNoHalves(int states, String title) {
+        double[] even = IntStream.range(0, states).asDoubleStream().toArray();
+        assertEquals(title, RunFindings.path(new Series("path", Mark.LINE, even, even)));
     }
 
     private static Series line(double... values) {
