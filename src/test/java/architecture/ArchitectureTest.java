@@ -98,6 +98,7 @@ class ArchitectureTest {
             particles.experiments.runs:    deSolvers deSolvers.catalog particles particles.law particles.scene
                                            particles.scene.format
             particles.experiments.spectrum: deSolvers.implicit deSolvers.linear particles particles.law org.ejml
+                org.hipparchus
             particles.experiments.stability: deSolvers deSolvers.catalog deSolvers.problems deSolvers.text particles
                                            particles.experiments.runs particles.experiments.spectrum particles.law
                                            particles.scene particles.scene.format particles.view

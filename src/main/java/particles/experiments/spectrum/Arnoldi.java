@@ -4,16 +4,13 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.stream.IntStream;
-import org.ejml.data.Complex_F64;
 import org.ejml.data.DMatrixRMaj;
-import org.ejml.data.ZMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
-import org.ejml.dense.row.CommonOps_ZDRM;
 import org.ejml.dense.row.NormOps_DDRM;
-import org.ejml.dense.row.NormOps_ZDRM;
-import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
-import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
+import org.hipparchus.complex.Complex;
+import org.hipparchus.linear.EigenDecompositionNonSymmetric;
+import org.hipparchus.linear.MatrixUtils;
+import org.hipparchus.linear.RealMatrix;
 
 /**
  * The eigenvalues of a system: Arnoldi's iteration on the whole Jacobian. It finds the outermost eigenvalues first, and
@@ -24,11 +21,10 @@ import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
  */
 final class Arnoldi {
     private static final double BREAKDOWN = 1e-13;
-    /** The relative shift from the eigenvalue in inverse iteration, so that the matrix is not singular. */
-    private static final double SHIFT = 1e-10;
     /** The relative residual at which the fastest vibration is known. */
     private static final double KNOWN = 1e-9;
-    private static final int LOOK_EVERY = 10;
+    /** Fewer directions are not looked at; of more, those after which twice as many would follow. */
+    private static final int FIRST_LOOK = 8;
 
     private final Linearisation linear;
     /** A direction in each row. */
@@ -63,13 +59,14 @@ final class Arnoldi {
             largest = Math.max(largest, NormOps_DDRM.normF(image));
             for (int twice = 0; twice < 2; twice++) {           // Gram-Schmidt; once leaves round-off
                 CommonOps_DDRM.mult(basis, image, parts);
-                CommonOps_DDRM.multAddTransA(-1, basis, parts, image);
+                CommonOps_DDRM.changeSign(parts);
+                CommonOps_DDRM.multAddTransA(basis, parts, image);
                 for (int row = 0; row <= column; row++) {
-                    hessenberg.add(row, column, parts.get(row));
+                    hessenberg.add(row, column, -parts.get(row));
                 }
             }
             next = NormOps_DDRM.normF(image);
-            boolean look = linear.isConservative() && basis.numRows % LOOK_EVERY == 0;
+            boolean look = linear.isConservative() && column >= FIRST_LOOK && Integer.bitCount(column) == 1;
             if (column + 1 == hessenberg.numRows || next <= BREAKDOWN * largest || look && modes(1).error() <= KNOWN) {
                 return;
             }
@@ -81,59 +78,43 @@ final class Arnoldi {
     /** @param least the least |lambda| of interest, as a part of the largest */
     private Spectrum modes(double least) {
         int m = basis.numRows;
-        DMatrixRMaj square = CommonOps_DDRM.extract(hessenberg, 0, m, 0, m);
-        EigenDecomposition_F64<DMatrixRMaj> ritz = DecompositionFactory_DDRM.eig(m, false);
-        if (!ritz.decompose(square)) {
-            throw new ArithmeticException("the eigenvalues of a " + m + " x " + m + " matrix did not converge");
+        double scale = NormOps_DDRM.normF(hessenberg);          // the decomposition tells zeros by their size
+        RealMatrix square = MatrixUtils.createRealMatrix(m, m);
+        for (int row = 0; row < m; row++) {
+            for (int column = 0; column < m; column++) {
+                square.setEntry(row, column, hessenberg.get(row, column) / scale);
+            }
         }
-        double largest = IntStream.range(0, m).mapToDouble(k -> ritz.getEigenvalue(k).getMagnitude()).max().orElse(0);
+        EigenDecompositionNonSymmetric ritz = new EigenDecompositionNonSymmetric(square);
+        List<Complex> values = Arrays.stream(ritz.getEigenvalues()).map(value -> value.multiply(scale)).toList();
+        double largest = values.stream().mapToDouble(Complex::norm).max().orElse(0);
         List<Mode> modes = new ArrayList<>();
         double error = 0;
         for (int k = 0; k < m; k++) {
-            Complex_F64 lambda = ritz.getEigenvalue(k);
-            boolean pair = lambda.imaginary < 0         // and the way back to a saddle, of which only growth counts
-                    || lambda.imaginary == 0 && lambda.real < 0 && linear.isConservative();
-            if (pair || lambda.getMagnitude() < least * largest) {
+            Complex lambda = values.get(k);
+            boolean pair = lambda.getImaginary() < 0    // and the way back to a saddle, of which only growth counts
+                    || lambda.getImaginary() == 0 && lambda.getReal() < 0 && linear.isConservative();
+            if (pair || lambda.norm() < least * largest) {
                 continue;
             }
-            ZMatrixRMaj weights = vector(square, lambda, largest);
-            double residual = next * Math.hypot(weights.getReal(m - 1, 0), weights.getImag(m - 1, 0));
+            Complex[] weights = ritz.getEigenvector(k).toArray();
+            double length = Math.sqrt(Arrays.stream(weights).mapToDouble(w -> w.norm() * w.norm()).sum());
+            double residual = next * weights[m - 1].norm() / length;
             if (residual <= Spectrum.CONVERGED * largest) {
-                modes.add(mode(lambda, weights));
+                modes.add(mode(lambda, Arrays.stream(weights).mapToDouble(w -> w.getReal() / length).toArray()));
             }
-            error = lambda.getMagnitude() == largest ? residual / largest : error;
+            error = lambda.norm() == largest ? residual / largest : error;
         }
         modes.sort(Comparator.comparingDouble(Mode::size).reversed());
         return new Spectrum(modes, m, error);
     }
 
-    /** By inverse iteration, of length 1. */
-    private static ZMatrixRMaj vector(DMatrixRMaj square, Complex_F64 lambda, double largest) {
-        int m = square.numRows;
-        ZMatrixRMaj shifted = new ZMatrixRMaj(m, m);
-        CommonOps_ZDRM.convert(square, shifted);
-        for (int k = 0; k < m; k++) {
-            shifted.set(k, k, square.get(k, k) - lambda.real - SHIFT * largest, -lambda.imaginary);
-        }
-        ZMatrixRMaj vector = new ZMatrixRMaj(m, 1);
-        CommonOps_ZDRM.convert(DMatrixRMaj.wrap(m, 1, Linearisation.random(m)), vector);
-        for (int twice = 0; twice < 2; twice++) {
-            if (!CommonOps_ZDRM.solve(shifted, vector.copy(), vector)) {
-                throw new ArithmeticException("no eigenvector for the eigenvalue " + lambda);
-            }
-            CommonOps_ZDRM.elementDivide(vector, NormOps_ZDRM.normF(vector), 0, vector);
-        }
-        return vector;
-    }
-
-    private Mode mode(Complex_F64 lambda, ZMatrixRMaj weights) {
-        DMatrixRMaj real = new DMatrixRMaj(weights.numRows, 1);
-        CommonOps_ZDRM.real(weights, real);
+    private Mode mode(Complex lambda, double[] weights) {
         DMatrixRMaj y = new DMatrixRMaj(basis.numCols, 1);
-        CommonOps_DDRM.multTransA(basis, real, y);
+        CommonOps_DDRM.multTransA(basis, DMatrixRMaj.wrap(weights.length, 1, weights), y);
         // an undamped mode's lambda keeps a real part from rounding
-        double re = Math.abs(lambda.real) <= Spectrum.ZERO * lambda.getMagnitude() ? 0 : lambda.real;
-        double im = lambda.imaginary;
+        double re = Math.abs(lambda.getReal()) <= Spectrum.ZERO * lambda.norm() ? 0 : lambda.getReal();
+        double im = lambda.getImaginary();
         double[] state = linear.inState(y.data);
         if (im > 0) {
             return new Mode(re, im, re * re + im * im, -2 * re, state);
