@@ -16,6 +16,8 @@ final class SlidingFriction {
     private static final double PARALLEL = 1e-6;
     /** Speeds below this, relative to the speed at the step's beginning, have no reliable direction. */
     private static final double ALMOST_STOPPED = 1e-6;
+    /** What is left of a vector along surfaces is round-off below this, relative to the vector. */
+    private static final double ROUNDING = 1e-14;
 
     /**
      * The direction that friction opposes: a tangential velocity (m/s), or the force that will move the particle (N).
@@ -104,11 +106,9 @@ final class SlidingFriction {
 
     /** Whether a particle on a surface does not move along it. */
     private static boolean isAtRest(Rows rows, int r, double[] state) {
-        boolean rests = true;
-        for (int c = 0; c < 3; c++) {
-            rests &= state[Particles.STRIDE * rows.first[r] + 3 + c] - rows.rate[r] * rows.gradient[6 * r + c] == 0;
-        }
-        return rests;
+        Vector3 velocity = Vector3.at(state, Particles.STRIDE * rows.first[r] + 3);
+        Vector3 along = velocity.minus(Vector3.at(rows.gradient, 6 * r).times(rows.rate[r]));
+        return along.norm1() <= ROUNDING * velocity.norm1();
     }
 
     /**
@@ -231,15 +231,17 @@ final class SlidingFriction {
         double x = vectors[place];
         double y = vectors[place + 1];
         double z = vectors[place + 2];
+        double least = ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(z));
         for (int a = 0; a < 3 * surfaces; a += 3) {
             double across = axes[a] * x + axes[a + 1] * y + axes[a + 2] * z;
             x -= across * axes[a];
             y -= across * axes[a + 1];
             z -= across * axes[a + 2];
         }
-        result[0] = surfaces == 3 ? 0 : x;
-        result[1] = surfaces == 3 ? 0 : y;
-        result[2] = surfaces == 3 ? 0 : z;
+        boolean none = surfaces == 3 || Math.abs(x) + Math.abs(y) + Math.abs(z) <= least;
+        result[0] = none ? 0 : x;
+        result[1] = none ? 0 : y;
+        result[2] = none ? 0 : z;
     }
 
     private static double length(double[] vector) {

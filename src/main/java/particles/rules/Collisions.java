@@ -202,7 +202,11 @@ public final class Collisions implements EventRule {
         touching.stop(state, true);
         for (r = touching.end() - 1; r >= touching.begin(); r--) {
             if (separation(r, state) > slow(r, state)) {
+                int i = touching.first(r);
+                int j = touching.second(r);
                 touching.part(r);
+                impacts.contacts.settle(i, false, state);           // on the surfaces that they still touch
+                impacts.contacts.settle(j, false, state);
             }
         }
         touching.stop(state, false);

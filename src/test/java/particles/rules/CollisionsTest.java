@@ -23,6 +23,7 @@ import particles.SimulationException;
 import particles.law.SeededRandom;
 import particles.law.Vector3;
 import particles.reactions.RigidConstraints;
+import particles.reactions.contact.ContactModes.Mode;
 import particles.scene.ShortRun;
 import particles.spec.messages.InvalidInputException;
 
@@ -219,6 +220,28 @@ class CollisionsTest {
         assertEquals(0.282842712474619, run.at(1), 1e-14, "it keeps still");
     }
 
+    /** A rough groove holds a ball back along its bottom line only: round-off is no direction across it. */
+    @Test
+    void roundOffIsNoDirectionOfSliding() {
+        ShortRun run = new ShortRun("rk4 exact 0.01 1", """
+                particles:
+                  - {id: a, position: [0, 0.282842712474619, 0]}
+                  - {id: b, position: [0, 0.682842712474619, 0]}
+                rules:
+                  - collisions: {radius: 0.2}
+                  - plane: {normal: [1, 1, 0], friction: {law: coulomb, coefficient: 0.6}}
+                  - plane: {normal: [-1, 1, 0], friction: {law: coulomb, coefficient: 0.6}}
+                """);
+        run.getScene().simulation().start();
+        run.contacts().getModes().setWhereTouching(0, Mode.SLIDING);
+        double[] state = run.getScene().system().getOwnState();
+        new Vector3(0.02, -0.02, 0).put(state, 3);
+        run.contacts().beginStep(run.getScene().system());
+        new Vector3(-1.7e-18, -1.7e-18, 0).put(state, 3);
+        assertArrayEquals(new double[] {Math.sqrt(2) * G, Math.sqrt(2) * G}, new double[] {pressure(run, 0, 0),
+            pressure(run, 1, 0)}, 1e-13);
+    }
+
     private static double pressure(ShortRun run, int surface, int particle) {
         return run.contacts().pressure(surface, particle, run.getScene().system().getOwnState(), run.effects());
     }
@@ -344,10 +367,11 @@ class CollisionsTest {
     /**
      * Nine balls fall into a box: dependent contacts open, close, stick and slide, until all balls lie still. In a gap
      * of round-off size a ball may not bounce between two others for ever, round-off is no direction of sliding, and
-     * five balls fit exactly into a width of 1 m.
+     * five balls fit exactly into a width of 1 m. In that of 1.1 m, a ball that had parted slowly from another one once
+     * drifted 2 mm off the ground that it touched.
      */
     @ParameterizedTest
-    @CsvSource({"0.5, 0", "0.5, 0.3", "0.47, 0", "0.47, 0.3", "0.53, 0.3"})
+    @CsvSource({"0.5, 0", "0.5, 0.3", "0.47, 0", "0.47, 0.3", "0.53, 0.3", "0.55, 0.3"})
     void aBoxOfBallsComesToRest(double half, double friction) {
         String law = "restitution: 0.3, friction: {law: coulomb, coefficient: " + friction + "}";
         ShortRun run = ShortRun.of("rk4 exact 0.005 1.5", """
@@ -365,7 +389,7 @@ class CollisionsTest {
             fastest = Math.max(fastest, Vector3.at(run.getScene().system().getOwnState(), 6 * i + 3).length());
         }
         assertEquals(0, fastest, 0.05);
-        assertEquals(0, run.getScene().simulation().getViolation().part(), 1e-4);   // measured: 2e-12, rough 8e-6
+        assertEquals(0, run.getScene().simulation().getViolation().part(), 3e-5);   // measured: 2e-12, rough 3e-6
     }
 
     /** A ball between a wall and a ball that glides towards it: no force, however large, keeps it out of both. */
