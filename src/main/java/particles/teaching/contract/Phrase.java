@@ -11,16 +11,14 @@ import particles.teaching.Formula;
 /** The phrase book of the check: the sentences for mistakes and notes, with the kind of each. */
 public enum Phrase {
     NOTHING_YET, NOT_FINITE, EXCEPTION, NOT_REPEATABLE, CLOCK_STILL, CLOCK_FIXED, CLOCK_NEW_TIME, CLOCK_BACK,
-    CLOCK_ENDS, STAGE_TIMES, TIME_OF_STAGE, REJECTED_CLOCK, STAGE_CLOCKS, NO_DERIVATIVE,
-    ARRAY_LENGTH, NEVER_SET, LEFT_AT_TRIAL, SET_TOO_EARLY, OLD_STATE,
-    LEFT_OUT, DIGITS, CUT_OFF, ENTRY_BY_ENTRY, DELTA_T, MISSING, TOO_MANY,
+    CLOCK_ENDS, STAGE_TIMES, TIME_OF_STAGE, REJECTED_CLOCK, STAGE_CLOCKS, NO_DERIVATIVE, ARRAY_LENGTH, NEVER_SET,
+    LEFT_AT_TRIAL, SET_TOO_EARLY, OLD_STATE, LEFT_OUT, DIGITS, CUT_OFF, ENTRY_BY_ENTRY, DELTA_T, MISSING, TOO_MANY,
     DIFFERS, CHANGED, PARTS, WEIGHTS_SUM, LOW_ORDER, OTHER_STEPS, CONTRADICTS, EXPLICIT, ROUNDS, OLD_VELOCITY,
-    NEW_VELOCITY, NOTHING_EARLIER, NO_CONTROL, NAME_ORDER, EQUATION, EQUATION_TIME, LOOSE, STALE,
-    TOO_OLD, ADAMS_START, UNSTABLE, UNCONTROLLED, LARGEST_ERROR, ABSOLUTE_ERROR, ELSEWHERE,
-    LAYOUT, ADDS, GOES_ON, DRAG, NO_CONVERGENCE, UNUSED, USES_STEPS_BEFORE, KEPT_ARRAY, KEPT_DERIVATIVE, KEPT_SOMETHING,
-    OTHER_SOURCE, STATIC, DELTA_T_CHANGES, DELTA_T_KEPT, CLOCK_IGNORED, SIZE_FAILS, SIZE_UNLIKE, NOTHING_BACK, LOOPS, MOVES_AT_ZERO,
-    NAN_AT_ZERO, SWALLOWS, FOR_PARTICLES, REFUSES_BACK, REFUSES_ZERO, LEFT_WITHIN, NAN_UNNOTICED, NAN_UNSAID,
-    NAN_HIDDEN;
+    NEW_VELOCITY, NOTHING_EARLIER, NO_CONTROL, NAME_ORDER, EQUATION, EQUATION_TIME, LOOSE, STALE, TOO_OLD, ADAMS_START,
+    UNSTABLE, UNCONTROLLED, LARGEST_ERROR, ABSOLUTE_ERROR, ELSEWHERE, LAYOUT, ADDS, GOES_ON, DRAG, NO_CONVERGENCE,
+    UNUSED, USES_STEPS_BEFORE, KEPT_ARRAY, KEPT_DERIVATIVE, KEPT_SOMETHING, OTHER_SOURCE, STATIC, DELTA_T_CHANGES,
+    DELTA_T_KEPT, CLOCK_IGNORED, SIZE_FAILS, SIZE_UNLIKE, NOTHING_BACK, LOOPS, MOVES_AT_ZERO, NAN_AT_ZERO, SWALLOWS,
+    FOR_PARTICLES, REFUSES_BACK, REFUSES_ZERO, LEFT_WITHIN, NAN_UNNOTICED, NAN_UNSAID, NAN_HIDDEN;
 
     private static final String BOOK = """
             # the class
@@ -43,8 +41,8 @@ public enum Phrase {
             time STAGE_TIMES: %s is evaluated at %s; %s says %s%s
             time TIME_OF_STAGE: %s %s while the clock is at %s; the state there is that of %s
             time STAGE_CLOCKS: the error is %s where a force changes with the clock, with deltaT = %s s, and %s \
-                where the same force is read off the state: some evaluations are at another clock than their states, or \
-                the derivative with respect to time is missing in a method with a matrix
+                where the same force is read off the state: some evaluations are at another clock than their states, \
+                or the derivative with respect to time is missing in a method with a matrix
             time REJECTED_CLOCK: after a sub-step that is rejected the state is put back and the clock is not: the \
                 clock may move only when a sub-step is accepted
             # the state
