@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.sun.management.ThreadMXBean;
 import deSolvers.RK4Solver;
@@ -11,6 +13,9 @@ import deSolvers.problems.Steps;
 import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.Random;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -160,21 +165,38 @@ class ThreadsTest {
         assertThrows(IllegalArgumentException.class, () -> ParallelForces.use(cloth(), 0));
     }
 
+    /**
+     * The caller evaluates all parts here, since every other thread of the pool is held. (Where it waits for one, the
+     * JDK allocates 24 bytes, a ForkJoinTask.Aux.)
+     */
     @Test
-    void parallelStepsAllocateNothing() {
+    void parallelStepsAllocateNothing() throws InterruptedException {
         ParticleSystem cloth = cloth();
         ParallelForces.use(cloth, 3);
         RK4Solver solver = new RK4Solver();
-        Steps.make(STEPS, solver, cloth, 1.0 / 1024);
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        long allocated = threads.getCurrentThreadAllocatedBytes();
-        Steps.make(10 * STEPS, solver, cloth, 1.0 / 1024);
-        // Measured 0, or 7,624 where the pool makes a thread meanwhile; one object an evaluation would be 12,800.
-        assertEquals(0, threads.getCurrentThreadAllocatedBytes() - allocated, 10_000);
+        int others = ForkJoinPool.getCommonPoolParallelism();
+        CountDownLatch held = new CountDownLatch(others);
+        CountDownLatch measured = new CountDownLatch(1);
+        for (int i = 0; i < others; i++) {
+            ForkJoinPool.commonPool().submit(() -> {
+                held.countDown();
+                return measured.await(1, TimeUnit.MINUTES);
+            });
+        }
+        held.await();
+        try {
+            Steps.make(STEPS, solver, cloth, 1.0 / 1024);
+            ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+            long before = threads.getCurrentThreadAllocatedBytes();
+            Steps.make(STEPS, solver, cloth, 1.0 / 1024);
+            assertEquals(0, threads.getCurrentThreadAllocatedBytes() - before);
+        } finally {
+            measured.countDown();
+        }
     }
 
-    /** A force that fails on one particle, in whichever thread evaluates it. */
-    private record Failing(AtomicInteger particle) implements PerParticleEffect {
+    /** A force that fails on one particle. The caller, which begins with particle 0, awaits that of another thread. */
+    private record Failing(AtomicInteger particle, CountDownLatch failed) implements PerParticleEffect {
         @Override
         public String getName() {
             return "failing";
@@ -183,7 +205,13 @@ class ThreadsTest {
         @Override
         public void addForces(double[] state, double time, double[] force, int from, int to) {
             if (particle.get() >= from && particle.get() < to) {
+                failed.countDown();
                 throw new ArithmeticException("particle " + particle);
+            }
+            try {
+                assertTrue(from > 0 || particle.get() < 0 || failed.await(1, TimeUnit.MINUTES));
+            } catch (InterruptedException e) {
+                throw new IllegalStateException(e);
             }
         }
     }
@@ -191,8 +219,9 @@ class ThreadsTest {
     @ParameterizedTest
     @ValueSource(ints = {0, 1800, 3599})
     void aFailureInAnyThreadReachesTheCallerAndTheNextEvaluationWorks(int particle) {
+        assumeTrue(particle == 0 || ForkJoinPool.getCommonPoolParallelism() > 0);
         ParticleSystem cloth = cloth();
-        Failing failing = new Failing(new AtomicInteger(particle));
+        Failing failing = new Failing(new AtomicInteger(particle), new CountDownLatch(1));
         cloth.addEffect(failing);
         ParallelForces.use(cloth, 3);
         double[] dSdt = new double[cloth.getStateSize()];
