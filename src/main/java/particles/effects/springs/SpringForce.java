@@ -6,7 +6,6 @@ import particles.law.DifferentiableEffect;
 import particles.law.DivisibleEffect;
 import particles.law.Particles;
 import particles.law.Require;
-import particles.law.Vector3;
 import particles.view.SpringView;
 
 /**
@@ -118,7 +117,7 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
     public double getPotentialEnergy(double[] state, double time) {
         double energy = 0;
         for (int s = 0; s < table.count; s++) {
-            double stretch = length(state, s) - table.restLength[s];
+            double stretch = table.length(state, s) - table.restLength[s];
             energy += table.stiffness[s] * stretch * stretch / 2;
         }
         return energy;
@@ -129,23 +128,11 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
         double power = 0;
         for (int s = 0; damped && s < table.count; s++) {
             if (table.damping[s] > 0) {
-                double rate = lengthRate(state, s);
+                double rate = table.lengthRate(state, s);
                 power += table.damping[s] * rate * rate;
             }
         }
         return power;
-    }
-
-    /** d|r|/dt of spring s (m/s), 0 where its ends are at the same place. */
-    private double lengthRate(double[] state, int s) {
-        double length = length(state, s);
-        Vector3 r = way(state, s, 0);
-        return length > 0 ? new Vector3(r.x() / length, r.y() / length, r.z() / length).dot(way(state, s, 3)) : 0;
-    }
-
-    /** r = x_j - x_i of spring s, or r' with an offset of 3. */
-    private Vector3 way(double[] state, int s, int offset) {
-        return Vector3.at(state, table.to[s] + offset).minus(Vector3.at(state, table.from[s] + offset));
     }
 
     /**
@@ -154,9 +141,7 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
      * @return its present length |r| (m)
      */
     public double length(double[] state, int s) {
-        Vector3 r = way(state, s, 0);
-        double square = r.dot(r);
-        return SpringKernel.isOrdinary(square) ? Math.sqrt(square) : r.length();
+        return table.length(state, s);
     }
 
     /** {@inheritDoc} A spring is removed with either of its ends. */

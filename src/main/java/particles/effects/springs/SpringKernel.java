@@ -1,7 +1,5 @@
 package particles.effects.springs;
 
-import particles.law.Vector3;
-
 /**
  * The inner loops of the spring force, for springs sorted by their first particle. The law is explained in {@link
  * SpringForce}; a cloth simulation spends most of its time here.
@@ -36,9 +34,6 @@ final class SpringKernel {
     private static void addSingly(SpringTable table, double[] state, double[] force, int first, int end) {
         int[] from = table.from;
         int[] to = table.to;
-        double[] stiffness = table.stiffness;
-        double[] restLength = table.restLength;
-        double[] damping = table.damping;
         int i = from[first];
         double x = state[i];
         double y = state[i + 1];
@@ -67,29 +62,13 @@ final class SpringKernel {
             double rx = xj - x;
             double ry = yj - y;
             double rz = zj - z;
-            double square = Math.fma(rx, rx, Math.fma(ry, ry, rz * rz));
-            if (isOrdinary(square)) {
-                double length = Math.sqrt(square);
-                double stretching = Math.fma(rx, state[j + 3] - state[i + 3],
-                        Math.fma(ry, state[j + 4] - state[i + 4], rz * (state[j + 5] - state[i + 5])));
-                double inverse = 1 / length;
-                double perLength = Math.fma(damping[s] * stretching, inverse,
-                        stiffness[s] * (length - restLength[s])) * inverse;
-                force[i + 3] = Math.fma(perLength, rx, fx);
-                force[i + 4] = Math.fma(perLength, ry, fy);
-                force[i + 5] = Math.fma(perLength, rz, fz);
-                fx = Math.fma(-perLength, rx, force[j + 3]);
-                fy = Math.fma(-perLength, ry, force[j + 4]);
-                fz = Math.fma(-perLength, rz, force[j + 5]);
-            } else {
-                force[i + 3] = fx;
-                force[i + 4] = fy;
-                force[i + 5] = fz;
-                addExtremeForce(table, s, state, force);
-                fx = force[j + 3];
-                fy = force[j + 4];
-                fz = force[j + 5];
-            }
+            double perLength = perLength(table, s, state, rx, ry, rz);
+            force[i + 3] = Math.fma(perLength, rx, fx);
+            force[i + 4] = Math.fma(perLength, ry, fy);
+            force[i + 5] = Math.fma(perLength, rz, fz);
+            fx = Math.fma(-perLength, rx, force[j + 3]);
+            fy = Math.fma(-perLength, ry, force[j + 4]);
+            fz = Math.fma(-perLength, rz, force[j + 5]);
             i = j;
             x = xj;
             y = yj;
@@ -108,9 +87,6 @@ final class SpringKernel {
     private static void addGrouped(SpringTable table, double[] state, double[] force, int first, int end) {
         int[] from = table.from;
         int[] to = table.to;
-        double[] stiffness = table.stiffness;
-        double[] restLength = table.restLength;
-        double[] damping = table.damping;
         int i = from[first];
         double x = state[i];
         double y = state[i + 1];
@@ -136,23 +112,13 @@ final class SpringKernel {
             double rx = state[j] - x;
             double ry = state[j + 1] - y;
             double rz = state[j + 2] - z;
-            double square = Math.fma(rx, rx, Math.fma(ry, ry, rz * rz));
-            if (isOrdinary(square)) {
-                double length = Math.sqrt(square);
-                double stretching = Math.fma(rx, state[j + 3] - state[i + 3],
-                        Math.fma(ry, state[j + 4] - state[i + 4], rz * (state[j + 5] - state[i + 5])));
-                double inverse = 1 / length;
-                double perLength = Math.fma(damping[s] * stretching, inverse,
-                        stiffness[s] * (length - restLength[s])) * inverse;
-                sumX = Math.fma(perLength, rx, sumX);
-                sumY = Math.fma(perLength, ry, sumY);
-                sumZ = Math.fma(perLength, rz, sumZ);
-                force[j + 3] = Math.fma(-perLength, rx, force[j + 3]);
-                force[j + 4] = Math.fma(-perLength, ry, force[j + 4]);
-                force[j + 5] = Math.fma(-perLength, rz, force[j + 5]);
-            } else {
-                addExtremeForce(table, s, state, force);
-            }
+            double perLength = perLength(table, s, state, rx, ry, rz);
+            sumX = Math.fma(perLength, rx, sumX);
+            sumY = Math.fma(perLength, ry, sumY);
+            sumZ = Math.fma(perLength, rz, sumZ);
+            force[j + 3] = Math.fma(-perLength, rx, force[j + 3]);
+            force[j + 4] = Math.fma(-perLength, ry, force[j + 4]);
+            force[j + 5] = Math.fma(-perLength, rz, force[j + 5]);
         }
         force[i + 3] += sumX;
         force[i + 4] += sumY;
@@ -167,19 +133,21 @@ final class SpringKernel {
         return Long.compareUnsigned(Double.doubleToRawLongBits(square) - SMALLEST, ORDINARY) < 0;
     }
 
-    /** The same law for lengths with squares that overflow or underflow. */
-    private static void addExtremeForce(SpringTable table, int s, double[] state, double[] force) {
-        int i = table.from[s];
-        int j = table.to[s];
-        Vector3 r = Vector3.at(state, j).minus(Vector3.at(state, i));
-        double length = r.length();
-        if (length == 0) {
-            return;                                     // no direction, no force
+    /** The force on the first particle of a spring, divided by |r|; 0 where r is 0. */
+    private static double perLength(SpringTable table, int s, double[] state, double rx, double ry, double rz) {
+        double square = Math.fma(rx, rx, Math.fma(ry, ry, rz * rz));
+        if (!isOrdinary(square)) {
+            double length = table.length(state, s);
+            return length == 0 ? 0 : (table.stiffness[s] * (length - table.restLength[s])
+                    + table.damping[s] * table.lengthRate(state, s)) / length;
         }
-        Vector3 n = new Vector3(r.x() / length, r.y() / length, r.z() / length);
-        double rate = n.dot(Vector3.at(state, j + 3).minus(Vector3.at(state, i + 3)));
-        Vector3 pull = n.times(table.stiffness[s] * (length - table.restLength[s]) + table.damping[s] * rate);
-        Vector3.at(force, i + 3).plus(pull).put(force, i + 3);
-        Vector3.at(force, j + 3).minus(pull).put(force, j + 3);
+        int v = table.from[s] + 3;
+        int w = table.to[s] + 3;
+        double length = Math.sqrt(square);
+        double stretching = Math.fma(rx, state[w] - state[v],
+                Math.fma(ry, state[w + 1] - state[v + 1], rz * (state[w + 2] - state[v + 2])));
+        double inverse = 1 / length;
+        return Math.fma(table.damping[s] * stretching, inverse,
+                table.stiffness[s] * (length - table.restLength[s])) * inverse;
     }
 }

@@ -3,6 +3,7 @@ package particles.effects.springs;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import particles.law.Particles;
+import particles.law.Vector3;
 
 /**
  * The data of all springs in flat arrays, sorted into the order in which their forces are evaluated fastest. Springs
@@ -81,6 +82,25 @@ final class SpringTable {
     /** @return whether particles begin enough springs, two or more on average, to evaluate them together */
     boolean isGrouped() {
         return count >= 2L * owners;
+    }
+
+    /** |r| of spring s (m). */
+    double length(double[] state, int s) {
+        Vector3 r = way(state, s, 0);
+        double square = r.dot(r);
+        return SpringKernel.isOrdinary(square) ? Math.sqrt(square) : r.length();
+    }
+
+    /** d|r|/dt of spring s (m/s), 0 where its ends are at the same place. */
+    double lengthRate(double[] state, int s) {
+        double length = length(state, s);
+        Vector3 r = way(state, s, 0);
+        return length > 0 ? new Vector3(r.x() / length, r.y() / length, r.z() / length).dot(way(state, s, 3)) : 0;
+    }
+
+    /** r = x_j - x_i of spring s, or r' with an offset of 3. */
+    private Vector3 way(double[] state, int s, int offset) {
+        return Vector3.at(state, to[s] + offset).minus(Vector3.at(state, from[s] + offset));
     }
 
     /** Keeps these springs, in this order. */
