@@ -8,7 +8,6 @@ import deSolvers.linear.Gmres;
 import deSolvers.linear.SolverWork;
 import java.util.Arrays;
 import java.util.function.BiConsumer;
-import java.util.stream.LongStream;
 
 /**
  * The force derivatives of particles, K = dF/dx and C = dF/dv, at one state: sparse matrices of blocks, or differences
@@ -39,8 +38,7 @@ public final class ForceJacobian implements ForceDerivatives {
     private int named;                                  // pairs so far
     private int known;                                  // pairs from which the pattern was made
     private boolean matches;                            // whether all pairs so far have a place in the pattern
-    private boolean recording;
-    private LongStream.Builder pairs = LongStream.builder();
+    private long[] pairs = {};
 
     /**
      * @param work       counts the products by differences
@@ -78,10 +76,6 @@ public final class ForceJacobian implements ForceDerivatives {
         size = size == 0 ? 1 : size;
         receive(source);
         if (!matches || named != known) {
-            recording = true;
-            pairs = LongStream.builder();
-            source.addJacobianBlocks(this);
-            recording = false;
             setPattern();
             receive(source);
         }
@@ -97,9 +91,8 @@ public final class ForceJacobian implements ForceDerivatives {
     }
 
     private void setPattern() {
-        long[] recorded = pairs.build().toArray();
-        known = recorded.length;
-        pattern = new BlockPattern(masses.length, recorded);
+        known = named;
+        pattern = new BlockPattern(masses.length, Arrays.copyOf(pairs, named));
         stiffness = new BlockMatrix(pattern, work);
         damping = new BlockMatrix(pattern, work);
     }
@@ -206,13 +199,12 @@ public final class ForceJacobian implements ForceDerivatives {
 
     /** The slot of a block beside the diagonal that is named now; negative if it has none (yet). */
     private int slot(int i, int j) {
-        named++;
-        if (recording) {
-            pairs.add(BlockPattern.place(i, j));
-            return -1;
+        if (named == pairs.length) {
+            pairs = Arrays.copyOf(pairs, 2 * named + 1);
         }
-        int slot = matches ? pattern.find(i, j) : -1;
-        matches = slot >= 0;
+        pairs[named++] = BlockPattern.place(i, j);
+        int slot = pattern.find(i, j);
+        matches &= slot >= 0;
         return slot;
     }
 
@@ -223,7 +215,7 @@ public final class ForceJacobian implements ForceDerivatives {
             if (slot >= 0) {
                 addTo(slot, dFdX, dFdV, 1);
             }
-        } else if (!recording && matches) {
+        } else {
             // any pattern has the diagonal, so that contacts come and go without a new one
             addTo(pattern.diagonal(i), dFdX, dFdV, 1);
         }
@@ -254,9 +246,7 @@ public final class ForceJacobian implements ForceDerivatives {
 
     @Override
     public void transformRow(int i, double[] matrix) {
-        if (!recording && matches) {
-            stiffness.transformRow(i, matrix, row);
-            damping.transformRow(i, matrix, row);
-        }
+        stiffness.transformRow(i, matrix, row);
+        damping.transformRow(i, matrix, row);
     }
 }
