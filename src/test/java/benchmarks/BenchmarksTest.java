@@ -105,6 +105,9 @@ class BenchmarksTest {
             --fork=2         | unknown option -Pfork; did you mean -Pforks? allowed: -Pinclude, -Pworkload, -Pmethod, \
             -Pintegrator, -Pscene, -Pforks, -Piterations, -Pmilliseconds
             --iterations=-1  | -Piterations has to be a whole number, not '-1'
+            --iterations=1e3 | -Piterations has to be a whole number, not '1e3'
+            --forks=         | -Pforks has to be a whole number, not ''
+            --workload       | option -Pworkload needs a value: -Pworkload=...
             --workload=rope  | option -Pworkload: 'rope' is not one of: chain, cloth, cloth-256, cloth-64, oscillator
             """)
     void invalidOptionsAreRefused(String option, String message) {

@@ -18,10 +18,9 @@ public final class TaskOptions {
         for (String arg : args) {
             String[] parts = arg.replaceFirst("^--", "").split("=", 2);
             if (!allowed.contains(parts[0])) {
-                throw new IllegalArgumentException("unknown option -P" + parts[0] + (allowed.isEmpty()
-                        ? "; this task has none"
-                        : DidYouMean.hint(parts[0], allowed, "-P%s"::formatted)
-                        + " allowed: -P" + String.join(", -P", allowed)));
+                throw new IllegalArgumentException("unknown option -P" + parts[0]
+                        + DidYouMean.hint(parts[0], allowed, "-P%s"::formatted)
+                        + " allowed: -P" + String.join(", -P", allowed));
             }
             if (parts.length < 2) {
                 throw new IllegalArgumentException("option -P" + parts[0] + " needs a value: -P" + parts[0] + "=...");
