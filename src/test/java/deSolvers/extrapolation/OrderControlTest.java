@@ -48,62 +48,48 @@ class OrderControlTest {
         assertEquals(2 * target + 1, control.targetExponent());
     }
 
-    @Test
-    void columnsBeforeTheTargetAreNotAccepted() {
-        assertVerdict(CONTINUE, 1, 0);
-        assertVerdict(CONTINUE, 1, 1e10);
-        assertVerdict(CONTINUE, 1, Double.MAX_VALUE);
-        assertVerdict(REJECT, 1, Double.POSITIVE_INFINITY);
-        assertNext(H * Math.cbrt(0.02) / 4, 1);
-        control.restart(1e-6);
-        assertVerdict(REJECT, 1, Double.NaN);
-    }
-
-    /** The errors up to which later columns can be expected to converge: a factor (n_j/n_0)^2 for each of them. */
-    @Test
-    void aHopelessStretchIsRejectedEarly() {
-        double both = 7 * 9 * 7 * 9;
-        assertVerdict(CONTINUE, 2, 1.0000001);
-        assertVerdict(CONTINUE, 2, both);
-        assertVerdict(CONTINUE, 3, 81);
-        assertVerdict(REJECT, 4, 1.0000001);
-        control.restart(1e-6);
-        assertVerdict(REJECT, 2, both * 1.0000001);
-        control.restart(1e-6);
-        assertVerdict(CONTINUE, 2, both);
-        assertVerdict(REJECT, 3, 81.00001);
-    }
-
-    @Test
-    void anErrorOfOneIsAccepted() {
-        for (int k = 2; k <= 4; k++) {
-            control.restart(1e-6);
-            assertVerdict(ACCEPT, k, 1);
+    /**
+     * After the verdict on each column by its error, "best" is the stretch that is best for a column, which becomes the
+     * target; "more" is one column more than that, with a stretch of the same cost per unit of time. Later columns can
+     * be expected to converge up to an error of (n_j/n_0)^2 for each of them: 49 81 = 3969 for two.
+     */
+    @ParameterizedTest(name = "{0}")
+    @CsvSource(delimiter = '|', textBlock = """
+            columns before the target are not accepted | 1e-6 | CONTINUE 1 0; CONTINUE 1 1e10; \
+            CONTINUE 1 1.7976931348623157e308; REJECT 1 Infinity; best 1 Infinity
+            not a number                               | 1e-6 | REJECT 1 NaN
+            errors that leave hope                     | 1e-6 | CONTINUE 2 1.0000001; CONTINUE 2 3969; CONTINUE 3 81; \
+            REJECT 4 1.0000001
+            no hope in two columns                     | 1e-6 | REJECT 2 3969.0001
+            no hope in one column                      | 1e-6 | CONTINUE 2 3969; REJECT 3 81.00001
+            one before the target                      | 1e-6 | ACCEPT 2 1
+            an error of one is accepted                | 1e-6 | ACCEPT 3 1
+            one after the target                       | 1e-6 | ACCEPT 4 1
+            a lower column is much cheaper: 23.9, 36.8 | 1e-6 | CONTINUE 2 1.5; ACCEPT 3 0.9; best 2 1.5
+            neither is much cheaper: 33.4, 33.8        | 1e-6 | CONTINUE 2 8; ACCEPT 3 0.5; best 3 0.5
+            this column paid: 109, 18.9                | 1e-6 | CONTINUE 2 3000; ACCEPT 3 1e-3; more 3 1e-3
+            from the first column the target rises     | 1e-3 | ACCEPT 1 0.5; more 1 0.5
+            but not right after a rejection            | 1e-3 | REJECT 1 3000; best 1 3000; ACCEPT 1 0.5; best 1 0.5; \
+            ACCEPT 1 0.5; more 1 0.5
+            nor does it from another column            | 1e-6 | CONTINUE 2 3000; CONTINUE 3 80; REJECT 4 2; best 3 80; \
+            CONTINUE 2 3000; ACCEPT 3 1e-3; best 3 1e-3; CONTINUE 2 3000; ACCEPT 3 1e-3; more 3 1e-3
+            the target rises by one at a time          | 1e-6 | CONTINUE 2 3000; CONTINUE 3 80; ACCEPT 4 1e-6; \
+            best 4 1e-6
+            the last column is no target               | 1e-12 | CONTINUE 5 1e4; CONTINUE 6 100; ACCEPT 7 1e-4; \
+            best 7 1e-4; CONTINUE 6 1e4; CONTINUE 7 289; ACCEPT 8 1e-4; best 8 1e-4
+            """)
+    void columnsAreJudgedByTheirErrors(String why, double tolerance, String script) {
+        control.restart(tolerance);
+        for (String part : script.split("; ")) {
+            String[] words = part.split(" ");
+            int k = Integer.parseInt(words[1]);
+            double error = Double.parseDouble(words[2]);
+            switch (words[0]) {
+                case "best" -> assertNext(best(k, error), Math.min(k, COST.length - 2));
+                case "more" -> assertNext(best(k, error) * COST[k + 1] / COST[k], k + 1);
+                default -> assertVerdict(Verdict.valueOf(words[0]), k, error);
+            }
         }
-    }
-
-    /** Work for a unit of time 23.9 against 36.8: two columns do it for less. */
-    @Test
-    void aMuchCheaperLowerColumnBecomesTheTarget() {
-        assertVerdict(CONTINUE, 2, 1.5);
-        assertVerdict(ACCEPT, 3, 0.9);
-        assertNext(best(2, 1.5), 2);
-    }
-
-    /** 33.4 against 33.8: neither much cheaper nor much dearer. */
-    @Test
-    void theTargetStaysIfNoColumnIsMuchCheaper() {
-        assertVerdict(CONTINUE, 2, 8);
-        assertVerdict(ACCEPT, 3, 0.5);
-        assertNext(best(3, 0.5), 3);
-    }
-
-    /** 109 against 18.9: one more column will probably pay, with a stretch of the same cost per unit of time. */
-    @Test
-    void aHigherColumnIsTriedIfThisOnePaid() {
-        assertVerdict(CONTINUE, 2, 3000);
-        assertVerdict(ACCEPT, 3, 1e-3);
-        assertNext(best(3, 1e-3) * COST[4] / COST[3], 4);
     }
 
     /** The bounds between these: 0.8 downwards, 0.9 upwards, by the errors that lie just on either side. */
@@ -133,56 +119,5 @@ class OrderControlTest {
     /** The error with which column k costs so much for a unit of time. */
     private static double errorForWork(int k, double work) {
         return 0.65 / Math.pow(COST[k] / work / H / 0.94, 2 * k + 1);
-    }
-
-    @Test
-    void theFirstColumnIsNeverTheTargetForLong() {
-        control.restart(1e-3);
-        assertVerdict(ACCEPT, 1, 0.5);
-        assertNext(best(1, 0.5) * COST[2] / COST[1], 2);
-        control.restart(1e-3);
-        assertVerdict(REJECT, 1, 3000);
-        assertNext(best(1, 3000), 1);
-        assertVerdict(ACCEPT, 1, 0.5);
-        assertNext(best(1, 0.5), 1);
-        assertVerdict(ACCEPT, 1, 0.5);
-        assertNext(best(1, 0.5) * COST[2] / COST[1], 2);
-    }
-
-    /** After a rejection the target does not rise, and one step later it may again. */
-    @Test
-    void theTargetDoesNotRiseRightAfterARejection() {
-        assertVerdict(CONTINUE, 2, 3000);
-        assertVerdict(CONTINUE, 3, 80);
-        assertVerdict(REJECT, 4, 2);
-        assertNext(best(3, 80), 3);
-        assertVerdict(CONTINUE, 2, 3000);
-        assertVerdict(ACCEPT, 3, 1e-3);
-        assertNext(best(3, 1e-3), 3);
-        assertVerdict(CONTINUE, 2, 3000);
-        assertVerdict(ACCEPT, 3, 1e-3);
-        assertNext(best(3, 1e-3) * COST[4] / COST[3], 4);
-    }
-
-    /** No more than one column above the target, even if the column above was the one that was accepted. */
-    @Test
-    void theTargetRisesByOneAtATime() {
-        assertVerdict(CONTINUE, 2, 3000);
-        assertVerdict(CONTINUE, 3, 80);
-        assertVerdict(ACCEPT, 4, 1e-6);
-        assertNext(best(4, 1e-6), 4);
-    }
-
-    @Test
-    void theTargetNeverPassesTheLastColumn() {
-        control.restart(1e-12);
-        assertVerdict(CONTINUE, 5, 1e4);
-        assertVerdict(CONTINUE, 6, 100);
-        assertVerdict(ACCEPT, 7, 1e-4);
-        assertNext(best(7, 1e-4), 7);
-        assertVerdict(CONTINUE, 6, 1e4);
-        assertVerdict(CONTINUE, 7, 289);
-        assertVerdict(ACCEPT, 8, 1e-4);
-        assertNext(best(8, 1e-4), 7);
     }
 }
