@@ -17,6 +17,7 @@ import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.Random;
 import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -126,32 +127,30 @@ public abstract class DESolverContract extends FailureContract {
 
     @Test
     void anythingButTheVeryNextStepRestarts() {
-        SecondOrderProblem problem = windy(1);
-        DESolver solver = createSolver();
-        run(solver, problem, 5);
-        double[] state = problem.getState();
-        state[4] = Math.nextUp(state[4]);
-        problem.setState(state);
-        assertStepsLikeNew(solver, problem, STEP, "another state");
-
-        run(solver, problem, 5);
-        problem.incTime(Math.ulp(problem.getTime()));
-        assertStepsLikeNew(solver, problem, STEP, "another time");
-
-        run(solver, problem, 5);
-        assertStepsLikeNew(solver, problem, Math.nextUp(STEP), "another deltaT");
-
-        run(solver, problem, 5);
-        assertStepsLikeNew(solver, problem, -STEP, "the way back");
-
-        run(solver, problem, 5);
-        SecondOrderProblem twin = windy(1);
-        moveTo(twin, problem);
-        assertStepsLikeNew(solver, twin, STEP, "another source at the same place");
+        assertRestarts("another state", STEP, problem -> {
+            double[] state = problem.getState();
+            state[4] = Math.nextUp(state[4]);
+            problem.setState(state);
+            return problem;
+        });
+        assertRestarts("another time", STEP, problem -> {
+            problem.incTime(Math.ulp(problem.getTime()));
+            return problem;
+        });
+        assertRestarts("another deltaT", Math.nextUp(STEP), problem -> problem);
+        assertRestarts("the way back", -STEP, problem -> problem);
+        assertRestarts("another source at the same place", STEP, problem -> {
+            SecondOrderProblem twin = windy(1);
+            moveTo(twin, problem);
+            return twin;
+        });
     }
 
-    private static void run(DESolver solver, ReferenceProblem problem, int steps) {
-        Steps.make(steps, solver, problem, STEP);
+    private void assertRestarts(String when, double deltaT, UnaryOperator<SecondOrderProblem> change) {
+        SecondOrderProblem problem = windy(1);
+        DESolver solver = createSolver();
+        Steps.make(5, solver, problem, STEP);
+        assertStepsLikeNew(solver, change.apply(problem), deltaT, when);
     }
 
     @Test

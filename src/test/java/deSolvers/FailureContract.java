@@ -11,6 +11,7 @@ import deSolvers.problems.SecondOrderProblem;
 import deSolvers.problems.SpySource;
 import deSolvers.problems.Steps;
 import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 
@@ -59,50 +60,34 @@ public abstract class FailureContract extends ContractBasics {
     }
 
     @Test
-    void aStepOfZeroNamesANonFiniteState() {
-        SecondOrderProblem problem = windy(1);
-        double[] state = problem.getState();
-        state[4] = Double.NaN;
-        problem.setState(state);
-        DESolverException e = assertThrows(DESolverException.class, () -> createSolver().stepState(problem, 0));
-        assertNames(e, "deltaT = 0", "entry 4 of the state is NaN before the step");
-        assertArrayEquals(state, problem.getState());
-        assertEquals(START, problem.getTime());
-    }
-
-    @Test
-    void aNonFiniteStateIsNamedAndPutBack() {
+    void aNonFiniteStateOrDerivativeIsNamedAndPutBack() {
         for (double bad : NOT_FINITE) {
             for (int entry = 0; entry < 6; entry++) {
                 SecondOrderProblem problem = windy(1);
                 double[] state = problem.getState();
                 state[entry] = bad;
                 problem.setState(state);
-                DESolver solver = createSolver();
-                DESolverException e = assertThrows(DESolverException.class, () -> solver.stepState(problem, STEP));
-                assertNames(e, "deltaT = " + STEP, "entry " + entry + " of the state is " + bad + " before the step");
-                assertEquals(entry, e.getEntry());
-                assertArrayEquals(state, problem.getState());
-                assertEquals(START, problem.getTime());
-                assertStepsLikeNew(solver, windy(1), STEP, "after a bad state");
+                String ofState = "entry " + entry + " of the state is " + bad + " before the step";
+                assertEntryIsNamed(problem, problem, STEP, entry, ofState);
+                assertEntryIsNamed(problem, problem, 0, entry, ofState);
+                SpySource source = new SpySource(windy(1));
+                source.spoilDerivative(entry, bad, 0);
+                assertEntryIsNamed(source, source.problem(), STEP, entry,
+                        "entry " + entry + " of the derivative is " + bad);
             }
         }
     }
 
-    @Test
-    void aNonFiniteDerivativeIsNamed() {
-        for (double bad : NOT_FINITE) {
-            for (int entry = 0; entry < 6; entry++) {
-                SpySource source = new SpySource(windy(1));
-                source.spoilDerivative(entry, bad, 0);
-                DESolver solver = createSolver();
-                DESolverException e = assertThrows(DESolverException.class, () -> solver.stepState(source, STEP));
-                assertNames(e, "deltaT = " + STEP, "entry " + entry + " of the derivative is " + bad);
-                assertEquals(entry, e.getEntry());
-                assertSameBits(windy(1), source.problem(), "derivative " + bad);
-                assertStepsLikeNew(solver, windy(1), STEP, "after a bad derivative");
-            }
-        }
+    private void assertEntryIsNamed(DEStateSource source, SecondOrderProblem problem, double deltaT, int entry,
+            String message) {
+        double[] state = problem.getState();
+        DESolver solver = createSolver();
+        DESolverException e = assertThrows(DESolverException.class, () -> solver.stepState(source, deltaT));
+        assertNames(e, "deltaT = " + deltaT, message);
+        assertEquals(entry, e.getEntry());
+        assertArrayEquals(state, problem.getState());
+        assertEquals(START, problem.getTime());
+        assertStepsLikeNew(solver, windy(1), STEP, "after: " + message);
     }
 
     @Test
@@ -130,27 +115,21 @@ public abstract class FailureContract extends ContractBasics {
     @Test
     void anExceptionOfTheSourceRestoresStateAndTimeBitForBit() {
         for (SpySource.Call call : SpySource.Call.values()) {
-            int k = 1;
-            while (failsAt(new SpySource(windy(1)), call, k)) {
-                k += k < 200 ? 1 : k / 3;               // every call of a short step, a sample of a long one
+            assertRestored(call, 200, call.compareTo(SpySource.Call.DIMENSION) < 0, () -> new SpySource(windy(1)));
+            for (int blocks : new int[] {1, 11}) {
+                assertRestored(call, 50, EnumSet.of(SpySource.Call.INC_TIME, SpySource.Call.DERIVATIVE,
+                        SpySource.Call.SET_STATE).contains(call), () -> new ArraySpySource(windy(blocks)));
             }
-            assertTrue(k > 1 || call.compareTo(SpySource.Call.DIMENSION) >= 0, call + " was never called");
         }
     }
 
-    @Test
-    void anArraySourceIsRestoredToo() {
-        for (SpySource.Call call : SpySource.Call.values()) {
-            for (int blocks : new int[] {1, 11}) {
-                int k = 1;
-                while (failsAt(new ArraySpySource(windy(blocks)), call, k)) {
-                    k += k < 50 ? 1 : k / 3;
-                }
-                boolean needed = call == SpySource.Call.INC_TIME || call == SpySource.Call.DERIVATIVE
-                        || call == SpySource.Call.SET_STATE;
-                assertTrue(k > 1 || !needed, call + " was never called");
-            }
+    /** At every call of a short step, and at a sample of those of a long one. */
+    private void assertRestored(SpySource.Call call, int every, boolean needed, Supplier<SpySource> source) {
+        int k = 1;
+        while (failsAt(source.get(), call, k)) {
+            k += k < every ? 1 : k / 3;
         }
+        assertTrue(k > 1 || !needed, call + " was never called");
     }
 
     /** The second step fails at the k-th call, then is made again; false if it has fewer calls. */

@@ -35,28 +35,12 @@ class FixedStepSolverTest {
 
         /** One step, with the solver whose helpers it calls. */
         interface Body {
-            void step(Method solver, DEStateSource source, double[] s, double deltaT);
+            void step(FixedStepSolver solver, DEStateSource source, double[] s, double deltaT);
         }
 
         @Override
         protected void step(DEStateSource source, double[] s, double deltaT) {
             body.step(this, source, s, deltaT);
-        }
-
-        double[] derivativeAt(double[] s) {
-            return derivative(s);
-        }
-
-        double[] eulerStepFrom(double[] s, double deltaT) {
-            return eulerStep(s, deltaT);
-        }
-
-        double[] sum(double[] s, double factor, double[] k) {
-            return plus(s, factor, k);
-        }
-
-        double[] copyOf(double[] a) {
-            return copy(a);
         }
     }
 
@@ -68,10 +52,10 @@ class FixedStepSolverTest {
             List<double[]> copies = new ArrayList<>();
             results.add(s);
             for (int round = 1; round <= 3; round++) {
-                results.add(solver.derivativeAt(s));
-                results.add(solver.eulerStepFrom(s, round));
-                results.add(solver.sum(s, round, s));
-                results.add(solver.copyOf(s));
+                results.add(solver.derivative(s));
+                results.add(solver.eulerStep(s, round));
+                results.add(solver.plus(s, round, s));
+                results.add(solver.copy(s));
                 while (copies.size() < results.size()) {
                     copies.add(results.get(copies.size()).clone());
                 }

@@ -3,6 +3,7 @@ package deSolvers;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import deSolvers.problems.Oscillator;
 import deSolvers.problems.ReferenceProblem;
 import org.junit.jupiter.api.Test;
 
@@ -13,20 +14,10 @@ import org.junit.jupiter.api.Test;
 class LastStepTest {
     private static final double DELTA_T = 0.5;
 
-    private static final DEStateSource SOURCE = at(3, 1, 2);
+    private static final DEStateSource SOURCE = at(3);
 
-    private static ReferenceProblem at(double time, double... state) {
-        ReferenceProblem source = new ReferenceProblem(state) {
-            @Override
-            public double[] exactState(double t) {
-                return state.clone();
-            }
-
-            @Override
-            protected void rates(double t, double[] s, double[] dSdt) {
-                throw new AssertionError("not asked for");
-            }
-        };
+    private static ReferenceProblem at(double time) {
+        ReferenceProblem source = new Oscillator();
         source.startAt(time);
         return source;
     }
@@ -55,11 +46,12 @@ class LastStepTest {
 
     @Test
     void zerosOfDifferentSignAreDifferent() {
-        ReferenceProblem source = at(3, 0.0, 1);
+        ReferenceProblem source = at(3);
+        source.setState(new double[] {0.0, 1});
         LastStep lastStep = after(source, DELTA_T);
         source.setState(new double[] {-0.0, 1});
         assertFalse(continues(lastStep, source, DELTA_T));
-        source = at(0.0, 1, 2);
+        source = at(0.0);
         lastStep = after(source, DELTA_T);
         assertTrue(continues(lastStep, source, DELTA_T));
         lastStep = after(source, DELTA_T);
@@ -75,7 +67,7 @@ class LastStepTest {
         assertTrue(continues(lastStep, SOURCE, DELTA_T));
         assertFalse(continues(lastStep, SOURCE, DELTA_T), "the step that continued it has not ended");
         keep(lastStep, SOURCE, DELTA_T);
-        assertFalse(continues(lastStep, at(3, 1, 2), DELTA_T));
+        assertFalse(continues(lastStep, at(3), DELTA_T));
         assertFalse(continues(lastStep, SOURCE, DELTA_T), "another step has begun since");
         keep(lastStep, SOURCE, DELTA_T);
         lastStep.forget();

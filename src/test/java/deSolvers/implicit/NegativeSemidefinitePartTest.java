@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Arrays;
 import java.util.Random;
+import org.ejml.dense.row.RandomMatrices_DDRM;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -14,17 +15,9 @@ class NegativeSemidefinitePartTest {
     private final NegativeSemidefinitePart part = new NegativeSemidefinitePart();
     private final Random random = new Random(6);
 
-    /** Three unit vectors across each other, by rows. */
+    /** Three unit vectors at right angles, by rows. */
     private double[] axes() {
-        double[] q = random.doubles(4, -1, 1).toArray();
-        double n = Math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-        double a = q[0] / n;
-        double b = q[1] / n;
-        double c = q[2] / n;
-        double d = q[3] / n;
-        return new double[] {a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c),
-            2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b),
-            2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d};
+        return RandomMatrices_DDRM.orthogonal(3, 3, random).data;
     }
 
     /** The sum of e n n^T over the axes. */
