@@ -103,7 +103,7 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
             requireFiniteStart();
             return;                                     // close() restores the state and time
         }
-        int entry = FiniteCheck.firstNonFinite(newState);
+        int entry = firstNonFinite(newState);
         if (entry >= 0) {
             throw notFinite(entry, newState[entry]);
         }
@@ -169,12 +169,25 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
      * @throws DESolverException if an entry is not finite
      */
     public void requireFinite(double[] dSdt) {
-        int entry = FiniteCheck.firstNonFinite(dSdt);
+        int entry = firstNonFinite(dSdt);
         if (entry >= 0) {
             requireFiniteStart();
             throw failure(entry, "entry " + entry + " of the derivative is " + dSdt[entry] + " at t = "
                     + client.getTime(), "the source divides by zero or overflows there");
         }
+    }
+
+    /**
+     * @param values any numbers
+     * @return the index of the first one that is NaN or infinite, or -1
+     */
+    public static int firstNonFinite(double[] values) {
+        for (int i = 0; i < values.length; i++) {
+            if (!Double.isFinite(values[i])) {
+                return i;
+            }
+        }
+        return -1;
     }
 
     /**
@@ -184,7 +197,7 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
      */
     public void requireFiniteStart() {
         double[] found = getStartState();
-        int entry = FiniteCheck.firstNonFinite(found);
+        int entry = firstNonFinite(found);
         if (entry >= 0) {
             throw failure(entry, "entry " + entry + " of the state is " + found[entry]
                     + " before the step", "the fault is in the code that set the state");

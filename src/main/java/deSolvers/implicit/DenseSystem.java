@@ -1,6 +1,5 @@
 package deSolvers.implicit;
 
-import deSolvers.FiniteCheck;
 import deSolvers.StepTransaction;
 import deSolvers.linear.SolverWork;
 import org.ejml.data.DMatrixRMaj;
@@ -122,7 +121,7 @@ final class DenseSystem implements ShiftedJacobian {
         if (n > 0) {
             real.solve(right, solution);
         }
-        return FiniteCheck.firstNonFinite(x) < 0;
+        return StepTransaction.firstNonFinite(x) < 0;
     }
 
     @Override
@@ -136,7 +135,7 @@ final class DenseSystem implements ShiftedJacobian {
         for (int k = 0; k < 2 * n; k++) {
             x[k % 2][k / 2] = complexSolution.data[k];
         }
-        return FiniteCheck.firstNonFinite(complexSolution.data) < 0;
+        return StepTransaction.firstNonFinite(complexSolution.data) < 0;
     }
 
     /** {@inheritDoc} A scalar product in the unknowns' units. */

@@ -1,7 +1,6 @@
 package deSolvers.implicit;
 
 import deSolvers.DESolverException;
-import deSolvers.FiniteCheck;
 import deSolvers.StepTransaction;
 import deSolvers.implicit.ShiftedJacobian.Kind;
 import deSolvers.linear.SolverWork;
@@ -212,7 +211,7 @@ final class Newton {
             add(correction, part, trial);
             jacobian.complete(start, g, trial);
             evaluate(trial);
-            boolean solved = FiniteCheck.firstNonFinite(residual) < 0 && correct(nextCorrection);
+            boolean solved = StepTransaction.firstNonFinite(residual) < 0 && correct(nextCorrection);
             double turned = solved ? jacobian.slope(residual, nextCorrection, correction) : Double.NEGATIVE_INFINITY;
             nextSize = solved ? NewtonUpdate.size(nextCorrection, trial, start, roundOff) : Double.POSITIVE_INFINITY;
             if (nearSaddle ? nextSize <= NEAR_CONTRACTION * size : turned >= -MOST_REVERSED * slope0) {

@@ -1,6 +1,5 @@
 package deSolvers.implicit;
 
-import deSolvers.FiniteCheck;
 import deSolvers.StepTransaction;
 import deSolvers.adaptive.AdaptiveSolver;
 import deSolvers.linear.SolverWork;
@@ -109,7 +108,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
             source.setState(right);
             source.setOffset(offset);
             source.getStateDerivative(shifted);
-            ratio = FiniteCheck.firstNonFinite(shifted) < 0 ? estimate(state, shifted, h, newState) : ratio;
+            ratio = StepTransaction.firstNonFinite(shifted) < 0 ? estimate(state, shifted, h, newState) : ratio;
         }
         return ratio;
     }

@@ -5,7 +5,6 @@ import static deSolvers.implicit.RadauTableau.MU_IM;
 import static deSolvers.implicit.RadauTableau.MU_RE;
 import static deSolvers.implicit.RadauTableau.MU_SQUARE;
 
-import deSolvers.FiniteCheck;
 import deSolvers.StepTransaction;
 import deSolvers.adaptive.Tolerance;
 import deSolvers.linear.SolverWork;
@@ -146,7 +145,7 @@ final class RadauNewton {
             source.setState(trial);
             source.setOffset(offset + RadauTableau.c(k) * h);
             source.getStateDerivative(f[k]);
-            if (FiniteCheck.firstNonFinite(f[k]) >= 0) {
+            if (StepTransaction.firstNonFinite(f[k]) >= 0) {
                 return false;
             }
         }

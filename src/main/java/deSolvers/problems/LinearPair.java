@@ -1,5 +1,7 @@
 package deSolvers.problems;
 
+import deSolvers.SecondOrderStateSource;
+
 /**
  * The linear test equation (x, v)' = M (x, v) as a source, in three copies. Their order is (x1, x2, x3, v1, v2, v3), as
  * methods for positions and velocities expect. The first copy starts at (1, 0) and the second at (0, 1), so that one
@@ -10,7 +12,7 @@ public class LinearPair extends ReferenceProblem {
     private static final int COPIES = 3;
     private final double[] matrix;
 
-    LinearPair(double... matrix) {
+    private LinearPair(double... matrix) {
         super(new double[2 * COPIES]);
         this.matrix = matrix;
     }
@@ -30,7 +32,7 @@ public class LinearPair extends ReferenceProblem {
      * @return x'' = -omega&sup2; x - c x', for the methods that need positions and velocities
      */
     public static LinearPair spring(double stiffness, double damping) {
-        return new LinearSpring(stiffness, damping);
+        return new Spring(stiffness, damping);
     }
 
     /** @param size the length of the unit vectors at which the copies start */
@@ -57,10 +59,6 @@ public class LinearPair extends ReferenceProblem {
         return largest;
     }
 
-    double damping() {
-        return -matrix[3];
-    }
-
     /** Accepts longer arrays: other sources check how a solver treats arrays. */
     @Override
     protected int checkLength(double[] array) {
@@ -72,6 +70,26 @@ public class LinearPair extends ReferenceProblem {
         for (int k = 0; k < COPIES; k++) {
             dSdt[k] = matrix[0] * s[k] + matrix[1] * s[k + COPIES];
             dSdt[k + COPIES] = matrix[2] * s[k] + matrix[3] * s[k + COPIES];
+        }
+    }
+
+    /** A damped spring in each of three directions. */
+    private static final class Spring extends LinearPair implements SecondOrderStateSource {
+        private final boolean damped;
+
+        Spring(double stiffness, double damping) {
+            super(0, 1, -stiffness, -damping);
+            damped = damping != 0;
+        }
+
+        @Override
+        public int getDimension() {
+            return 3;
+        }
+
+        @Override
+        public boolean accelerationDependsOnVelocity() {
+            return damped;
         }
     }
 }

@@ -16,13 +16,22 @@ public final class ForceSum {
     private final Particles particles;
     private final List<Effect> effects;
     private final List<Reaction> reactions;
-    private Optional<ParallelDerivative> parallel = Optional.empty();
+    private Optional<Parallel> parallel = Optional.empty();
     // the lists as arrays, since loops over lists allocate
     private Effect[] all = {};
     private PerParticleEffect[] perParticle = {};
     private Effect[] others = {};
     private Reaction[] reacting = {};
     private double[] force = {};
+
+    /** A parallel evaluation of the derivative, with the same bits as on one thread. */
+    public interface Parallel {
+        /** Whether there are enough forces for several threads to be faster. */
+        boolean pays();
+
+        /** As {@link ForceSum#derivative}. */
+        void derivative(double[] state, double time, double[] dSdt);
+    }
 
     /** Keeps the lists, which may grow later. */
     public ForceSum(Particles particles, List<Effect> effects, List<Reaction> reactions) {
@@ -58,7 +67,7 @@ public final class ForceSum {
     }
 
     /** Sets a parallel evaluation, used when it pays. */
-    public void setParallel(Optional<ParallelDerivative> other) {
+    public void setParallel(Optional<Parallel> other) {
         parallel = other;
     }
 

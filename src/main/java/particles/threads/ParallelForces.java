@@ -6,7 +6,6 @@ import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.engine.ForceSum;
-import particles.engine.ParallelDerivative;
 import particles.law.DivisibleEffect;
 import particles.law.Effect;
 import particles.law.Particles;
@@ -16,7 +15,7 @@ import particles.law.Particles;
  * {@link DivisibleEffect}. Each particle's force is summed in the same order as on one thread, so the bits are the
  * same.
  */
-public final class ParallelForces implements ParallelDerivative {
+public final class ParallelForces implements ForceSum.Parallel {
     /** With fewer forces one thread is faster: on cloths with rk4, two are only as fast at half this number. */
     public static final long PAYS_FROM = 16_384;
     private static final int NOBODY = -1;

@@ -16,8 +16,8 @@ import particles.law.Particles;
 import particles.law.Vector3;
 
 /**
- * The three loops for springs - spring by spring, particle by particle, and for lengths of which the square overflows -
- * compared with the slide's formula for random positions and velocities.
+ * Springs evaluated one by one and particle by particle, also of lengths of which the square overflows, compared with
+ * the slide's formula for random positions and velocities.
  */
 class SpringKernelTest {
     private static final int STRIDE = Particles.STRIDE;
