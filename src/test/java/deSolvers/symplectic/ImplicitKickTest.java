@@ -152,29 +152,6 @@ class ImplicitKickTest {
         assertEquals(10, source.getEvaluations(), "the step's first one and nine");
     }
 
-    /** The derivative that the next step would begin with is looked at in this one. */
-    @ParameterizedTest
-    @ValueSource(ints = {0, 1})
-    void aDerivativeThatIsNotFiniteAtTheEndIsNamed(int entry) {
-        OneMoves source = new OneMoves(1, v -> 0) {
-            @Override
-            public boolean accelerationDependsOnVelocity() {
-                return false;
-            }
-
-            @Override
-            public void getStateDerivative(double[] dSdt) {
-                super.getStateDerivative(dSdt);
-                if (getTime() > 0) {
-                    dSdt[entry] = Double.NaN;
-                }
-            }
-        };
-        Steps.assertFails(DESolverException.class, "entry " + entry + " of the derivative is NaN at t = 0.5",
-                () -> new VelocityVerletSolver().stepState(source, H));
-        assertEquals(0, source.getTime());
-    }
-
     /**
      * A drag that grows beyond all bounds is no fault of the source, and no endless loop: it is said that deltaT is too
      * long.

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import deSolvers.DESolver;
-import deSolvers.DESolverException;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.ForcedOscillator;
 import deSolvers.problems.SecondOrderProblem;
@@ -14,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What steps of leapfrogs remember, and where they look for what is not finite. */
+/** What steps of leapfrogs remember. */
 class LeapfrogTest {
     private static final double H = 0.5;
 
@@ -33,8 +32,6 @@ class LeapfrogTest {
 
     /** Any number of particles on a line, all with the acceleration -1. */
     private static final class Falling extends SecondOrderProblem {
-        private double lastGoodTime = Double.POSITIVE_INFINITY;
-
         Falling(int particles) {
             super(1, new double[2 * particles]);
         }
@@ -42,7 +39,6 @@ class LeapfrogTest {
         @Override
         protected void accelerate(double t, double[] s, double[] dSdt) {
             for (int x = 0; x < s.length; x += 2) {
-                dSdt[x] = t <= lastGoodTime ? s[x + 1] : Double.NaN;
                 dSdt[x + 1] = -1;
             }
         }
@@ -51,20 +47,6 @@ class LeapfrogTest {
         public boolean accelerationDependsOnVelocity() {
             return false;
         }
-    }
-
-    /**
-     * The first of the three ends at 1.35 H, beyond the step; no other one sees the time after H, and none uses that
-     * entry.
-     */
-    @Test
-    void aDerivativeThatIsNotFiniteWithinTheStepIsNamed() {
-        Falling source = new Falling(1);
-        source.lastGoodTime = H;
-        Steps.assertFails(DESolverException.class, "entry 0 of the derivative is NaN at t = 0.67",
-                () -> new Yoshida4Solver().stepState(source, H));
-        assertEquals(0, source.getTime());
-        assertArrayEquals(new double[2], source.getState());
     }
 
     /**
