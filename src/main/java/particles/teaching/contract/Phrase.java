@@ -14,11 +14,12 @@ public enum Phrase {
     CLOCK_ENDS, STAGE_TIMES, TIME_OF_STAGE, REJECTED_CLOCK, STAGE_CLOCKS, NO_DERIVATIVE, ARRAY_LENGTH, NEVER_SET,
     LEFT_AT_TRIAL, SET_TOO_EARLY, OLD_STATE, LEFT_OUT, DIGITS, CUT_OFF, ENTRY_BY_ENTRY, DELTA_T, MISSING, TOO_MANY,
     DIFFERS, CHANGED, PARTS, WEIGHTS_SUM, LOW_ORDER, OTHER_STEPS, CONTRADICTS, EXPLICIT, ROUNDS, OLD_VELOCITY,
-    NEW_VELOCITY, NOTHING_EARLIER, NO_CONTROL, NAME_ORDER, EQUATION, EQUATION_TIME, LOOSE, STALE, TOO_OLD, ADAMS_START,
-    UNSTABLE, UNCONTROLLED, LARGEST_ERROR, ABSOLUTE_ERROR, ELSEWHERE, LAYOUT, ADDS, GOES_ON, DRAG, NO_CONVERGENCE,
-    UNUSED, USES_STEPS_BEFORE, KEPT_ARRAY, KEPT_DERIVATIVE, KEPT_SOMETHING, OTHER_SOURCE, STATIC, DELTA_T_CHANGES,
-    DELTA_T_KEPT, CLOCK_IGNORED, SIZE_FAILS, SIZE_UNLIKE, NOTHING_BACK, LOOPS, MOVES_AT_ZERO, NAN_AT_ZERO, SWALLOWS,
-    FOR_PARTICLES, REFUSES_BACK, REFUSES_ZERO, LEFT_WITHIN, NAN_UNNOTICED, NAN_UNSAID, NAN_HIDDEN;
+    NEW_VELOCITY, NOTHING_EARLIER, NO_CONTROL, NAME_ORDER, EQUATION, EQUATION_TIME, LOOSE, STALE, TOO_OLD,
+    ADAMS_START, UNSTABLE, UNCONTROLLED, LARGEST_ERROR, ABSOLUTE_ERROR, ELSEWHERE, LAYOUT, ADDS, GOES_ON, DRAG,
+    DRAG_DIVERGES, MATRIX, NO_CONVERGENCE, UNUSED, USES_STEPS_BEFORE, KEPT_ARRAY, KEPT_DERIVATIVE, KEPT_SOMETHING,
+    OTHER_SOURCE, STATIC, DELTA_T_CHANGES, DELTA_T_KEPT, CLOCK_IGNORED, SIZE_FAILS, SIZE_UNLIKE, NOTHING_BACK, LOOPS,
+    MOVES_AT_ZERO, NAN_AT_ZERO, SWALLOWS, FOR_PARTICLES, REFUSES_BACK, REFUSES_ZERO, LEFT_WITHIN, NAN_UNNOTICED,
+    NAN_UNSAID, NAN_HIDDEN;
 
     private static final String BOOK = """
             # the class
@@ -84,6 +85,9 @@ public enum Phrase {
                 order %s: on other sources, or with another deltaT, it makes another step
             method GOES_ON: the new state is %s, which goes on from the trial state %s: go back to the start s before \
                 adding
+            method MATRIX: a matrix solves a linear law in one go, and there the equation of %s is off by %s: the \
+                matrix has to be I - deltaT J for backward Euler, I - deltaT/2 J for the trapezoidal rule and the \
+                implicit midpoint method, with all of J
             # the name
             name CONTRADICTS: this is %s and not %s, as its name says
             name EXPLICIT: this is %s, which is explicit, and not %s, as its name says: the equation for the new \
@@ -174,6 +178,8 @@ public enum Phrase {
             # style
             style DRAG: its order is %s, and %s where the acceleration depends on the velocity, as with drag: there \
                 the velocity of the closing kick has to be iterated
+            method DRAG_DIVERGES: where the acceleration depends on the velocity, as with drag, the error does not go \
+                to 0 with deltaT (order %s): each round of the closing kick has to begin with the velocity half way
             style UNUSED: an evaluation of the step enters nothing, and could be left out
             style FOR_PARTICLES: it works on systems of positions and velocities only, such as particles, and refuses \
                 others

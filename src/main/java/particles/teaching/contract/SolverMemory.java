@@ -23,6 +23,8 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
     /** Two runs of one method differ by rounding only: measured 0 for all of ours. */
     private static final double SAME = 1e-9;
     private static final int STEPS = 6;
+    /** Steps of 1/64 s and 1/128 s: AB2 measures its order to 0.1. */
+    private static final int SHORT = 64;
     private static final double LATER = 3;
     /** An adaptive method takes more evaluations in such a step, a multistep method does not. */
     private static final double LONG = 8;
@@ -117,11 +119,28 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
         return Phrase.STATIC.when(!(SolverContract.distance(alone.getState(), one.getState()) <= SAME));
     }
 
-    /** The simulation shortens the last step before an event, so that deltaT changes from step to step. */
+    /**
+     * The simulation shortens the last step before an event, so that deltaT changes from step to step. A multistep
+     * method then begins anew, or has weights for it, which keep its order.
+     */
     private Optional<Finding> changedDeltaT() {
         DESolver solver = maker.get();
         WindyOscillators source = StudentSource.after(new WindyOscillators(1), solver, 2, H);
-        return (remembers ? Phrase.DELTA_T_CHANGES : Phrase.DELTA_T_KEPT).when(!isFresh(solver, source, H / 4)
-                || !isFresh(solver, source, H / 2));
+        return (remembers ? Phrase.DELTA_T_CHANGES : Phrase.DELTA_T_KEPT).when((!isFresh(solver, source, H / 4)
+                || !isFresh(solver, source, H / 2)) && !(multistep && order(0.5) > order(0) - 0.5));
+    }
+
+    /** The order with steps that are in turn shorter and longer by a part. */
+    private double order(double part) {
+        double[] errors = IntStream.of(SHORT, 2 * SHORT).mapToDouble(pairs -> {
+            WindyOscillators source = new WindyOscillators(1);
+            DESolver solver = maker.get();
+            for (int pair = 0; pair < pairs; pair++) {
+                solver.stepState(source, (1 - part) / pairs);
+                solver.stepState(source, (1 + part) / pairs);
+            }
+            return source.error();
+        }).toArray();
+        return StrictMath.log(errors[0] / errors[1]) / StrictMath.log(2);
     }
 }

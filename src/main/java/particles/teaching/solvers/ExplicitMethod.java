@@ -60,7 +60,7 @@ record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<Or
             return new Diagnosis("It makes no step.", rule);
         }
         Scheme scheme = read.isOfParticles() || rule.isEmpty() && read.ends().get(0).increment() != 0
-                && !KnownMethods.isStagesOfAny(read) ? read.withoutUnused() : read;
+                && !KnownMethods.isAny(read, 0) ? read.withoutUnused() : read;
         List<Scheme> like = KnownMethods.like(scheme);
         List<Scheme> meant = like.stream().filter(known -> promise.isGiven() && promise.allows(known.name(),
                 known.order())).toList();
@@ -81,10 +81,11 @@ record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<Or
                 : unknown(scheme, nearest, note);
     }
 
-    /** The note of a method whose order falls where the acceleration depends on the velocity. */
+    /** The mistake or note of a method whose order falls where the acceleration depends on the velocity. */
     private Optional<Finding> dragged() {
         OrderMeasurement drag = OrderMeasurement.of(maker, WindyOscillators::withDrag);
-        return Phrase.DRAG.when(drag.order() < measured.get().order() - 0.7, measured.get().digits(), drag.digits());
+        return Phrase.DRAG_DIVERGES.when(drag.order() < SolverCheck.LOWEST_ORDER, drag.digits()).or(() ->
+                Phrase.DRAG.when(drag.order() < measured.get().order() - 0.7, measured.get().digits(), drag.digits()));
     }
 
     private Finding unsolved(Scheme scheme) {

@@ -50,6 +50,8 @@ final class KnownMethods {
             0 9/8 -3/8 -3/4 1/2; 9/44 -9/11 63/44 18/11 0 -16/11 | 11/120 0 27/40 27/40 -4/15 -4/15 11/120
             Fehlberg's method of order 4 | 4 | 1/4; 3/32 9/32; 1932/2197 -7200/2197 7296/2197; \
             439/216 -8 3680/513 -845/4104; -8/27 2 -3544/2565 1859/4104 -11/40 | 25/216 0 1408/2565 2197/4104 -1/5 0
+            Fehlberg's method of order 4 | 4 | 1/4; 3/32 9/32; 1932/2197 -7200/2197 7296/2197; \
+            439/216 -8 3680/513 -845/4104 | 25/216 0 1408/2565 2197/4104 -1/5
             Fehlberg's method of order 5 | 5 | 1/4; 3/32 9/32; 1932/2197 -7200/2197 7296/2197; \
             439/216 -8 3680/513 -845/4104; -8/27 2 -3544/2565 1859/4104 -11/40 \
             | 16/135 0 6656/12825 28561/56430 -9/50 2/55
@@ -124,6 +126,10 @@ final class KnownMethods {
             double[] trial = s makes no copy; s.clone() does | 0 | 1/2; 1/2 1/2; 1/2 1/2 1 | 1/6 1/3 1/3 1/6
             RK4: every trial state and the new state are added to the one before: go back to the start s before \
             adding. double[] trial = s makes no copy; s.clone() does | 0 | 1/2; 1/2 1/2; 1/2 1/2 1 | 2/3 5/6 4/3 1/6
+            the extrapolation of the Euler method: the weights are swapped: 2 times the short steps minus the long \
+            one is right | 0 | 0; 0 1/2 | 2 -1/2 -1/2
+            the extrapolation of the Euler method: the weights are swapped: 2 times the short steps minus the long \
+            one is right | 0 | 1/2 | 3/2 -1/2
             Williamson's method: the sign of 153/128 is wrong: q = -153/128 q + deltaT f is right | 0 \
             | 1/3; -3/16 15/16 | -13/24 63/40 8/15
             """;
@@ -181,8 +187,11 @@ final class KnownMethods {
                 part::repeat).collect(Collectors.joining(";")) + "|" + part.repeat(n)))).toList();
     }
 
-    /** @return whether a known method evaluates the derivative at these states, whatever its weights */
-    static boolean isStagesOfAny(Scheme found) {
-        return found.size() > 1 && like(found).stream().anyMatch(method -> isSame(method, found, 0));
+    /**
+     * @param ends 1 if the new state has to be the same, too, otherwise 0
+     * @return whether a known method evaluates the derivative at these states
+     */
+    static boolean isAny(Scheme found, int ends) {
+        return found.size() > 1 && like(found).stream().anyMatch(method -> isSame(method, found, ends));
     }
 }

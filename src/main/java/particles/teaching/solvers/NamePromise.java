@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.Finding;
 import particles.teaching.contract.Phrase;
@@ -45,6 +46,7 @@ record NamePromise(String says, int order, List<String> methods, String kind, St
     /** An order: SdirkTwo is one of order 2. Before these words it is the number of them, as in TwoStageSdirk. */
     private static final Pattern NUMBER = Pattern.compile(
             "(?<=[A-Za-z])(Two|Three|Four|Five)(?!Stage|Step|Phase|Point|Eighth)");
+    private static final String ORDINAL = ".*(%2$s|%1$s(rd|th)?)order.*|.*order%1$s.*";
     private static final Pattern EXTRAPOLATES = Pattern.compile("richardson|extrapol");
     private static final Pattern ADAPTS = Pattern.compile("adapt|stepdoubling|stepsizecontrol|variablestep");
 
@@ -73,14 +75,15 @@ record NamePromise(String says, int order, List<String> methods, String kind, St
             a Runge-Kutta method of order 3 | 3 | rk3 rungekutta3 third-rungekutta 3rd-rungekutta kutta3 heun3 \
             ralston3 bogackishampine ssprk3 ssp3 | |
             a strong-stability-preserving method | 2 | ssp ssprk shuosher | |
-            a Runge-Kutta method of order 4 | 4 | rk4 rungekutta4 rungekutta classicalrk gill ralston4 ralstonrk4 \
+            a Runge-Kutta method of order 4 | 4 | rk4 rungekutta4 rungekutta classicalrk ralston4 ralstonrk4 \
             ssprk4 ssprk54 ssprk104 | |
             a Runge-Kutta method of order 6 | 6 | rk6 rungekutta6 butcher6 | |
             a Runge-Kutta method of order 8 | 8 | rk8 rungekutta8 | |
+            Gill's method | 4 | gill | Gill's method |
+            Merson's method | 4 | merson kuttamerson rungekuttamerson | Merson's method |
             a stabilized method | 1 | chebyshev legendre rkc rkl | |
             Kutta's 3/8 rule | 4 | rk38 rungekutta38 kutta38 threeeighth | Kutta's 3/8 rule |
-            a method of order 4 or 5 | 4 | rkf45 rk45 ode45 fehlberg rungekuttafehlberg cashkarp dormandprince dopri \
-            merson kuttamerson | |
+            a method of order 4 or 5 | 4 | rkf45 rk45 ode45 fehlberg rungekuttafehlberg cashkarp dormandprince dopri | |
             a Runge-Kutta method of order 5 | 5 | rk5 rungekutta5 fifth-rungekutta dopri5 rkf5 dormandprince5 \
             fehlberg5 cashkarp5 | |
             velocity or position Verlet | 2 | verlet velocity-verlet position-verlet stormer-verlet stoermer-verlet \
@@ -162,11 +165,14 @@ record NamePromise(String says, int order, List<String> methods, String kind, St
         String bare = NUMBER.matcher(className.replaceAll("[^A-Za-z0-9]", "")).replaceAll(word -> String.valueOf(2
                 + List.of("Two", "Three", "Four", "Five").indexOf(word.group())));
         String lower = bare.toLowerCase(Locale.ROOT);
+        int said = IntStream.rangeClosed(3, 6).filter(n -> lower.matches(ORDINAL.formatted(n, List.of("third", "fourth",
+                "fifth", "sixth").get(n - 3)))).findFirst().orElse(0);
         boolean adapts = ADAPTS.matcher(lower).find();
         return ROWS.stream().filter(row -> row.isIn(bare)).max(Comparator.comparingInt(Row::length)).map(best -> {
             String rest = lower.replaceAll("(" + String.join("|", best.parts) + ")(s(?=method|rule|solver|$))?", " ");
             boolean more = EXTRAPOLATES.matcher(rest).find();
-            return new NamePromise((more ? "the extrapolation of " : "") + best.says, best.order + (more ? 1 : 0),
+            return new NamePromise((more ? "the extrapolation of " : "") + best.says, Math.max(said, best.order
+                    + (more ? 1 : 0)),
                     best.methods, best.kind, rest.replaceAll(NOISE, "").isBlank() ? Strength.WHOLE : more
                     || ROWS.stream().anyMatch(row -> row.parts.stream().allMatch(rest::contains))       // HeunEuler
                     || CHANGES.matcher(rest).find() ? Strength.CHANGED : Strength.UNKNOWN, adapts);
@@ -186,8 +192,8 @@ record NamePromise(String says, int order, List<String> methods, String kind, St
 
     /** @return whether a method of this name and order may be called so */
     boolean allows(String method, int itsOrder) {
-        return methods.contains(method) || method.equals(IMPLICIT_MIDPOINT) && says.matches(
-                "a (Gauss|diagonally implicit) method( of order 2)?") || itsOrder >= order && (methods.isEmpty()
+        return methods.contains(method) && (itsOrder == 0 || itsOrder >= order) || method.equals(IMPLICIT_MIDPOINT)
+                && says.matches("a (Gauss|diagonally implicit) method( of order 2)?") || itsOrder >= order && (methods.isEmpty()
                 || strength == Strength.CHANGED);
     }
 

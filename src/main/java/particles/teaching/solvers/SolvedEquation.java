@@ -75,7 +75,7 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
      */
     static Optional<SolvedEquation> of(Supplier<DESolver> maker, boolean earlier) {
         return Arrays.stream(STEPS).limit(earlier ? 1 : STEPS.length).boxed().flatMap(h -> {
-            Made made = Made.by(maker, h, earlier ? 6 : 1, 1);
+            Made made = Made.by(maker, WindyOscillators.nonlinear(2), h, earlier ? 6 : 1, 1);
             return ALL.stream().filter(known -> known.old() > 1 == earlier && !known.isAdams())
                     .flatMap(SolvedEquation::clocks).filter(known -> made.misfit(known) < FITS * h).limit(1);
         }).findFirst();
@@ -119,11 +119,14 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
     }
 
     /** @return the mistake in the equation; empty if it is the method's */
-    Optional<Finding> wrong() {
-        SolvedEquation known = named(name);
-        return Phrase.EQUATION.when(!mistake.isEmpty(), row().formula(), name, known.row().formula(), mistake).or(() ->
-                IntStream.range(0, times.length).filter(j -> times[j] != places[j]).mapToObj(j ->
-                Phrase.EQUATION_TIME.of(place(j), Formula.time(times[j]), Formula.time(places[j]))).findFirst());
+    Optional<Finding> wrong(NamePromise promise) {
+        boolean onTime = Arrays.equals(times, places);
+        SolvedEquation known = ALL.stream().filter(one -> !onTime && Arrays.equals(times, one.times)
+                && promise.methods().contains(one.name)).findFirst().orElse(named(name));
+        return Phrase.EQUATION.when(!mistake.isEmpty() || !known.name.equals(name), row().formula(), known.name,
+                known.row().formula(), mistake).or(() -> IntStream.range(0, times.length).filter(j -> times[j] != places[j])
+                .mapToObj(j -> Phrase.EQUATION_TIME.of(place(j), Formula.time(times[j]), Formula.time(places[j])))
+                .findFirst());
     }
 
     private String place(int j) {
@@ -138,18 +141,23 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
     }
 
     private double residual(Supplier<DESolver> maker, double h, double amplitude) {
-        return Made.by(maker, h, 1, amplitude).misfit(this);
+        return Made.by(maker, WindyOscillators.nonlinear(2), h, 1, amplitude).misfit(this);
     }
 
     /**
-     * @param longest the longest deltaT that the iteration for such a law is made for (s)
-     * @return the mistake of an iteration that ends too early, as the residual on a strongly nonlinear law shows
+     * @param matrix whether it solves with a matrix, which is made for longer steps than other iterations, and solves a
+     *               linear law in one go
+     * @return the mistake of a wrong matrix, or of an iteration that ends too early, as the residual on a strongly
+     *         nonlinear law shows
      */
-    static Optional<Finding> loose(Supplier<DESolver> maker, String name, double longest) {
+    static Optional<Finding> loose(Supplier<DESolver> maker, String name, boolean matrix) {
         SolvedEquation known = named(name);
+        double longest = matrix ? 0.5 : 3.0 / 32;
+        double linear = matrix ? Made.by(maker, new WindyOscillators(2), NEAR_STEP, 1, 1).misfit(known) : 0;
         return IntStream.rangeClosed(1, 24).mapToDouble(part -> part * longest / 24).mapToObj(h -> new double[] {h,
             known.residual(maker, h, 3)}).filter(worst -> worst[1] > SOLVED && Double.isFinite(worst[1])).max(
-                Comparator.comparingDouble(worst -> worst[1])).map(worst -> Phrase.LOOSE.of(worst[0], worst[1]));
+                Comparator.comparingDouble(worst -> worst[1])).map(worst -> linear > SOLVED ? Phrase.MATRIX.of(
+                name, linear) : Phrase.LOOSE.of(worst[0], worst[1]));
     }
 
     /**
@@ -174,8 +182,7 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
      * @param states the latest first; NaN if the solver gave up
      */
     private record Made(WindyOscillators source, double h, int steps, List<double[]> states) {
-        static Made by(Supplier<DESolver> maker, double h, int steps, double amplitude) {
-            WindyOscillators source = WindyOscillators.nonlinear(2);
+        static Made by(Supplier<DESolver> maker, WindyOscillators source, double h, int steps, double amplitude) {
             source.startAt(START);
             double[] s = source.getState();
             Arrays.setAll(s, k -> amplitude * (1 + k / 64.0) * s[k]);       // off the exact solution

@@ -33,7 +33,7 @@ public final class SolverCheck {
     /** Smaller errors may be those of a tolerance. */
     private static final double TOLERATED = 1e-8;
     /** Below this order the error does not go to 0; Euler measures 0.97 to 1.03. */
-    private static final double LOWEST_ORDER = 0.7;
+    static final double LOWEST_ORDER = 0.7;
 
 
     private static final String MULTISTEP = "This is a method that uses earlier steps (a multistep method)";
@@ -149,7 +149,7 @@ public final class SolverCheck {
 
     /** The diagnosis of a method whose steps use results of earlier ones. */
     private Diagnosis remembering() {
-        boolean equation = SolvedEquation.of(maker, true).filter(found -> found.wrong().isEmpty()).isPresent();
+        boolean equation = SolvedEquation.of(maker, true).filter(found -> found.wrong(promise).isEmpty()).isPresent();
         return new Diagnosis(multistep || equation ? MULTISTEP : UNREAD, Phrase.STALE.when(evaluations(1)
                 == evaluations(2)));
     }
@@ -165,8 +165,8 @@ public final class SolverCheck {
     private Optional<Finding> afterContract() {
         return stageClocks().or(() -> (multistep ? SolvedEquation.ofEarlierSteps(maker)
                 : Optional.<SolvedEquation>empty()).flatMap(reading -> reading.wrongWeights(measurement(), wanted())))
-                .or(() -> poorOrder(() -> multistep ? Optional.empty()
-                : firstSubStep(finding -> true), () -> SolvedEquation.of(maker, true).flatMap(SolvedEquation::wrong)));
+                .or(() -> poorOrder(() -> multistep ? Optional.empty() : firstSubStep(finding -> true), () ->
+                SolvedEquation.of(maker, true).flatMap(found -> found.wrong(promise))));
     }
 
     /** The diagnosis of an implicit method whose equation is known. */
@@ -174,8 +174,8 @@ public final class SolverCheck {
         Optional<SolvedEquation> found = SolvedEquation.of(maker, false);
         return found.map(SolvedEquation::name).or(() -> promise.methods().stream().filter(name ->
                 promise.isImplicit()).findFirst()).or(() -> SolvedEquation.near(maker)).map(name -> new Diagnosis(
-                "This is " + name, Search.first(() -> found.flatMap(SolvedEquation::wrong), this::unstable, () ->
-                SolvedEquation.loose(maker, name, contract.solvesWithMatrix() ? 0.5 : 3.0 / 32)), 0,
+                "This is " + name, Search.first(() -> found.flatMap(one -> one.wrong(promise)), this::unstable, () ->
+                SolvedEquation.loose(maker, name, contract.solvesWithMatrix())), 0,
                 found.isPresent() ? name : ""));
     }
 

@@ -38,7 +38,8 @@ record StepRules(StepReading step, StepReading twice, Optional<StepReading> back
     /** A step may end with the derivative at its new state, kept for the next one (FSAL), or for nothing. */
     private boolean evaluatesTheNewState(Scheme scheme) {
         int last = step.evaluations() - 1;
-        return last > 0 && !KnownMethods.isStagesOfAny(scheme) && Formula.same(scheme.times()[last], 1)
+        return last > 0 && KnownMethods.isAny(scheme, 0) == KnownMethods.isAny(scheme, 1)
+                && Formula.same(scheme.times()[last], 1)
                 && Formula.same(scheme.ends().get(0).increment(), 1);
     }
 

@@ -202,6 +202,10 @@ final class HandwrittenSolvers {
                         source, h, -1)),
                 wrong("Mine", "30 deltaT in the matrix", "signs in the matrix", (source, h) -> rosenbrock(source, h,
                         30)),
+                wrong("CrankNicolson", "I - deltaT J", "^method: a matrix solves a linear law in one go", (source, h) ->
+                        rosenbrock(source, h, 1)),
+                wrong("Leapfrog", "three closing kicks with drag", "^method: where the acceleration depends",
+                        HandwrittenSolvers::closingKicks),
                 wrong("Ros2", "sign of the Jacobian", "signs in the matrix", (source, h) -> ros2(source, h, -1)));
     }
 
@@ -346,6 +350,17 @@ final class HandwrittenSolvers {
             s = half.clone();
             kick(source, s, h / 2);
             change = Methods.norm(plus(s, -1, before));
+        }
+    }
+
+    /** Each kick goes on from the one before. */
+    private static void closingKicks(DEStateSource source, double h) {
+        double[] s = state(source);
+        kick(source, s, h / 2);
+        drift(source, s, h);
+        int rounds = ((SecondOrderStateSource) source).accelerationDependsOnVelocity() ? 3 : 1;
+        for (int round = 0; round < rounds; round++) {
+            kick(source, s, h / 2);
         }
     }
 

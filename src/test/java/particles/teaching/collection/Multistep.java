@@ -71,7 +71,9 @@ final class Multistep extends DESolver {
             source.setState(Methods.newton(x -> Methods.plus(Methods.plus(x, -1, base), full ? -bdf * deltaT : -deltaT,
                     slopeAt(source, x)), s, 1e-12, 100));
         } else if (full) {
-            source.setState(next(s, deltaT, weights[0], kept, Arrays.copyOfRange(weights, 1, steps)));
+            double half = deltaT / length / 2;
+            double[] used = slips.contains("adapts") ? new double[] {1 + half, -half} : weights;
+            source.setState(next(s, deltaT, used[0], kept, Arrays.copyOfRange(used, 1, steps)));
             source.incTime(slips.contains("clock-stays") ? 0 : deltaT);
             if (slips.contains("corrects")) {
                 double[] corrected = Methods.plus(s, deltaT * MOULTON[0], slope(source));

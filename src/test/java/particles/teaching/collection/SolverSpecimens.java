@@ -157,6 +157,8 @@ final class SolverSpecimens {
                 -> 0.3535533905932738 0.3535533905932738 0.2928932188134524 : newton 1e-11 60
                 AdamsBashforth2 | Euler at first | | adams 2 1
                 AB3Solver | RK4 at first | | adams 3 4
+                AB2Solver | weights for any deltaT | | adams 2 4 : any-deltaT adapts
+                DormandPrince5 | the last stage is the new state | | rk DOPRI DOPRI5 | end-not-set
                 AdamsBashforth4Solver | RK4 at first | | adams 4 4
                 PredictorCorrector | Adams-Moulton, RK4 at first | | adams 4 4 : corrects
                 BDF2 | backward Euler at first | | bdf 2/3
@@ -461,6 +463,15 @@ final class SolverSpecimens {
                 -> 0.4144907717943757 0.4144907717943757 0.4144907717943757 0.4144907717943757 -0.6579630871775028 \
                 SIMPLE
                 Mine | goes on from the trial state | goes on from the trial state | rk 3/4 -> 13/12 2/3
+                HeunThirdOrder | k1 in place of k2 | k3 is evaluated at s \\+ 2/3 k1; Heun's method of order 3 says \
+                | rk 1/3; 2/3 -> 1/4 0 3/4
+                RungeKuttaFehlberg | 3860 for 3680, five stages | k5 is evaluated at .* 7.524 k3 \
+                | rk 1/4; 3/32 9/32; 1932/2197 -7200/2197 7296/2197; 439/216 -8 3860/513 -845/4104 \
+                -> 25/216 0 1408/2565 2197/4104 -1/5 @ 0 1/4 3/8 12/13 1
+                GillSolver | the root of 1/2 is 0 | Gill's method says | rk 1/2; -1/2 1; 0 0 1 -> 1/6 2/3 0 1/6
+                Richardson | weights of long and short steps exchanged | weights are swapped \
+                | rk 0; 0 1/2 -> 2 -1/2 -1/2
+                ImplicitMidpoint | the slope of the end | implicit midpoint method is new = | irk 1 -> 1 @ 1/2 NEWTON
                 Again | clock moves though rejected | clock may move only when \
                 | pair 1/2; -1 2 -> 1/6 2/3 1/6 -> 1 0 0 : 1e-6 3 clock-runs
                 Homework5 | three stages, not Runge-Kutta of order 5 | k3 is evaluated at s - k1 \\+ k2; \
