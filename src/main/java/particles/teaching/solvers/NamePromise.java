@@ -192,9 +192,10 @@ record NamePromise(String says, int order, List<String> methods, String kind, St
 
     /** @return whether a method of this name and order may be called so */
     boolean allows(String method, int itsOrder) {
-        return methods.contains(method) && (itsOrder == 0 || itsOrder >= order) || method.equals(IMPLICIT_MIDPOINT)
-                && says.matches("a (Gauss|diagonally implicit) method( of order 2)?") || itsOrder >= order && (methods.isEmpty()
-                || strength == Strength.CHANGED);
+        boolean high = itsOrder >= order;
+        return methods.contains(method) && (high || itsOrder == 0) || high && (methods.isEmpty()
+                || strength == Strength.CHANGED) || method.equals(IMPLICIT_MIDPOINT)
+                && says.matches("a (Gauss|diagonally implicit) method( of order 2)?");
     }
 
     /** @return the meaning of the name, with the order */

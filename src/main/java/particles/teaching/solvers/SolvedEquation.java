@@ -124,8 +124,8 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
         SolvedEquation known = ALL.stream().filter(one -> !onTime && Arrays.equals(times, one.times)
                 && promise.methods().contains(one.name)).findFirst().orElse(named(name));
         return Phrase.EQUATION.when(!mistake.isEmpty() || !known.name.equals(name), row().formula(), known.name,
-                known.row().formula(), mistake).or(() -> IntStream.range(0, times.length).filter(j -> times[j] != places[j])
-                .mapToObj(j -> Phrase.EQUATION_TIME.of(place(j), Formula.time(times[j]), Formula.time(places[j])))
+                known.row().formula(), mistake).or(() -> IntStream.range(0, times.length).filter(j -> times[j]
+                != places[j]).mapToObj(j -> Phrase.EQUATION_TIME.of(place(j), Formula.time(times[j]), Formula.time(places[j])))
                 .findFirst());
     }
 
