@@ -120,13 +120,12 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
 
     /** @return the mistake in the equation; empty if it is the method's */
     Optional<Finding> wrong(NamePromise promise) {
-        boolean onTime = Arrays.equals(times, places);
-        SolvedEquation known = ALL.stream().filter(one -> !onTime && Arrays.equals(times, one.times)
+        Optional<Integer> off = IntStream.range(0, times.length).filter(j -> times[j] != places[j]).boxed().findFirst();
+        SolvedEquation known = ALL.stream().filter(one -> off.isPresent() && Arrays.equals(times, one.times)
                 && promise.methods().contains(one.name)).findFirst().orElse(named(name));
         return Phrase.EQUATION.when(!mistake.isEmpty() || !known.name.equals(name), row().formula(), known.name,
-                known.row().formula(), mistake).or(() -> IntStream.range(0, times.length).filter(j -> times[j]
-                != places[j]).mapToObj(j -> Phrase.EQUATION_TIME.of(place(j), Formula.time(times[j]), Formula.time(places[j])))
-                .findFirst());
+                known.row().formula(), mistake).or(() -> off.map(j -> Phrase.EQUATION_TIME.of(place(j), Formula.time(
+                times[j]), Formula.time(places[j]))));
     }
 
     private String place(int j) {
