@@ -1,11 +1,15 @@
 package particles.energy;
 
 import deSolvers.text.Digits;
+import java.util.Comparator;
+import java.util.stream.IntStream;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.SimulationException.End;
+import particles.law.Particles;
+import particles.law.Vector3;
 
 /**
  * Fails a run whose numerical error, as a gain of energy, became larger than its energy. It fails at the end if the
@@ -29,7 +33,7 @@ public final class NumericalErrorLimit implements Observer {
     private double explained;
     private double largest;
     private double passed = Double.NaN;
-    private int fastest;
+    private int strongest;
 
     /**
      * @param energy      the run's energies; an observer that is called before this one
@@ -55,7 +59,7 @@ public final class NumericalErrorLimit implements Observer {
         double expected = Math.max(explained, energy.getRestScale());
         if (error > Math.max(rounding, MOST_GAIN * expected) && error > MOST_GAIN * (expected + putIn())) {
             find(motion);
-            throw new SimulationException(End.NUMERICAL_ERROR, motion.getEndTime(), fastest,
+            throw new SimulationException(End.NUMERICAL_ERROR, motion.getEndTime(), strongest,
                     "the numerical error is " + Digits.few(error) + " J, over " + MOST_GAIN
                     + " times the rest of the energy");
         }
@@ -71,19 +75,25 @@ public final class NumericalErrorLimit implements Observer {
             fail(system.getTime(), books.getLatestNumericalError());
         }
         if (isAboveScale(largest)) {
-            throw new SimulationException(End.WRONG_MOTION, passed, fastest, "the numerical error of "
+            throw new SimulationException(End.WRONG_MOTION, passed, strongest, "the numerical error of "
                     + Digits.few(largest) + " J is larger than the energy scale"
                     + (putIn() > 0 ? " and the work put in" : "") + ", "
                     + Digits.few(energy.getScale() + putIn()) + " J");
         }
     }
 
+    /** Notes the particle with the largest kinetic energy, or one whose energy is not a number. */
     private void find(Motion motion) {
-        fastest = motion.getSystem().getParticles().fastest(motion.getEndState());
+        Particles particles = motion.getSystem().getParticles();
+        strongest = IntStream.range(0, particles.count()).filter(i -> !particles.isFixed(i)).boxed()
+                .max(Comparator.comparingDouble(i -> {
+                    Vector3 v = Vector3.at(motion.getEndState(), Particles.STRIDE * i + 3);
+                    return particles.mass(i) * v.dot(v);
+                })).orElse(0);
     }
 
     private void fail(double time, double error) {
-        throw new SimulationException(End.NUMERICAL_ERROR, time, fastest, "the numerical error of its energy is "
+        throw new SimulationException(End.NUMERICAL_ERROR, time, strongest, "the numerical error of its energy is "
                 + Digits.few(error) + (Double.isNaN(error) ? "" : " J"));
     }
 

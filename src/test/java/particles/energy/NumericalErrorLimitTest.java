@@ -71,6 +71,19 @@ class NumericalErrorLimitTest {
                 e.getMessage());
     }
 
+    /** Both gain the same factor; the heavy block has nearly all of the energy, the light one is twice as fast. */
+    @Test
+    void theParticleWithTheMostEnergyIsNamed() {
+        ShortRun run = new ShortRun("euler clamp 1 100", """
+                particles: [{id: wall, position: [0, 0, 0], fixed: true},
+                            {id: heavy, position: [1, 0, 0], mass: 100}, {id: light, position: [2, 0, 0], mass: 0.01}]
+                springs: [{from: wall, to: heavy, stiffness: 100, restLength: 0},
+                          {from: wall, to: light, stiffness: 0.01, restLength: 0}]
+                """);
+        assertEquals(1, assertThrows(SimulationException.class, () -> run(run.getScene().simulation(), 50))
+                .getParticle());
+    }
+
     /**
      * With drag of c/m = h = 0.1, Euler keeps the amplitude: |1 + h lambda|^2 = 1 - h c + h^2 = 1. What drag takes, on
      * the average c v^2 = 0.05 W, Euler gives, so that the error passes the energy of 0.5 J after about 10 s.
