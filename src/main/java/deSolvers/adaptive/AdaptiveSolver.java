@@ -159,7 +159,40 @@ public abstract class AdaptiveSolver extends DESolver {
         source.getStateDerivative(slope);               // at (s, t)
         source.requireFinite(slope);
         slopeKnown = true;
-        subStep = FirstSubStep.guess(source, tolerance, errorExponent(), state, slope, deltaT, newState, newSlope);
+        subStep = firstSubStep(source, deltaT);
+    }
+
+    /**
+     * Guesses the length of the first sub-step (s) from the first two derivatives of the solution (Hairer,
+     * N&oslash;rsett, Wanner, section II.4); a trial Euler step shows how fast the derivative changes.
+     */
+    private double firstSubStep(StepTransaction source, double deltaT) {
+        double length = Math.abs(deltaT);
+        double size = tolerance.size(state, state);
+        double speed = tolerance.size(slope, state);
+        // A hundredth of the time in which the state would change by its own size; unknown for a state of about 0.
+        double slow = size > 1 && speed > 0 ? 0.01 * (size / speed) : Double.POSITIVE_INFINITY;
+        double euler = Math.min(length, slow);
+        if (slow == Double.POSITIVE_INFINITY && speed > 1 / length) {
+            euler = 1 / speed;                          // as far as the tolerance reaches
+        }
+        if (!(euler >= Double.MIN_NORMAL)) {
+            return length;                              // too short for a trial
+        }
+        double h = Math.copySign(euler, deltaT);
+        for (int i = 0; i < state.length; i++) {
+            newState[i] = state[i] + h * slope[i];
+        }
+        source.setState(newState);
+        source.setOffset(h);
+        source.getStateDerivative(newSlope);            // at (s + h f, t + h)
+        for (int i = 0; i < state.length; i++) {
+            newSlope[i] = (newSlope[i] - slope[i]) / euler;
+        }
+        double fastest = Math.max(speed, tolerance.size(newSlope, state));
+        double byChange = fastest > 0 ? root(0.01 / fastest, errorExponent()) : length;
+        double guess = Math.min(length, Math.min(100 * slow, byChange));
+        return guess > 0 ? guess : euler;               // also if the trial gave NaN
     }
 
     /** Makes sub-steps from 0 to exactly deltaT. Lengths are positive here; the direction is a factor. */

@@ -4,7 +4,7 @@ import static particles.view.DataTable.column;
 
 import java.nio.file.Path;
 import java.time.Duration;
-import java.time.Instant;
+import java.time.OffsetDateTime;
 import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -17,6 +17,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import particles.app.cli.Version;
+import particles.app.course.Result.HandIn;
 import particles.app.course.Result.Item;
 import particles.app.course.Result.Status;
 import particles.output.charts.ChartFormat;
@@ -48,7 +49,7 @@ final class ClassTables {
      */
     ClassTables(Assignment assignment, List<Result> all, boolean best) {
         this.assignment = assignment;
-        Comparator<Result> byDate = Comparator.comparing(Result::date);
+        Comparator<Result> byDate = Comparator.comparing(result -> result.handIn().date());
         Comparator<Result> order = best ? Comparator.comparingDouble(Result::points).thenComparing(byDate) : byDate;
         results = new ArrayList<>(new TreeMap<>(all.stream().collect(Collectors.toMap(Result::student,
                 Function.identity(), (a, b) -> order.compare(a, b) > 0 ? a : b))).values());
@@ -59,28 +60,33 @@ final class ClassTables {
         return points == Math.rint(points) ? (Object) Math.round(points) : points;
     }
 
-    private static String date(Result result) {
-        return result.handedIn().isEmpty() ? "" : result.date().truncatedTo(ChronoUnit.SECONDS).toString();
+    private static String date(HandIn handIn) {
+        return handIn.name().isEmpty() ? "" : handIn.date().truncatedTo(ChronoUnit.SECONDS).toString();
     }
 
     /** Hours after the deadline; empty if in time. */
-    private String late(Result result) {
-        Optional<Instant> deadline = assignment.deadline().map(date -> date.toInstant());
-        return result.handedIn().isEmpty() || deadline.isEmpty() || !result.date().isAfter(deadline.get()) ? ""
-                : "%.1f".formatted(Duration.between(deadline.get(), result.date()).toSeconds() / SECONDS_PER_HOUR);
+    private String late(HandIn handIn) {
+        return assignment.deadline().map(OffsetDateTime::toInstant).filter(deadline -> !handIn.name().isEmpty()
+                && handIn.date().isAfter(deadline)).map(deadline -> "%.1f".formatted(Duration.between(deadline,
+                handIn.date()).toSeconds() / SECONDS_PER_HOUR)).orElse("");
     }
 
     /** @return each student to talk to, and why */
     private List<Map.Entry<String, String>> toTalkTo() {
         List<Map.Entry<String, String>> whom = new ArrayList<>();
         for (Result result : results) {
-            Stream.of(result.handedIn().isEmpty() ? "nothing was handed in" : result.points() == 0
-                    && result.most() > 0 ? "no points" : "", late(result).isEmpty() ? "" : "late by " + late(result)
-                    + " h", result.items().stream().filter(item -> item.status() == Status.ERROR).map(item ->
-                    item.name() + " is not decided: run this again").collect(Collectors.joining("; ")))
-                    .filter(why -> !why.isEmpty()).forEach(why -> whom.add(Map.entry(result.student(), why)));
-            result.problems().stream().filter(line -> !result.handedIn().isEmpty()).limit(2).forEach(line ->
-                    whom.add(Map.entry(result.student(), line)));
+            List<String> why = new ArrayList<>();
+            if (result.handIn().name().isEmpty()) {
+                why.add("nothing was handed in");
+            } else {
+                String late = late(result.handIn());
+                why.add(result.points() == 0 && result.most() > 0 ? "no points" : "");
+                why.add(late.isEmpty() ? "" : "late by " + late + " h");
+                why.addAll(result.problems().stream().limit(2).toList());
+            }
+            why.add(result.items().stream().filter(item -> item.status() == Status.ERROR).map(item -> item.name()
+                    + " is not decided: run this again").collect(Collectors.joining("; ")));
+            why.stream().filter(reason -> !reason.isEmpty()).forEach(reason -> whom.add(Map.entry(result.student(), reason)));
         }
         whom.addAll(Copies.toLookAt(new TreeMap<>(results.stream().collect(Collectors.toMap(Result::student,
                 Result::classes)))));
@@ -96,14 +102,17 @@ final class ClassTables {
                 column("student", row -> row.result().student()), column("exercise", row -> row.item().name()),
                 column("points", row -> number(row.item().points())),
                 column("of", row -> number(row.item().weight())), column("mistake", row -> row.item().mistake()),
-                column("attempt", row -> row.result().handedIn()), column("handed in", row -> date(row.result())),
-                column("late (h)", row -> late(row.result())), column("version", row -> row.result().program()));
+                column("attempt", row -> row.result().handIn().name()),
+                column("handed in", row -> date(row.result().handIn())),
+                column("late (h)", row -> late(row.result().handIn())),
+                column("version", row -> row.result().program()));
         DataTable each = DataTable.of("students", "Students", results,
                 column("student", Result::student),
                 column("points", result -> number(result.points())),
                 column("of", result -> number(result.most())),
-                column("handed in", ClassTables::date), column("late (h)", this::late),
-                column("attempt", Result::handedIn));
+                column("handed in", result -> date(result.handIn())),
+                column("late (h)", result -> late(result.handIn())),
+                column("attempt", result -> result.handIn().name()));
         Map<String, Long> counts = rows.stream().filter(row -> row.item().answered()
                 && !row.item().mistake().isEmpty()).map(row -> row.item().name() + ": " + row.item().mistake())
                 .collect(Collectors.groupingBy(Function.identity(), TreeMap::new, Collectors.counting()));

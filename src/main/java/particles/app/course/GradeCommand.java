@@ -80,7 +80,7 @@ public final class GradeCommand extends ResultsCommand {
         Result all = new Marking(assignment, course.numbers(assignment, student), answers,
                 StudentLoader.sources(folder), getFolder()).begin(student.strip(), new Submission("this project",
                 Map.of(), Instant.EPOCH), "").get();
-        return new Result(all.student(), all.handedIn(), all.date(), all.program(), "", all.problems(), List.of(),
+        return new Result(all.handIn(), all.program(), "", all.problems(), List.of(),
                 all.items().stream().map(assignment::shown).toList());
     }
 

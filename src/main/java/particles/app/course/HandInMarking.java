@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import particles.app.cli.Version;
+import particles.app.course.Result.HandIn;
 import particles.spec.messages.InvalidInputException;
 
 /** Marks a hand-in in two parts: the answers at once, the classes later, when no answers are left to mark. */
@@ -39,8 +40,8 @@ final class HandInMarking {
                 && result.digest().equals(digest) && result.student().equals(student));
         if (earlier.isPresent()) {
             Result same = earlier.get();                // downloaded again, it may have another date
-            return () -> new Result(student, handIn.name(), handIn.newest(), same.program(), digest, same.problems(),
-                    same.classes(), same.items());
+            return () -> new Result(new HandIn(student, handIn.name(), handIn.newest()), same.program(), digest,
+                    same.problems(), same.classes(), same.items());
         }
         Files.createDirectories(copy);
         return new Marking(assignment, numbers, handIn.copyAnswers(copy), handIn.sources(), results).begin(student,

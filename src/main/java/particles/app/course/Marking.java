@@ -17,6 +17,7 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Version;
+import particles.app.course.Result.HandIn;
 import particles.app.course.Result.Item;
 import particles.app.course.Result.Status;
 import particles.app.student.CheckEffectCommand;
@@ -69,7 +70,7 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
                 .toList();
         return () -> {
             items.addAll(classes());
-            return new Result(student, handIn.name(), handIn.newest(), Version.CURRENT, digest, problems,
+            return new Result(new HandIn(student, handIn.name(), handIn.newest()), Version.CURRENT, digest, problems,
                     Copies.of(sources), items);
         };
     }

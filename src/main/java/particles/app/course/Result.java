@@ -16,18 +16,27 @@ import particles.spec.messages.InvalidInputException;
  * The result of one hand-in: the file grade.json. {@code status}, {@code max_score} and {@code tests} are those that
  * the autograding reporter of GitHub Classroom reads; the other keys are ours.
  *
- * @param student  the student's id
- * @param handedIn the name of the folder or zip; empty if nothing was handed in
- * @param date     the latest date of a file in it
+ * @param handIn   what was marked
  * @param program  the version of the program
  * @param digest   of everything on which the result depends
  * @param problems lines on what could not be read
  * @param classes  each class that was handed in, as {@link Copies} knows it
  * @param items    the marks
  */
-record Result(String student, String handedIn, Instant date, String program, String digest,
-        List<String> problems, List<String> classes, List<Item> items) {
+record Result(HandIn handIn, String program, String digest, List<String> problems, List<String> classes,
+        List<Item> items) {
     static final String FILE = "grade.json";
+
+    /**
+     * A hand-in.
+     *
+     * @param student the student's id
+     * @param name    the name of the folder or zip; empty if nothing was handed in
+     * @param date    the latest date of a file in it
+     */
+    record HandIn(String student, String name, Instant date) {
+    }
+
     /**
      * A mark.
      *
@@ -56,6 +65,10 @@ record Result(String student, String handedIn, Instant date, String program, Str
         String word() {
             return name().toLowerCase(Locale.ROOT);
         }
+    }
+
+    String student() {
+        return handIn.student;
     }
 
     /** @return right if all marks are */
@@ -89,7 +102,7 @@ record Result(String student, String handedIn, Instant date, String program, Str
                 "tests", items.stream().map(item -> Ordered.map("name", item.name, "status", item.status.word(),
                 "score", item.points(), "max_score", item.weight, "answered", item.answered, "message",
                 item.lines.isEmpty() ? "" : item.lines.get(0), "more", item.lines.stream().skip(1).toList(),
-                "line_no", 0)).toList(), "student", student, "handedIn", handedIn, "date", date.toString(),
+                "line_no", 0)).toList(), "student", student(), "handedIn", handIn.name, "date", handIn.date.toString(),
                 "digest", digest, "program", program, "problems", problems, "classes", classes));
     }
 
@@ -101,7 +114,7 @@ record Result(String student, String handedIn, Instant date, String program, Str
     static Result read(Path file) {
         try {
             Map<?, ?> all = (Map<?, ?>) JsonText.read(Files.readString(file));
-            return new Result(text(all, "student"), text(all, "handedIn"), Instant.parse(text(all, "date")),
+            return new Result(new HandIn(text(all, "student"), text(all, "handedIn"), Instant.parse(text(all, "date"))),
                     text(all, "program"), text(all, "digest"), texts(all, "problems"), texts(all, "classes"),
                     ((List<?>) all.get("tests")).stream().map(test -> item((Map<?, ?>) test)).toList());
         } catch (IOException | RuntimeException e) {

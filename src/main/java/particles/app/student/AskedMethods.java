@@ -47,9 +47,10 @@ public final class AskedMethods {
 
     /** @return why another name cannot be asked for, in a line */
     public static String refusal(String name) {
-        return !SolverCatalog.names().contains(name) ? Wording.unknown("method", name, names(), List.of())
-                : "'" + name + "' cannot be asked for: the check sees whether such a method is right, but cannot"
-                + " tell it from others of its kind; write " + (name.equals("adams") ? "multistep" : ANY);
+        return SolverCatalog.find(name).map(solver -> "'" + name + "' cannot be asked for: the check sees whether"
+                + " such a method is right, but cannot tell it from others of its kind; write "
+                + (METHODS.containsKey(solver.family()) ? solver.family() : ANY))
+                .orElseGet(() -> Wording.unknown("method", name, names(), List.of()));
     }
 
     /**

@@ -108,7 +108,7 @@ public final class LectureFigures {
             // clockwise; each step turns by less than half a circle, so that whole turns are not lost
             turned -= StrictMath.atan2(v[n] * x[n - 1] - x[n] * v[n - 1], x[n] * x[n - 1] + v[n] * v[n - 1]);
         }
-        StabilityPolynomial r = StabilityPolynomial.of(figure.solver(), figure.deltaT());
+        StabilityPolynomial r = StabilityPolynomial.of(SolverCatalog.info(figure.solver()), figure.deltaT());
         Spiral theory = new Spiral(r.amplitude(figure.steps()), r.phaseError(figure.steps(), figure.deltaT()));
         Spiral measured = new Spiral(Math.sqrt(state[0] * state[0] + state[1] * state[1]),
                 turned - figure.steps() * figure.deltaT());

@@ -65,6 +65,6 @@ public final class StabilityLimits {
     /** @return the growth at 0.1 i by the theory, or NaN if it is 0 or not known */
     private static double theoreticalGrowth(SolverInfo info) {
         return info.family().equals("multistep") ? ADAMS_GROWTH
-                : StabilityPolynomial.of(info.name(), StabilityLimit.SMALL).amplitude(1) - 1;
+                : StabilityPolynomial.of(info, StabilityLimit.SMALL).amplitude(1) - 1;
     }
 }

@@ -55,7 +55,7 @@ final class KnownParticles {
                 continue;
             }
             ParticleDescription particle = ParticleDescription.of(values);
-            if (particle.fixed() && !particle.velocity().isZero()) {
+            if (particle.fixed() && !values.get(ParticleDescription.VELOCITY).isZero()) {
                 problems.add(values.place(ParticleDescription.VELOCITY), "'" + particle.id()
                         + "' is fixed and has a velocity; remove one of the two");
             }

@@ -16,14 +16,13 @@ import particles.spec.messages.Place;
  *
  * @param id       its name
  * @param position x (m)
- * @param velocity v (m/s)
  * @param mass     m (kg)
  * @param fixed    whether it is fixed
- * @param radius   the radius of its ball (m), if it has one of its own
+ * @param values   the values of its keys, or of its shape's, which are called the same
  * @param place    its place in the file
  */
-public record ParticleDescription(String id, Vector3 position, Vector3 velocity, double mass, boolean fixed,
-        Optional<Double> radius, Place place) {
+public record ParticleDescription(String id, Vector3 position, double mass, boolean fixed, Values values,
+        Place place) {
     /** Safe in CSV files, and never equal to the id of a shape's particle, which has brackets. */
     static final TextType NEW_ID = TextType.of(
             "a name of at most 60 characters without spaces, brackets, commas, quotes and invisible characters",
@@ -46,7 +45,17 @@ public record ParticleDescription(String id, Vector3 position, Vector3 velocity,
 
     /** @return the particle with these values */
     public static ParticleDescription of(Values values) {
-        return new ParticleDescription(values.get(ID), values.get(POSITION), values.get(VELOCITY), values.get(MASS),
-                values.get(FIXED), values.find(RADIUS), values.getPlace());
+        return new ParticleDescription(values.get(ID), values.get(POSITION), values.get(MASS), values.get(FIXED),
+                values, values.getPlace());
+    }
+
+    /** @return v at the start (m/s); 0 if it is fixed */
+    public Vector3 velocity() {
+        return fixed ? Vector3.ZERO : values.get(VELOCITY);
+    }
+
+    /** @return the radius of its ball (m), if it has one of its own */
+    public Optional<Double> radius() {
+        return values.find(RADIUS);
     }
 }

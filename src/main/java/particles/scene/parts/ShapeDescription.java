@@ -59,9 +59,10 @@ public record ShapeDescription(Chosen<ShapeKind> chosen, Lattice lattice, BitSet
 
     /** @return one of its particles */
     public ParticleDescription particle(int n) {
-        return new ParticleDescription(lattice.idOf(n), lattice.position(n), fixed.get(n) ? Vector3.ZERO
-                : values().get(ShapeKind.VELOCITY), values().find(ShapeKind.MASS).orElseGet(() ->
-                values().get(ShapeKind.TOTAL_MASS) / lattice.size()), fixed.get(n), radius(), chosen.place());
+        double mass = values().find(ShapeKind.MASS).orElseGet(() -> values().get(ShapeKind.TOTAL_MASS)
+                / lattice.size());
+        return new ParticleDescription(lattice.idOf(n), lattice.position(n), mass, fixed.get(n), values(),
+                chosen.place());
     }
 
     /** @return the radius of each particle's ball (m), if it has one of its own */

@@ -37,7 +37,8 @@ class EnergyDriftTest {
         Comparison comparison = compare(spring(0.125, 25), "euler, midpoint, rk4, backward-euler", false);
         assertEquals(0.5, comparison.scale(), 1e-6);                // the energy at the start, by a run to 1e-9
         for (Drift drift : comparison.drifts()) {
-            double amplitude = StabilityPolynomial.of(drift.setting().solver().name(), 0.125).amplitude(200);
+            double amplitude = StabilityPolynomial.of(drift.setting().solver().info().orElseThrow(), 0.125)
+                    .amplitude(200);
             assertEquals(amplitude * amplitude - 1, drift.end(), 1e-7 * amplitude * amplitude,
                     drift.setting().solver().name());
             assertEquals(Kind.SECULAR, drift.kind());
