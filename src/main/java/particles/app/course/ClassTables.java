@@ -86,7 +86,8 @@ final class ClassTables {
             }
             why.add(result.items().stream().filter(item -> item.status() == Status.ERROR).map(item -> item.name()
                     + " is not decided: run this again").collect(Collectors.joining("; ")));
-            why.stream().filter(reason -> !reason.isEmpty()).forEach(reason -> whom.add(Map.entry(result.student(), reason)));
+            why.stream().filter(reason -> !reason.isEmpty()).forEach(reason ->
+                    whom.add(Map.entry(result.student(), reason)));
         }
         whom.addAll(Copies.toLookAt(new TreeMap<>(results.stream().collect(Collectors.toMap(Result::student,
                 Result::classes)))));

@@ -3,18 +3,18 @@ package particles.teaching.exercises;
 import java.util.List;
 import java.util.stream.IntStream;
 import particles.teaching.marking.Draw;
-import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.NumericExercise;
-import particles.teaching.marking.Question;
+import particles.teaching.marking.NumericExercise.Worked;
 
-/**
- * The exercise on collisions: the time at which a ball meets the ground for the n-th time.
- */
-final class BouncingBall extends NumericExercise {
+/** The exercise on collisions: the time at which a ball meets the ground for the n-th time. */
+final class BouncingBall {
     private static final double EARTH = 9.81;
 
-    BouncingBall() {
-        super("Collisions: the n-th bounce", "s", 0.5, 15, """
+    private BouncingBall() {
+    }
+
+    static NumericExercise exercise() {
+        return new NumericExercise("Collisions: the n-th bounce", "s", 0.5, 15, """
                 Where g = %s m/s^2, a ball falls from rest, its middle %s m above where it meets the ground. Each \
                 bounce turns the velocity v into -r v with r = %s.
                 When does it meet the ground for the %s time?
@@ -29,21 +29,19 @@ final class BouncingBall extends NumericExercise {
                 The bounces lose energy: each flight is r times as long as the one before.
                 This is g on Earth.
                 This is the first contact.
-                """);
-    }
-
-    @Override
-    protected Question ask(Picks picks) {
-        double height = picks.decimal(50, 300, 2);
-        double g = picks.of(1.62, 3.72, 8.87, 24.79);
-        double r = picks.decimal(55, 90, 2);
-        int bounce = picks.whole(3, 6);
-        double first = Math.sqrt(2 * height / g);
-        double sum = IntStream.range(0, bounce).mapToDouble(n -> StrictMath.pow(r, n)).sum();
-        return question(timeOf(bounce, height, g, r), 0, List.of(g, height, r, bounce + (bounce == 3 ? "rd" : "th")),
-                timeOf(bounce - 1, height, g, r), timeOf(bounce + 1, height, g, r), first * sum, first * (2 * sum),
-                timeOf(bounce, height, g, Math.sqrt(r)), timeOf(bounce, height, g, r * r), first * (2 * bounce - 1),
-                timeOf(bounce, height, EARTH, r), first);
+                """, picks -> {
+            double height = picks.decimal(50, 300, 2);
+            double g = picks.of(1.62, 3.72, 8.87, 24.79);
+            double r = picks.decimal(55, 90, 2);
+            int bounce = picks.whole(3, 6);
+            double first = Math.sqrt(2 * height / g);
+            double sum = IntStream.range(0, bounce).mapToDouble(n -> StrictMath.pow(r, n)).sum();
+            return new Worked(timeOf(bounce, height, g, r), 0,
+                    List.of(g, height, r, bounce + (bounce == 3 ? "rd" : "th")), timeOf(bounce - 1, height, g, r),
+                    timeOf(bounce + 1, height, g, r), first * sum, first * (2 * sum),
+                    timeOf(bounce, height, g, Math.sqrt(r)), timeOf(bounce, height, g, r * r),
+                    first * (2 * bounce - 1), timeOf(bounce, height, EARTH, r), first);
+        });
     }
 
     private static double timeOf(int bounce, double height, double g, double r) {

@@ -5,10 +5,10 @@ import particles.teaching.marking.Exercise;
 
 /** All exercises, in the order of the lecture; the first has the number 1. */
 public final class Exercises {
-    private static final List<Exercise> ALL = List.of(new EulerSteps(), new EulerSpiral(), new MidpointSteps(),
-            new RK4Step(), new CostOfRK4(),
-            new LargestStep(), new SymplecticEnergy(), new NumericalDamping(), new StiffSpring(), new AdaptiveStep(),
-                    new BouncingBall(), new SceneDesign());
+    private static final List<Exercise> ALL = List.of(SlideExercises.eulerSteps(), SlideExercises.eulerSpiral(),
+            SlideExercises.midpointSteps(), SlideExercises.rk4Step(), SlideExercises.costOfRK4(),
+            StepExercises.largestStep(), StepExercises.symplecticEnergy(), StepExercises.numericalDamping(),
+            StepExercises.stiffSpring(), StepExercises.adaptiveStep(), BouncingBall.exercise(), new SceneDesign());
 
     private Exercises() {
     }

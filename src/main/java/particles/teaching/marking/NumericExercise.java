@@ -2,13 +2,14 @@ package particles.teaching.marking;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 import particles.teaching.marking.Draw.Picks;
 
 /**
  * An exercise with a number as its answer. Numbers with which two answers look alike are not used: others are drawn.
  */
-public abstract class NumericExercise implements Exercise {
+public final class NumericExercise implements Exercise {
     private static final int MOST_DRAWS = 1000;
     private static final double CLOSE = 0.02;
 
@@ -18,6 +19,7 @@ public abstract class NumericExercise implements Exercise {
     private final String unit;
     private final String task;
     private final List<String> hints;
+    private final Function<Picks, Worked> work;
 
     /**
      * @param title   its subject
@@ -27,45 +29,50 @@ public abstract class NumericExercise implements Exercise {
      * @param page    the task, with %s for each of the student's numbers; after a line of --- the hint for a wrong
      *                answer that no typical mistake explains, how to begin, without the formula; then a line with the
      *                hint for each typical mistake
+     * @param work    draws the student's numbers and works the exercise out with them
      */
-    protected NumericExercise(String title, String unit, double lowest, double highest, String page) {
+    public NumericExercise(String title, String unit, double lowest, double highest, String page,
+            Function<Picks, Worked> work) {
         this.title = title;
         this.unit = unit;
         this.lowest = lowest;
         this.highest = highest;
+        this.work = work;
         String[] parts = page.split("\n---\n");
         task = parts[0];
         hints = parts[1].lines().toList();
     }
 
     /**
+     * An exercise worked out with one student's numbers.
+     *
      * @param answer   the right answer
      * @param smallest the smallest size of an answer that is used
      * @param numbers  the student's numbers in the task
      * @param mistakes the answers to which the typical mistakes lead, in the order of their hints
-     * @return the question
      */
-    protected final Question question(double answer, double smallest, List<?> numbers, double... mistakes) {
-        return new Question(task.formatted(numbers.stream().map(x -> x instanceof Double d ? Draw.text(d) : x)
-                .toArray()), unit, answer, smallest, IntStream.range(0, Math.max(mistakes.length,
-                hints.size() - 1)).mapToObj(i -> new CommonMistake(mistakes[i], hints.get(i + 1))).toList());
+    public record Worked(double answer, double smallest, List<?> numbers, double... mistakes) {
     }
 
-    /** @return the question with the next numbers */
-    protected abstract Question ask(Picks picks);
+    private Question question(Worked worked) {
+        double[] wrong = worked.mistakes;
+        return new Question(task.formatted(worked.numbers.stream().map(x -> x instanceof Double d ? Draw.text(d) : x)
+                .toArray()), unit, worked.answer, worked.smallest, IntStream.range(0, Math.max(wrong.length,
+                hints.size() - 1)).mapToObj(i -> new CommonMistake(wrong[i], hints.get(i + 1))).toList());
+    }
 
     @Override
-    public final String title() {
+    public String title() {
         return title;
     }
 
     /**
      * @return the student's question: the first one in which no wrong answer looks like another or like the right one
      */
-    public final Question question(Draw draw) {
+    public Question question(Draw draw) {
         Picks picks = draw.picks();
         for (int attempt = 0; attempt < MOST_DRAWS; attempt++) {
-            Question question = ask(picks);
+            Question question = question(work.apply(picks));
             if (question.isClear() && question.answer() >= lowest && question.answer() <= highest) {
                 return question;
             }
@@ -74,7 +81,7 @@ public abstract class NumericExercise implements Exercise {
     }
 
     @Override
-    public final String text(Draw draw) {
+    public String text(Draw draw) {
         Question question = question(draw);
         return question.text() + "\nGive five significant digits; accepted within " + Draw.text(100
                 * Question.TOLERANCE) + " %. The answer is " + (question.unit().isEmpty() ? "a pure number" : "in "
@@ -82,7 +89,7 @@ public abstract class NumericExercise implements Exercise {
     }
 
     @Override
-    public final Mark mark(Draw draw, String answer) {
+    public Mark mark(Draw draw, String answer) {
         return mark(question(draw), answer, hints.get(0));
     }
 
