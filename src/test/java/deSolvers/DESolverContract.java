@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.sun.management.ThreadMXBean;
 import deSolvers.problems.DragInWind;
 import deSolvers.problems.GrowthInSeason;
 import deSolvers.problems.Oscillator;
@@ -13,7 +12,6 @@ import deSolvers.problems.ReferenceProblem;
 import deSolvers.problems.SecondOrderProblem;
 import deSolvers.problems.SpySource;
 import deSolvers.problems.Steps;
-import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.Random;
 import java.util.function.Supplier;
@@ -184,13 +182,10 @@ public abstract class DESolverContract extends FailureContract {
 
     @Test
     void aStepAllocatesNothing() {
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         SecondOrderProblem problem = new DragInRisingWind();
         DESolver solver = createSolver();
         Steps.make(300, solver, problem, 1.0 / 64);
-        long before = threads.getCurrentThreadAllocatedBytes();
-        Steps.make(1000, solver, problem, 1.0 / 64);
-        long bytes = threads.getCurrentThreadAllocatedBytes() - before;
+        long bytes = Steps.allocatedIn(1000, solver, problem, 1.0 / 64);
         // Measured 0; one boxed number a step would be 16,000. The bound allows for the measurement itself.
         assertTrue(bytes < 1000, bytes + " bytes in 1000 steps");
     }

@@ -3,6 +3,7 @@ package deSolvers;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 
 import deSolvers.problems.Oscillator;
+import org.hipparchus.complex.Complex;
 
 /**
  * The matrix of one step for x'' = -x, from a method's stability function R: with A = (0 1; -1 0), whose eigenvalues
@@ -28,12 +29,8 @@ public final class StepMatrixFormula {
      * @return the four entries, row by row
      */
     public static double[] rational(double h, double[] numerator, double[] denominator) {
-        double[] p = at(h, numerator);
-        double[] q = at(h, denominator);
-        double norm = q[0] * q[0] + q[1] * q[1];
-        double re = (p[0] * q[0] + p[1] * q[1]) / norm;
-        double im = (p[1] * q[0] - p[0] * q[1]) / norm;
-        return new double[] {re, im, -im, re};
+        Complex r = at(h, numerator).divide(at(h, denominator));
+        return new double[] {r.getReal(), r.getImaginary(), -r.getImaginary(), r.getReal()};
     }
 
     /** The product of two matrices. */
@@ -53,15 +50,12 @@ public final class StepMatrixFormula {
         }
     }
 
-    /** A polynomial at z = ih, by Horner's rule: real and imaginary part. */
-    private static double[] at(double h, double[] coefficients) {
-        double re = 0;
-        double im = 0;
+    /** A polynomial at z = ih, by Horner's rule. */
+    private static Complex at(double h, double[] coefficients) {
+        Complex sum = Complex.ZERO;
         for (int i = coefficients.length - 1; i >= 0; i--) {
-            double re1 = coefficients[i] - h * im;
-            im = h * re;
-            re = re1;
+            sum = sum.multiply(new Complex(0, h)).add(coefficients[i]);
         }
-        return new double[] {re, im};
+        return sum;
     }
 }

@@ -2,13 +2,11 @@ package particles;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.sun.management.ThreadMXBean;
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import deSolvers.problems.Steps;
-import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -31,23 +29,16 @@ class AllocationTest {
     /** Wind that grows with time; it uses no StrictMath.cos, which allocates from JDK 21 on. */
     private static final Wind RISING_AIR = (state, time, wind, from, to) -> Arrays.fill(wind, 6 * from, 6 * to, time);
 
-    private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-
     static List<String> fixedStepSolvers() {
         return SolverCatalog.all().stream().filter(solver -> !solver.adaptive()).map(SolverInfo::name).toList();
-    }
-
-    private long allocatedIn(DESolver solver, DEStateSource source, double deltaT) {
-        Steps.make(STEPS, solver, source, deltaT);
-        long before = threads.getCurrentThreadAllocatedBytes();
-        Steps.make(STEPS, solver, source, deltaT);
-        return threads.getCurrentThreadAllocatedBytes() - before;
     }
 
     /**
      * Measured 0 to 1,104 bytes (by the measurement itself and the compiler); one boxed number a step would be 16,000.
      */
-    private static void assertNothing(long bytes) {
+    private static void assertNothing(DESolver solver, DEStateSource source, double deltaT) {
+        Steps.make(STEPS, solver, source, deltaT);
+        long bytes = Steps.allocatedIn(STEPS, solver, source, deltaT);
         assertTrue(bytes < 4000, bytes + " bytes in " + STEPS + " steps");
     }
 
@@ -65,12 +56,12 @@ class AllocationTest {
         if (!SolverCatalog.info(solver).family().equals("implicit")) {
             cloth.addEffect(new Cohesion(particles, 0.1, 0.05, 1e-4, 1e-3));
         }
-        assertNothing(allocatedIn(SolverCatalog.create(solver), cloth, 1.0 / 1024));
+        assertNothing(SolverCatalog.create(solver), cloth, 1.0 / 1024);
     }
 
     @ParameterizedTest
     @MethodSource("fixedStepSolvers")
     void aStepOfAChainAllocatesNothing(String solver) {
-        assertNothing(allocatedIn(SolverCatalog.create(solver), Cloth.chain(20, 1, 1, 100, 0), 1.0 / 256));
+        assertNothing(SolverCatalog.create(solver), Cloth.chain(20, 1, 1, 100, 0), 1.0 / 256);
     }
 }

@@ -3,8 +3,10 @@ package deSolvers.problems;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.sun.management.ThreadMXBean;
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;
+import java.lang.management.ManagementFactory;
 import java.util.function.DoublePredicate;
 import org.junit.jupiter.api.function.Executable;
 
@@ -18,6 +20,14 @@ public final class Steps {
         for (int k = 0; k < count; k++) {
             solver.stepState(source, deltaT);
         }
+    }
+
+    /** The bytes that this thread allocates in some equal steps. */
+    public static long allocatedIn(int count, DESolver solver, DEStateSource source, double deltaT) {
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long before = threads.getCurrentThreadAllocatedBytes();
+        make(count, solver, source, deltaT);
+        return threads.getCurrentThreadAllocatedBytes() - before;
     }
 
     /** Returns, by bisection, the largest number between two at which something holds that holds at all below it. */

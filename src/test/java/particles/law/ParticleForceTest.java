@@ -4,9 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.sun.management.ThreadMXBean;
 import deSolvers.RK4Solver;
-import java.lang.management.ManagementFactory;
+import deSolvers.problems.Steps;
 import org.junit.jupiter.api.Test;
 import particles.Cloth;
 import particles.ParticleSystem;
@@ -73,16 +72,9 @@ class ParticleForceTest {
         Weight weight = new Weight(cloth.getParticles());
         cloth.addEffect(weight);
         RK4Solver solver = new RK4Solver();
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        for (int i = 0; i < 100; i++) {
-            solver.stepState(cloth, 1.0 / 1024);
-        }
+        Steps.make(100, solver, cloth, 1.0 / 1024);
         weight.calls = 0;
-        long before = threads.getCurrentThreadAllocatedBytes();
-        for (int i = 0; i < 100; i++) {
-            solver.stepState(cloth, 1.0 / 1024);
-        }
-        long bytes = threads.getCurrentThreadAllocatedBytes() - before;
+        long bytes = Steps.allocatedIn(100, solver, cloth, 1.0 / 1024);
         assertEquals(100L * 4 * 64 * 64, weight.calls);
         assertTrue(bytes <= THREE_VECTORS * weight.calls + 4000, bytes + " bytes in " + weight.calls + " calls");
     }

@@ -7,10 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import com.sun.management.ThreadMXBean;
 import deSolvers.RK4Solver;
 import deSolvers.problems.Steps;
-import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.Random;
 import java.util.concurrent.CountDownLatch;
@@ -186,10 +184,7 @@ class ThreadsTest {
         held.await();
         try {
             Steps.make(STEPS, solver, cloth, 1.0 / 1024);
-            ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-            long before = threads.getCurrentThreadAllocatedBytes();
-            Steps.make(STEPS, solver, cloth, 1.0 / 1024);
-            assertEquals(0, threads.getCurrentThreadAllocatedBytes() - before);
+            assertEquals(0, Steps.allocatedIn(STEPS, solver, cloth, 1.0 / 1024));
         } finally {
             measured.countDown();
         }
