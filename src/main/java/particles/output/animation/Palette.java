@@ -9,6 +9,8 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import javax.imageio.ImageIO;
+import javax.imageio.stream.MemoryCacheImageInputStream;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /** The colours of a GIF, which ImageIO chooses for a few pictures, and the nearest one to each other colour. */
 final class Palette {
@@ -39,8 +41,10 @@ final class Palette {
             mosaic.setRGB(p % width, p / width, 0xff000000 | pictures.get(p % pictures.size())[p]);
         }
         ByteArrayOutputStream gif = new ByteArrayOutputStream();
-        ImageIO.write(mosaic, "gif", gif);
-        return new Palette((IndexColorModel) ImageIO.read(new ByteArrayInputStream(gif.toByteArray())).getColorModel());
+        // in memory: ImageIO's own streams make a file, and register it for the end of Java, where a stopped run ends
+        ImageIO.write(mosaic, "gif", new MemoryCacheImageOutputStream(gif));
+        return new Palette((IndexColorModel) ImageIO.read(new MemoryCacheImageInputStream(
+                new ByteArrayInputStream(gif.toByteArray()))).getColorModel());
     }
 
     /** @return the largest difference in red, green or blue */
