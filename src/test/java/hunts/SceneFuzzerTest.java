@@ -11,7 +11,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** A short hunt. */
 class SceneFuzzerTest {
     private static final long SEED = 7;
-    private static final int EXECUTIONS = 30_000;
+    private static final int EXECUTIONS = 15_000;
 
     @Test
     @Tag("slow")

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 @Tag("slow")
 class KilledRunsTest {
     private static final int KILLS = 12;
-    private static final double DURATION = 2;
+    private static final double DURATION = 1;
     private static final int STOPPED_BY_SIGTERM = 143;
     private static final int STOPPED_BY_SIGKILL = 137;
 
