@@ -31,9 +31,9 @@ import picocli.CommandLine.Command;
 @Command(name = "gallery", description = "Draws a small picture of each scene and writes scenes/README.md.")
 public final class GalleryCommand extends ProgramCommand {
     /** The width of a picture (pixels). */
-    public static final int WIDTH = 320;
+    public static final int WIDTH = 640;
     /** The height of a picture (pixels). */
-    public static final int HEIGHT = 180;
+    public static final int HEIGHT = 360;
     /** The time of each picture, as a fraction of the run, when most scenes are in full motion. */
     private static final double MOMENT = 0.4;
     /** The largest number of trails; more would hide the motion. */

@@ -30,6 +30,11 @@ public final class GalleryPage {
             | picture | scene |
             | --- | --- |
             """;
+    /** A picture twice as fine as it is shown, for sharp screens, and the words beside it. */
+    private static final String ROW = """
+            | <img src="%3$s/%1$s.png" alt="%6$s" width="320"> \
+            | [%1$s](%1$s.yaml): **%2$s**<br>%4$s<br>Solver: %5$s |
+            """;
     private static final String KEYS = """
 
             ## Keys of a scene file
@@ -50,7 +55,7 @@ public final class GalleryPage {
     public static String of(Path folder) {
         StringBuilder page = new StringBuilder(BEGINNING);
         for (Path file : SceneFiles.list(folder)) {
-            page.append(row(SceneName.of(file), SceneReader.read(file, new StudentClasses()))).append('\n');
+            page.append(row(SceneName.of(file), SceneReader.read(file, new StudentClasses())));
         }
         return page + KEYS + Reference.of(SceneFormat.SCENE, "###");
     }
@@ -58,7 +63,7 @@ public final class GalleryPage {
     private static String row(SceneName name, SceneDescription scene) {
         String words = String.join(" ", scene.values().get(SceneFormat.TEACHES).strip().split("\\s+"));
         String teaches = words.replace("|", "\\|");
-        return "| ![%2$s](%3$s/%1$s.png) | [%1$s](%1$s.yaml): **%2$s**<br>%4$s<br>Solver: %5$s |".formatted(
-                name.whole(), scene.title(), PICTURES, teaches, scene.solver());
+        return ROW.formatted(name.whole(), scene.title(), PICTURES, teaches, scene.solver(),
+                scene.title().replace("\"", "&quot;"));
     }
 }

@@ -28,7 +28,7 @@ import particles.scene.SceneName;
 /** The gallery of scenes: its page matches the scenes, and each scene has its picture. */
 class GalleryTest {
     private static final Path SCENES = Path.of("scenes");
-    private static final long MOST_BYTES = 1_500_000;
+    private static final long MOST_BYTES = 3_000_000;
 
     @Test
     void thePageMatchesTheScenes() throws IOException {
