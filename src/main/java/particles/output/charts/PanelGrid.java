@@ -19,7 +19,7 @@ public final class PanelGrid {
     private static final int CELL = 360;
     private static final int CHART_CELL = 500;
     /** With two columns there is room for the names of rows and of lines, too. */
-    private static final int WIDE_CELL = 640;
+    private static final int WIDE_CELL = 720;
     private static final int LEAST_WIDTH = 1100;
     /** The height of a chart above rows. */
     private static final int MAIN = 250;
@@ -27,7 +27,7 @@ public final class PanelGrid {
     /** Taller maps are narrower than their cells. */
     private static final double TALLEST_SHAPE = 2.4;
     private static final double AXES = 0.85;
-    private static final double HEIGHT_OF_WIDTH = 0.66;
+    private static final double HEIGHT_OF_WIDTH = 0.6;
     private static final int LINE = 21;
     private static final int MARGIN = 10;
     private static final int TALLEST = 400;
