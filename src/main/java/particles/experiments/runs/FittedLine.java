@@ -1,6 +1,8 @@
 package particles.experiments.runs;
 
 import java.util.Arrays;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
 
 /**
  * The straight line that fits points best, by least squares.
@@ -9,6 +11,9 @@ import java.util.Arrays;
  * @param scatter the root mean square distance of the points' y from the line
  */
 public record FittedLine(double slope, double scatter) {
+    /** The fewest points for a fitted power; two points always lie on a line. */
+    public static final int FEWEST = 3;
+
     /** @return the line through the points (x, y) */
     public static FittedLine of(double[] x, double[] y) {
         double meanX = Arrays.stream(x).average().orElse(0);
@@ -23,5 +28,16 @@ public record FittedLine(double slope, double scatter) {
         }
         double slope = squares > 0 ? products / squares : 0;
         return new FittedLine(slope, Math.sqrt(Math.max(0, spread - slope * products) / x.length));
+    }
+
+    /**
+     * Fits a power: a straight line in logarithms.
+     *
+     * @return the exponent of y as a power of x; NaN for fewer than three points
+     */
+    public static <T> double exponent(List<T> points, ToDoubleFunction<? super T> x, ToDoubleFunction<? super T> y) {
+        return points.size() < FEWEST ? Double.NaN
+                : of(points.stream().mapToDouble(x).map(StrictMath::log).toArray(),
+                points.stream().mapToDouble(y).map(StrictMath::log).toArray()).slope;
     }
 }

@@ -5,7 +5,7 @@ import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
-import particles.experiments.runs.PowerLaw;
+import particles.experiments.runs.FittedLine;
 import particles.experiments.work.WorkPrecision.Point;
 
 /**
@@ -50,7 +50,7 @@ public record SlopeFit(double slope, int first, int last, String whyNot) {
         List<Integer> usable = IntStream.range(0, points.size()).filter(k -> points.get(k).failure().isEmpty()
                 && points.get(k).error() < SMALL && points.get(k).error() > floor
                 && points.get(k).deltaT() >= shortest).boxed().toList();
-        for (int end = usable.size() - 1; end >= Math.max(PowerLaw.FEWEST, usable.size() - LEFT_OUT) - 1; end--) {
+        for (int end = usable.size() - 1; end >= Math.max(FittedLine.FEWEST, usable.size() - LEFT_OUT) - 1; end--) {
             int begin = end;
             DoubleSummaryStatistics slopes = new DoubleSummaryStatistics();
             while (begin > 0 && usable.get(begin - 1) == usable.get(begin) - 1) {
@@ -65,16 +65,16 @@ public record SlopeFit(double slope, int first, int last, String whyNot) {
                 }
                 begin--;
             }
-            if (end - begin >= PowerLaw.FEWEST - 1) {
+            if (end - begin >= FittedLine.FEWEST - 1) {
                 int first = usable.get(begin);
                 int last = usable.get(end);
-                double slope = PowerLaw.exponent(points.subList(first, last + 1), size, Point::error);
+                double slope = FittedLine.exponent(points.subList(first, last + 1), size, Point::error);
                 return Math.abs(slope - theory) > OFF_THEORY ? none(Digits.format(
                         "a straight piece of slope %.2f, which is not the method's", slope))
                         : new SlopeFit(slope, first, last, "");
             }
         }
-        return none(usable.size() < PowerLaw.FEWEST
+        return none(usable.size() < FittedLine.FEWEST
                 ? usable.size() + " errors between " + floor + " and " + SMALL + ", where the method shows"
                 : "not on a straight line");
     }

@@ -8,7 +8,7 @@ import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import particles.experiments.runs.FewestSteps;
-import particles.experiments.runs.PowerLaw;
+import particles.experiments.runs.FittedLine;
 import particles.experiments.runs.SolverChoice;
 
 /**
@@ -62,7 +62,7 @@ public final class StiffGallery {
     public record Sweep(SolverChoice solver, boolean neverStable, List<Cost> costs) {
         /** @return the exponent of the stiffness in a cost; NaN if there is none */
         public double exponent(ToDoubleFunction<Cost> evaluations) {
-            return PowerLaw.exponent(costs.stream().filter(cost -> cost.stiffness() >= FIT_FROM
+            return FittedLine.exponent(costs.stream().filter(cost -> cost.stiffness() >= FIT_FROM
                     && !Double.isNaN(evaluations.applyAsDouble(cost))).toList(), Cost::stiffness, evaluations);
         }
     }

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import particles.experiments.runs.PowerLaw;
+import particles.experiments.runs.FittedLine;
 
 /**
  * What the CSV file beside a picture says of one of its quantities: for each series the points, in the order of the
@@ -63,7 +63,8 @@ record Drawn(String title, String quantity, Map<String, List<double[]>> series) 
 
     /** @return the exponent of y as a power of x by least squares of logarithms, from an x on */
     double exponent(String solver, double from) {
-        return PowerLaw.exponent(of(solver).stream().filter(point -> point[0] >= from).toList(), p -> p[0], p -> p[1]);
+        return FittedLine.exponent(of(solver).stream().filter(point -> point[0] >= from).toList(), p -> p[0],
+                p -> p[1]);
     }
 
     /** @return the least x at which the line through the points comes down to y, on logarithmic axes */

@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.experiments.lecture.CostExercise;
 import particles.experiments.lecture.CostExercise.Cost;
-import particles.experiments.runs.PowerLaw;
+import particles.experiments.runs.FittedLine;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.work.WorkPrecision.Curve;
 import particles.experiments.work.WorkPrecision.Failure;
@@ -202,7 +202,7 @@ class WorkPrecisionTest {
 
     @Test
     void fitIsAPowerLaw() {
-        assertEquals(3, PowerLaw.exponent(List.of(1, 2, 4, 8), x -> x, x -> 5 * x * x * x), 1e-12);
-        assertTrue(Double.isNaN(PowerLaw.exponent(List.of(1, 2), x -> x, x -> x)));
+        assertEquals(3, FittedLine.exponent(List.of(1, 2, 4, 8), x -> x, x -> 5 * x * x * x), 1e-12);
+        assertTrue(Double.isNaN(FittedLine.exponent(List.of(1, 2), x -> x, x -> x)));
     }
 }
