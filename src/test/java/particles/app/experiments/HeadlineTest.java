@@ -146,8 +146,9 @@ class HeadlineTest {
 
     @Tag("slow")
     @ParameterizedTest
-    @ValueSource(strings = {"stiffGallery", "stability", "workPrecision --problem=pendulum,stiff-chain", "stiffCloth",
-        "race", "energyDrift"})
+    @ValueSource(strings = {"stiffGallery --decades=6", "stability", "workPrecision --problem=network",
+        "workPrecision --problem=stiff-chain --solvers=rk4,verlet,backward-euler,radau", "stiffCloth",
+        "race --frames=150", "energyDrift"})
     void soDoThoseOfWholeExperiments(String task) throws IOException {
         chartsCanBeReadAndHeadlinesSayWhatTheirNumbersShow(task);
     }
