@@ -81,7 +81,7 @@ public final class GradeClassCommand extends ResultsCommand {
             for (String id : words.keySet()) {
                 if (results.stream().noneMatch(result -> result.student().equalsIgnoreCase(id))) {
                     problems.add("nothing was handed in by " + id);
-                    results.add(HandInMarking.begin(id, Submission.NONE, assignment, List.of(), copies,
+                    results.add(Marking.begin(id, Submission.NONE, assignment, List.of(), copies,
                             copies.resolve("none")).get());
                 }
             }
@@ -142,7 +142,7 @@ public final class GradeClassCommand extends ResultsCommand {
             }
             for (Submission handIn : each.getValue().subList(0, attempt.equals(BEST) ? each.getValue().size() : 1)) {
                 Path results = folderOf(each.getKey(), begun.keySet());
-                begun.put(results, HandInMarking.begin(each.getKey(), handIn, assignment, numbers, results,
+                begun.put(results, Marking.begin(each.getKey(), handIn, assignment, numbers, results,
                         copies.resolve("" + begun.size())));
             }
         }

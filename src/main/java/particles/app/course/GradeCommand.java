@@ -89,7 +89,7 @@ public final class GradeCommand extends ResultsCommand {
         try {
             Submission read = Submission.read(handIn);
             String id = student == null ? read.id() : student;      // null: not given
-            return HandInMarking.begin(id, read, assignment, course.numbers(assignment, id), getFolder(), copy).get();
+            return Marking.begin(id, read, assignment, course.numbers(assignment, id), getFolder(), copy).get();
         } catch (IOException e) {
             throw wrong("handin", "'" + handIn + "' cannot be read: " + e.getMessage());
         } finally {

@@ -4,6 +4,7 @@ import static particles.view.DataTable.column;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.LinkOption;
@@ -13,6 +14,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
@@ -28,6 +30,7 @@ import particles.output.files.OutputFolder;
 import particles.output.report.JUnitXml;
 import particles.output.report.ResultPage;
 import particles.output.report.ResultPageWriter;
+import particles.spec.messages.InvalidInputException;
 import particles.teaching.GuardedRun;
 import particles.teaching.GuardedRun.Outcome;
 import particles.teaching.exercises.AnswersFile;
@@ -38,7 +41,7 @@ import particles.teaching.marking.Mark;
 import particles.view.DataTable;
 
 /**
- * The marking of one hand-in.
+ * The marking of one hand-in, in two parts: the answers at once, the classes later, when no answers are left to mark.
  *
  * @param assignment what counts
  * @param numbers    the text from which the numbers of each exercise come, from place 1 on; empty if that is not known
@@ -55,6 +58,45 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
     /** @return a short text that no other text has */
     static String digest(String text) {
         return HexFormat.of().formatHex(Draw.hash(text));
+    }
+
+    /**
+     * Marks the answers. Where the same hand-in was marked before, it takes that result.
+     *
+     * @param student    the id
+     * @param handIn     what was handed in
+     * @param assignment what counts
+     * @param numbers    the text from which the numbers of each exercise come; empty if that is not known
+     * @param results    the folder of the result
+     * @param copy       a new folder, which stays until the classes have run
+     * @return what runs the classes and makes the result
+     * @throws IOException if a file cannot be written
+     */
+    static Supplier<Result> begin(String student, Submission handIn, Assignment assignment, List<String> numbers,
+            Path results, Path copy) throws IOException {
+        Map<String, String> files = new TreeMap<>();
+        handIn.files().forEach((name, bytes) -> files.put(name, digest(new String(bytes,
+                StandardCharsets.ISO_8859_1))));
+        String digest = digest(Version.CURRENT + '\0' + assignment + '\0' + numbers + files);
+        Optional<Result> earlier = earlier(results.resolve(Result.FILE)).filter(result -> result.isDecided()
+                && result.digest().equals(digest) && result.student().equals(student));
+        if (earlier.isPresent()) {
+            Result same = earlier.get();                // downloaded again, it may have another date
+            return () -> new Result(new HandIn(student, handIn.name(), handIn.newest()), same.program(), digest,
+                    same.problems(), same.classes(), same.items());
+        }
+        Files.createDirectories(copy);
+        return new Marking(assignment, numbers, handIn.copyAnswers(copy), handIn.sources(), results).begin(student,
+                handIn, digest);
+    }
+
+    /** The result of an earlier run; a damaged one is none. */
+    private static Optional<Result> earlier(Path file) {
+        try {
+            return Files.isRegularFile(file) ? Optional.of(Result.read(file)) : Optional.empty();
+        } catch (InvalidInputException damaged) {
+            return Optional.empty();
+        }
     }
 
     /**
@@ -147,7 +189,7 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
         StringBuilder text = new StringBuilder();
         for (String line : lines) {
             text.append(text.length() == 0 ? "" : text.toString().matches("(?s).*[.:]") ? " "
-                    : "; ").append(line.strip());
+                    : "; ").append(line.strip().replaceAll(" {2,}", ": "));     // columns of the check's table
         }
         return text.toString();
     }
@@ -163,7 +205,7 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
                 column("student", item -> result.student()), column("exercise", Item::name),
                 column("points", item -> ClassTables.number(item.points())),
                 column("of", item -> ClassTables.number(item.weight())),
-                column("what there is to say", item -> paragraph(item.lines())));
+                column("what there is to say", item -> paragraph(item.lines()).replace(folder + "/", "")));
         List<String> names = List.of(PAGE + ".md", "marks.csv", Result.FILE, "TEST-" + PAGE + ".xml");
         clear(folder, names);
         try (OutputFolder files = OutputFolder.open(folder, names.toArray(new String[0]))) {

@@ -152,6 +152,7 @@ class GradeCommandTest {
                 "| 1. Three steps of the Euler method | 0 | 1 | 'NaN' is no finite number",
                 "'kg' after the number is not understood: the answer is wanted in m/s",
                 "| solver GoodSolver | 1 | 1 | GoodSolver: right. This is the Euler m",
+                "; order, measured: 1", "report: GoodSolver/checkSolver.md |",
                 "| solver BrokenSolver | 0 | 1 | exercises.BrokenSolver: it cannot be checked. WRONG, f",
                 "WRONG, failure: it does not compile: BrokenSolver.java:11: cannot find symbol: variable dSdx",
                 "| solver WrongSolver | 0 | 1 | WrongSolver: ");
