@@ -16,7 +16,6 @@ import static particles.output.SmallPictures.state;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
@@ -211,9 +210,9 @@ class ParticleStylesTest {
         for (ParticleStyle.Kind kind : ParticleStyle.Kind.values()) {
             FrameState state = state(huge, -huge, huge, Double.NaN, 0, 0, Double.MAX_VALUE, 0, 1e9, 0, 0, 0, 1e12, 0,
                     -3);
-            state.trail = List.of(new TrailSample(-0.5, new float[] {1e30f, Float.NaN, 0, 0, 0,
-                Float.POSITIVE_INFINITY, 1, 2, 3, 4, 5, 6, 7, 8, 9}, Map.of("a", 0, "b", 1, "c", 2, "d", 3, "e", 4)));
             state.ids = new String[] {"a", "b", "c", "d", "e"};
+            state.trail = List.of(new TrailSample(-0.5, new float[] {1e30f, Float.NaN, 0, 0, 0,
+                Float.POSITIVE_INFINITY, 1, 2, 3, 4, 5, 6, 7, 8, 9}, state.ids));
             state.death = new double[] {0, Double.NaN, 1, Double.POSITIVE_INFINITY, 1};
             state.springs = new SpringList(new int[] {0, 1, 2, 3}, new int[] {1, 2, 3, 4},
                     new double[] {1, 0, 1, 1}, new double[4]);

@@ -5,8 +5,6 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Deque;
 import java.util.List;
-import java.util.Map;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.law.Particles;
@@ -24,7 +22,7 @@ public final class TrailRecorder {
     private final double interval;
     private final int mostWithCorners;
     private final Deque<TrailSample> samples = new ArrayDeque<>();
-    private Map<String, Integer> indices = Map.of();
+    private String[] ids = {};
     private int structure = -1;
     private double next;
 
@@ -56,7 +54,7 @@ public final class TrailRecorder {
             return;
         }
         if (this.structure != structure) {
-            indices = IntStream.range(0, count).boxed().collect(Collectors.toMap(system.getParticles()::id, i -> i));
+            ids = IntStream.range(0, count).mapToObj(system.getParticles()::id).toArray(String[]::new);
             this.structure = structure;
         }
         float[] places = new float[3 * count];
@@ -65,7 +63,7 @@ public final class TrailRecorder {
             places[i + 1] = (float) state[x + 1];
             places[i + 2] = (float) state[x + 2];
         }
-        samples.addLast(new TrailSample(time, places, indices));
+        samples.addLast(new TrailSample(time, places, ids));
         while (samples.peekFirst().time() < time - duration - interval) {
             samples.removeFirst();
         }

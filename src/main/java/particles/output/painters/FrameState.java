@@ -1,5 +1,6 @@
 package particles.output.painters;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -97,8 +98,17 @@ public final class FrameState {
 
     /** @return where particle i was at the samples of the trail, back to the first one without it (m) */
     public List<Vector3> path(int i) {
-        return trail.stream().map(sample -> sample.place(ids[i])).takeWhile(Optional::isPresent)
-                .map(Optional::orElseThrow).toList();
+        List<Vector3> path = new ArrayList<>();
+        int at = i;
+        for (TrailSample sample : trail) {
+            at = sample.index(ids[i], at);
+            if (at < 0) {
+                break;
+            }
+            float[] places = sample.places();
+            path.add(new Vector3(places[3 * at], places[3 * at + 1], places[3 * at + 2]));
+        }
+        return path;
     }
 
     /** @return the velocity of particle i (m/s); only where arrows are drawn */

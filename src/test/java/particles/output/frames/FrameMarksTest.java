@@ -12,7 +12,6 @@ import static particles.output.SmallPictures.renderer;
 
 import java.awt.geom.Rectangle2D;
 import java.util.List;
-import java.util.Map;
 import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -130,9 +129,9 @@ class FrameMarksTest {
                 state.positions[4] = y;
                 state.springs = new SpringList(new int[] {0}, new int[] {1}, new double[] {1}, new double[] {1});
             } else {
-                Map<String, Integer> index = Map.of(state.ids[1], 0);
-                state.trail = List.of(new TrailSample(1, new float[3], index),
-                        new TrailSample(0, new float[] {(float) x, (float) y, 0}, index));
+                String[] ids = {state.ids[0], state.ids[1]};
+                state.trail = List.of(new TrailSample(1, new float[6], ids),
+                        new TrailSample(0, new float[] {0, 0, 0, (float) x, (float) y, 0}, ids));
             }
             Rectangle2D box = marks.boxes(state, RADIUS / 2).get(0);
             assertFalse(box.intersectsLine(160, 100, 160 + 20 * x, 100 - 20 * y), "place " + k + ": " + box);
