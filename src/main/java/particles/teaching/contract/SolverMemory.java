@@ -1,10 +1,12 @@
 package particles.teaching.contract;
 
 import deSolvers.DESolver;
+import deSolvers.RK4Solver;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Supplier;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import particles.teaching.Finding;
 import particles.teaching.sources.StudentSource;
@@ -23,8 +25,10 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
     /** Two runs of one method differ by rounding only: measured 0 for all of ours. */
     private static final double SAME = 1e-9;
     private static final int STEPS = 6;
-    /** Steps of 1/64 s and 1/128 s: AB2 measures its order to 0.1. */
-    private static final int SHORT = 64;
+    /** Where nothing is symmetric in time (s). */
+    private static final double HERE = 1;
+    /** Steps of RK4 in one: exact to 1e-11. */
+    private static final int FINE = 16;
     private static final double LATER = 3;
     /** An adaptive method takes more evaluations in such a step, a multistep method does not. */
     private static final double LONG = 8;
@@ -127,19 +131,19 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
         DESolver solver = maker.get();
         WindyOscillators source = StudentSource.after(new WindyOscillators(1), solver, 2, H);
         return (remembers ? Phrase.DELTA_T_CHANGES : Phrase.DELTA_T_KEPT).when((!isFresh(solver, source, H / 4)
-                || !isFresh(solver, source, H / 2)) && !(multistep && order(0.5) > order(0) - 0.5));
+                || !isFresh(solver, source, H / 2)) && !(multistep && order(0.5) > order(1) - 0.5));
     }
 
-    /** The order with steps that are in turn shorter and longer by a part. */
+    /** The exponent with which the error of a step falls with deltaT, after steps of another length. */
     private double order(double part) {
-        double[] errors = IntStream.of(SHORT, 2 * SHORT).mapToDouble(pairs -> {
-            WindyOscillators source = new WindyOscillators(1);
+        double[] errors = DoubleStream.of(H, H / 2).map(h -> {
             DESolver solver = maker.get();
-            for (int pair = 0; pair < pairs; pair++) {
-                solver.stepState(source, (1 - part) / pairs);
-                solver.stepState(source, (1 + part) / pairs);
-            }
-            return source.error();
+            WindyOscillators source = new WindyOscillators(1);
+            source.startAt(HERE - STEPS * h);
+            StudentSource.after(source, solver, STEPS, h);
+            WindyOscillators fine = StudentSource.after(source.copy(), new RK4Solver(), FINE, part * h / FINE);
+            solver.stepState(source, part * h);
+            return SolverContract.distance(fine.getState(), source.getState());
         }).toArray();
         return StrictMath.log(errors[0] / errors[1]) / StrictMath.log(2);
     }
