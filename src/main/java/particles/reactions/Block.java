@@ -38,6 +38,8 @@ final class Block {
     private final EnvelopeMatrix matrix = new EnvelopeMatrix();
     private final boolean hasPairs;
     private final BitSet placed = new BitSet();         // particles whose contacts have rows
+    private int struckSurface = NONE;                   // has a row for one particle that it does not touch yet
+    private int struckParticle = NONE;
     double[] right = {};
     private double[] solution = {};
     private double[] separation = {};
@@ -48,7 +50,7 @@ final class Block {
     private int gatheredAt = NONE;                      // the modes' count of changes
 
     /**
-     * @param members     rows of a list
+     * @param members     rows of {@code all}
      * @param particles   the particles that they move, in ascending order
      * @param usuallyHeld the particles that are held in most uses; their number changes only with the modes
      */
@@ -100,6 +102,15 @@ final class Block {
         evaluate(state);
     }
 
+    /** Evaluates the rows with that of an impact of a particle on a surface, which is returned; balls have no rows. */
+    int takeForImpact(int surface, int particle, double[] state) {
+        struckSurface = surface;
+        struckParticle = particle;
+        take(state, i -> false, NONE);
+        struckParticle = NONE;
+        return find(Kind.SURFACE, surface, particle);
+    }
+
     /** Finds the rows. */
     private void gather(IntPredicate isHeld, int pair) {
         gatheredAt = NONE;
@@ -136,7 +147,7 @@ final class Block {
         if (canMove(i) && !placed.get(i)) {
             placed.set(i);
             for (int p = 0; p < contacts.getSurfaces().size(); p++) {
-                if (contacts.getModes().get(p, i) != Mode.FREE) {
+                if (contacts.getModes().get(p, i) != Mode.FREE || i == struckParticle && p == struckSurface) {
                     rows.addContact(i, p, contacts.getSurfaces().get(p));
                 }
             }

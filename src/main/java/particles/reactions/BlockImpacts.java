@@ -43,19 +43,10 @@ public final class BlockImpacts {
         if (!block.isJoined()) {
             return true;
         }
-        Mode before = modes.get(surface, particle);
-        int struck = takeForImpact(block, surface, particle, state);
-        modes.set(surface, particle, before);
+        int struck = block.takeForImpact(surface, particle, state);
         Arrays.fill(block.right, 0);
         block.right[struck] = 1;
         return block.solve(struck, true) && Math.abs(block.separation(struck)) < CONTRADICTION;
-    }
-
-    /** Takes a block with the row of an impact, which is returned. */
-    private int takeForImpact(Block block, int surface, int particle, double[] state) {
-        modes.set(surface, particle, Mode.SLIDING);
-        block.take(state, i -> false, Block.NONE);
-        return block.find(Kind.SURFACE, surface, particle);
     }
 
     /**
@@ -64,19 +55,15 @@ public final class BlockImpacts {
      * and lifted ones lose contact.
      *
      * @param surface  the surface's index
-     * @param particle the particle's index
+     * @param particle the index of a particle that is not in contact with the surface
      * @param leaving  the speed with which it leaves (m/s)
      * @param pull     a velocity whose component into a surface brings a lifted particle back in time (m/s)
      * @param state    the state, in which velocities are changed
      */
     public void strike(int surface, int particle, double leaving, Vector3 pull, double[] state) {
         Block block = blocks.of(particle);
-        Mode before = modes.get(surface, particle);
-        int struck = takeForImpact(block, surface, particle, state);
+        int struck = block.takeForImpact(surface, particle, state);
         strike(block, struck, leaving, leaving + Vector3.at(state, STRIDE * particle + 3).norm1(), pull, state);
-        if (before == Mode.FREE) {
-            modes.set(surface, particle, before);
-        }
     }
 
     /** As {@link BallContacts#strike}. */

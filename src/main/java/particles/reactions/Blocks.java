@@ -157,7 +157,7 @@ final class Blocks {
     }
 
     /**
-     * Finds the forces of a block, after {@link #prepare} if there are rods or wires.
+     * Finds the forces of a block, after {@link #prepare}.
      *
      * @param force the forces of all effects (N)
      * @throws SimulationException if friction jams, or if rods contradict each other while no particle sticks. If one
@@ -181,7 +181,7 @@ final class Blocks {
         return left;
     }
 
-    /** Finds all forces for the rows taken, after {@link #prepare}; returns the reason if there are none. */
+    /** Finds all forces for the rows that were taken just before; returns the reason if there are none. */
     Optional<String> solve(Block block, double[] state, double[] force) {
         solutions++;
         left = 0;

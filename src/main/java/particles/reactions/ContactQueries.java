@@ -17,10 +17,9 @@ final class ContactQueries {
     private final ContactModes modes;
     private final Blocks blocks;
     private final Blocks singles;                  // each particle under a known force
-    private double pushed;                              // sum of the normal forces of the last holdSlack (N)
     private Optional<Block> asked = Optional.empty();   // the last question, of which the rest is kept
     private Optional<String> failure = Optional.empty();
-    private Optional<double[]> loads = Optional.empty();
+    private Optional<StaticFriction> atRest = Optional.empty();
     private double[] askedState = {};
     private double[] askedForce = {};
     private BitSet askedHeld = new BitSet();
@@ -48,7 +47,7 @@ final class ContactQueries {
         }
         block.take(state, isHeld, Block.ALL);
         failure = blocks.solve(block, state, force);
-        loads = Optional.empty();
+        atRest = Optional.empty();
         asked = Optional.of(block);
         askedSolution = blocks.getSolutions();
         askedChanges = modes.getChanges();
@@ -57,13 +56,12 @@ final class ContactQueries {
         askedForce = force.clone();
     }
 
-    /** The forces on held particles. Rod forces that are not unique are chosen so that friction holds, if it can. */
-    private double[] forcesAtRest(Block block, double[] state, double[] force) {
-        if (loads.isEmpty()) {
-            loads = Optional.of(blocks.addUp(block, force));
-            new StaticFrictionFeasibility(this, block, state, loads.get()).run();
+    /** The forces on the held particles in the last question. */
+    private StaticFriction forcesAtRest(double[] state, double[] force) {
+        if (atRest.isEmpty()) {
+            atRest = Optional.of(new StaticFriction(this, asked.get(), state, blocks.addUp(asked.get(), force)));
         }
-        return loads.get();
+        return atRest.get();
     }
 
     /** As {@link RestingContacts#pressure}. */
@@ -77,7 +75,7 @@ final class ContactQueries {
             }
         }
         if (!block.isJoined() || modes.isSticking(particle)) {
-            block = push(particle, state, block.isJoined() ? forcesAtRest(block, state, force) : force);
+            block = push(particle, state, block.isJoined() ? forcesAtRest(state, force).getForces() : force);
         }
         int r = block.find(Kind.SURFACE, surface, particle);
         double push = r < 0 ? 0 : blocks.push(block, r, force);
@@ -85,7 +83,7 @@ final class ContactQueries {
     }
 
     /** Finds the normal forces on one particle under a known force, without friction. */
-    private Block push(int i, double[] state, double[] force) {
+    Block push(int i, double[] state, double[] force) {
         Block alone = singles.of(i);
         alone.take(state, Block.ALL);
         singles.prepare(state, system.getTime());
@@ -105,39 +103,33 @@ final class ContactQueries {
     /** As {@link RestingContacts#holdMargin}. */
     double holdMargin(int particle, double[] state, double[] force) {
         Block block = blocks.of(particle);
-        double[] atRest = force;
-        if (block.isJoined()) {
-            blocks.prepare(state, system.getTime());
-            blocks.getRows().evaluate(state, false);
-            if (isDriven(block, particle, state)) {
-                return -1;
-            }
-            ask(block, state, force, i -> i == particle || (modes.isSticking(i) || contacts.isSlow(i, state))
-                    && !isDriven(block, i, state));
-            if (failure.isPresent() || blocks.getLeft() > RestingContacts.ROUNDING && isDriven(block, -1, state)) {
-                return -1;                              // the rods' motion keeps it from standing still
-            }
-            atRest = forcesAtRest(block, state, force);
+        if (!block.isJoined()) {
+            return marginAlone(particle, state, force);
         }
-        double slack = holdSlack(particle, state, atRest);
-        return pushed > 0 ? slack : -1;
+        blocks.prepare(state, system.getTime());
+        blocks.getRows().evaluate(state, false);
+        if (isDriven(block, particle, state)) {
+            return -1;
+        }
+        ask(block, state, force, i -> i == particle || (modes.isSticking(i) || contacts.isSlow(i, state))
+                && !isDriven(block, i, state));
+        boolean moves = failure.isPresent()             // the rods' motion keeps it from standing still
+                || blocks.getLeft() > RestingContacts.ROUNDING && isDriven(block, -1, state);
+        return moves ? -1 : forcesAtRest(state, force).margin(particle);
     }
 
-    /**
-     * The largest static friction on a particle minus the force along its surfaces (N): a concave function of the force
-     * on it.
-     */
-    double holdSlack(int i, double[] state, double[] force) {
+    /** The margin of a particle under a known force: of its contacts' static friction over the force along them (N). */
+    double marginAlone(int i, double[] state, double[] force) {
         Block alone = push(i, state, force);
         Vector3 rest = Vector3.at(force, Particles.STRIDE * i + 3);
         double withstood = 0;
-        pushed = 0;
+        double pushed = 0;
         for (int r = 0; r < alone.rows.count; r++) {
             double push = alone.force(r);
             pushed += push;
             withstood += push * alone.rows.friction(r).staticCoefficient();
             rest = rest.plus(Vector3.at(alone.rows.gradient, 6 * r).times(push));
         }
-        return withstood - Math.sqrt(rest.dot(rest));
+        return pushed > 0 ? withstood - Math.sqrt(rest.dot(rest)) : -1;
     }
 }

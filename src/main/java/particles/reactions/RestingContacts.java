@@ -266,6 +266,7 @@ public final class RestingContacts implements Reaction {
 
     @Override
     public void addForceDerivatives(double[] state, double time, double[] force, ForceDerivatives derivatives) {
+        blocks.prepare(state, time);
         ContactDerivative derivative = new ContactDerivative(blocks, time);
         for (Block block : blocks.touching()) {
             derivative.add(block, state, force, derivatives);

@@ -36,12 +36,14 @@ final class Rows {
     double[] rate = {};
     double[] bend = {};
     double[] gradient = {};                             // 6 a row: for the first and second particle
-    double[] pull = {};                                 // the force on both per 1 N of the row, with sliding friction
+    double[] pull = {};                                 // the force on both per 1 N; with friction once that is added
     double[] push = {};                                 // of a contact without friction (N)
+    private final int[] ofKind = new int[Kind.values().length];
     private int changes;
 
     void clear() {
         count = 0;
+        Arrays.fill(ofKind, 0);
     }
 
     /** Counts changes of the list. */
@@ -51,7 +53,7 @@ final class Rows {
 
     /** Adds the row of a rod or of two balls, in the order of kinds; it keeps this distance (m). */
     void addLink(Kind link, int from, int to, double distance) {
-        int r = append();
+        int r = append(link);
         for (; r > 0 && kind[r - 1].compareTo(link) > 0; r--) {
             copy(this, r - 1, r);
         }
@@ -61,7 +63,7 @@ final class Rows {
     /** Adds the rows of a bead. */
     void addBead(int particle, Curve wire) {
         for (int k = 0; k < Curve.ROWS; k++) {
-            int r = append();
+            int r = append(Kind.WIRE);
             set(r, Kind.WIRE, particle, -1, 1);
             curve[r] = wire;
             function[r] = k;
@@ -70,7 +72,7 @@ final class Rows {
 
     /** Adds the row of a particle and the surface with an index, whether it touches or not. */
     void addContact(int particle, int index, ContactSurface on) {
-        int r = append();
+        int r = append(Kind.SURFACE);
         set(r, Kind.SURFACE, particle, -1, 1);
         number[r] = index;
         surface[r] = on;
@@ -79,7 +81,7 @@ final class Rows {
 
     /** Adds a row of another list. */
     void add(Rows from, int row) {
-        int r = append();
+        int r = append(from.kind[row]);
         copy(from, row, r);
         number[r] = row;
     }
@@ -91,23 +93,24 @@ final class Rows {
         this.length[r] = length;
     }
 
-    private int append() {
+    private int append(Kind more) {
+        ofKind[more.ordinal()]++;
         if (count == kind.length) {
-            int more = 2 * count + 1;
-            kind = Arrays.copyOf(kind, more);
-            first = Arrays.copyOf(first, more);
-            second = Arrays.copyOf(second, more);
-            number = Arrays.copyOf(number, more);
-            length = Arrays.copyOf(length, more);
-            curve = Arrays.copyOf(curve, more);
-            function = Arrays.copyOf(function, more);
-            surface = Arrays.copyOf(surface, more);
-            value = new double[more];
-            rate = new double[more];
-            bend = new double[more];
-            gradient = new double[6 * more];
-            pull = new double[6 * more];
-            push = new double[more];
+            int size = 2 * count + 1;
+            kind = Arrays.copyOf(kind, size);
+            first = Arrays.copyOf(first, size);
+            second = Arrays.copyOf(second, size);
+            number = Arrays.copyOf(number, size);
+            length = Arrays.copyOf(length, size);
+            curve = Arrays.copyOf(curve, size);
+            function = Arrays.copyOf(function, size);
+            surface = Arrays.copyOf(surface, size);
+            value = new double[size];
+            rate = new double[size];
+            bend = new double[size];
+            gradient = new double[6 * size];
+            pull = new double[6 * size];
+            push = new double[size];
         }
         changes++;
         return count++;
@@ -119,9 +122,10 @@ final class Rows {
         function[r] = from.function[row];
     }
 
-    /** Removes the row of two balls. */
+    /** Removes a row. */
     void remove(int row) {
         changes++;
+        ofKind[kind[row].ordinal()]--;
         count--;
         for (int r = row; r < count; r++) {
             copy(this, r + 1, r);
@@ -143,8 +147,8 @@ final class Rows {
     /** The index of the first row of a kind, or of a later one; rows must be in the order of kinds. */
     int begin(Kind from) {
         int r = 0;
-        while (r < count && kind[r].compareTo(from) < 0) {
-            r++;
+        for (int k = 0; k < from.ordinal(); k++) {
+            r += ofKind[k];
         }
         return r;
     }

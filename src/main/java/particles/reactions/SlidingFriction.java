@@ -112,7 +112,8 @@ final class SlidingFriction {
     }
 
     /**
-     * Adds the friction of a contact to {@link Rows#pull}: along all surfaces that push its particle.
+     * Adds the friction of a contact to {@link Rows#pull}, once for each evaluation of the rows: along all surfaces
+     * that push its particle.
      *
      * @param r         the row
      * @param pushKnown whether {@link Rows#push} holds the normal forces without friction

@@ -212,6 +212,7 @@ public final class Collisions implements EventRule {
         touching.stop(state, false);
         release(system);
         impacts.stickOthers(system);
+        impacts.contacts.beginStep(system);             // those that stick have stopped others
     }
 
     /** Ends contacts that do not push. */

@@ -53,8 +53,9 @@ public final class Emitter implements Rule {
             position.requireFinite("the position of an emitter");
             Require.notNegative("its radius", radius);
             Require.notNegative("its speed", speed);
-            Require.notNegative("its spread", spread);
-            Require.notNegative("pi minus its spread", Math.PI - spread);
+            if (!(spread >= 0 && spread <= Math.PI)) {
+                throw new IllegalArgumentException("its spread has to be in 0 ... pi, not " + spread);
+            }
         }
     }
 

@@ -50,7 +50,10 @@ public final class ParticleResampler implements Rule {
         this.springs = springs;
         this.closest = Require.positive("the closest distance", closest);
         this.farthest = farthest;
-        Require.positive("the farthest distance minus twice the closest", farthest - 2 * closest);
+        if (!(farthest > 2 * closest && farthest <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("the farthest distance has to be more than twice the closest, "
+                    + closest + ", not " + farthest);
+        }
         this.lightest = Require.positive("the lightest mass", lightest);
         random = new SeededRandom(seed);
     }

@@ -19,7 +19,7 @@ import particles.reactions.contact.Friction;
 import particles.rules.ClampedImpacts;
 
 /** The cost of deciding whether friction holds a linkage, counted in calls of the ground's normal. */
-class StaticFrictionFeasibilityTest {
+class StaticFrictionTest {
     private static final int STEPS = 10;
 
     private static long looksInAStep(int rods) {
