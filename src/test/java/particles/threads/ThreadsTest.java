@@ -184,7 +184,9 @@ class ThreadsTest {
         held.await();
         try {
             Steps.make(STEPS, solver, cloth, 1.0 / 1024);
-            assertEquals(0, Steps.allocatedIn(STEPS, solver, cloth, 1.0 / 1024));
+            long bytes = Steps.allocatedIn(STEPS, solver, cloth, 1.0 / 1024);
+            // Measured 0, or 48 on a busy machine; the smallest object, 16 bytes, for each evaluation would be 1,280.
+            assertTrue(bytes < 16 * 4 * STEPS, bytes + " bytes");
         } finally {
             measured.countDown();
         }
