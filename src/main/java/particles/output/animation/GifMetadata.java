@@ -17,17 +17,17 @@ final class GifMetadata {
     /**
      * Describes a frame that stays under the next one.
      *
-     * @param place       where it is (pixels)
-     * @param transparent the index of the transparent colour
-     * @param delay       the delay in hundredths of a second
+     * @param place where it is (pixels)
+     * @param delay the delay in hundredths of a second
      */
-    static void describeFrame(IIOMetadata metadata, Rectangle place, int transparent, int delay, boolean first)
+    static void describeFrame(IIOMetadata metadata, Rectangle place, int delay, boolean first)
             throws IIOInvalidTreeException {
         IIOMetadataNode root = new IIOMetadataNode(IMAGE);
         add(root, "ImageDescriptor", "imageLeftPosition", place.x, "imageTopPosition", place.y, "imageWidth",
                 place.width, "imageHeight", place.height, "interlaceFlag", "FALSE");
+        // the transparent colour is one of the palette that the writer chooses: it then sets flag and index itself
         add(root, "GraphicControlExtension", "disposalMethod", "doNotDispose", "userInputFlag", "FALSE",
-                "transparentColorFlag", "TRUE", "transparentColorIndex", transparent, "delayTime", delay);
+                "transparentColorFlag", "FALSE", "transparentColorIndex", 0, "delayTime", delay);
         if (first) {
             IIOMetadataNode extensions = add(root, "ApplicationExtensions");
             add(extensions, "ApplicationExtension", "applicationID", "NETSCAPE", "authenticationCode", "2.0")

@@ -12,7 +12,6 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.IntSummaryStatistics;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -120,11 +119,10 @@ class GifAnimationTest {
         FrameRenderer renderer = renderer();
         for (int k = 0; k < 11; k++) {
             IntSummaryStatistics off = differences(renderer.render(ball(k)), frames.get(k).rgb());
-            assertTrue(off.getAverage() < 2 && off.getMax() < 40, "frame " + k + " is off by " + off);  // 1.5 and 28
+            assertTrue(off.getAverage() < 3 && off.getMax() < 12, "frame " + k + " is off by " + off);   // 2.6 and 9
         }
     }
 
-    /** Beside the ball the sky is not dithered: 30 of 19,200 pixels differ, by the next colour of the palette. */
     @Test
     void theSkyBehindAMovingBallIsAsInTheFirstFrame() throws IOException {
         write(25, 11, W);
@@ -132,12 +130,10 @@ class GifAnimationTest {
         FrameRenderer renderer = renderer();
         int[] opening = renderer.render(ball(0)).clone();
         int[] end = renderer.render(ball(10));
-        int[] sky = IntStream.range(0, W * H).filter(p -> end[p] == opening[p]).toArray();
-        int[] first = Arrays.stream(sky).map(p -> frames.get(0).rgb()[p]).toArray();
-        int[] last = Arrays.stream(sky).map(p -> frames.get(10).rgb()[p]).toArray();
-        long different = IntStream.range(0, sky.length).filter(k -> first[k] != last[k]).count();
-        assertTrue(different <= 60, different + " pixels");
-        assertTrue(differences(first, last).getMax() <= 9, "by " + differences(first, last));
+        int[] first = frames.get(0).rgb();
+        int[] last = frames.get(10).rgb();
+        assertArrayEquals(new int[0], IntStream.range(0, W * H).filter(p -> end[p] == opening[p] && last[p] != first[p])
+                .toArray());
     }
 
     @Test
@@ -149,23 +145,6 @@ class GifAnimationTest {
         }
         IntSummaryStatistics off = differences(rgb, read().get(0).rgb());
         assertTrue(off.getAverage() < 4 && off.getMax() < 18, "off by " + off);     // measured 3.5 and 13 of 255
-    }
-
-    /** The frames that wait for the palette are all grey; the one after them is red. */
-    @Test
-    void aColourThatNoEarlierFrameHadIsShown() throws IOException {
-        int[] grey = IntStream.range(0, W * H).map(p -> 0x010101 * (p % W)).toArray();
-        int[] red = IntStream.range(0, W * H).map(p -> p % W < 40 ? 0xc4161c : grey[p]).toArray();
-        int waiting = 8_000_000 / (W * H);
-        try (OutputFolder folder = OutputFolder.open(top);
-                GifAnimation animation = new GifAnimation(folder, W, H, W, 25)) {
-            for (int k = 0; k < waiting + 2; k++) {
-                animation.prepare(k, k <= waiting ? grey : red).run();
-            }
-        }
-        List<Frame> frames = read();
-        IntSummaryStatistics off = differences(red, frames.get(waiting + 1).rgb());
-        assertTrue(off.getMax() < 8, "off by " + off);
     }
 
     @Test
