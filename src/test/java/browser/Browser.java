@@ -169,6 +169,15 @@ final class Browser implements AutoCloseable {
     void go(String address) {
         driver.get("about:blank");
         driver.get(address);
+        awaitFirstScene();
+    }
+
+    void reload() {
+        driver.navigate().refresh();
+        awaitFirstScene();
+    }
+
+    private void awaitFirstScene() {
         await("the first scene", () -> (Boolean) script("return Boolean(window.lab?.view.facts);"));
     }
 

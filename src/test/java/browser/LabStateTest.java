@@ -165,6 +165,8 @@ class LabStateTest extends LabPageTestCase {
         until("location.hash.length > 10 && text('steps') === '1'");
         page.screenshot("lecture");
         String link = page.driver().getCurrentUrl();
+        page.reload();
+        until("value('slides') === '10' && caption().startsWith('euler')");
         press("l");
         until("!document.body.classList.contains('lecture') && view.facts.title.startsWith('My own')");
         page.await("another address", () -> !page.driver().getCurrentUrl().equals(link));

@@ -42,7 +42,7 @@ export class Address {
     url.hash = await pack(JSON.stringify(this.describe()));
     const fits = url.href.length <= MOST;
     url.hash = fits ? url.hash : '';
-    history.replaceState(null, '', url);
+    history.replaceState(history.state, '', url);
     return fits ? url.href : null;
   }
 

@@ -9,7 +9,7 @@ export class Lecture {
    * resize(): all has another size
    */
   constructor({describe, open, ended, resize}) {
-    Object.assign(this, {describe, open, ended, resize, slide: -1, before: null});
+    Object.assign(this, {describe, open, ended, resize, slide: -1});
     $('slides').append(...STATIONS.map(({slide}, i) => new Option(slide, i)));
     $('slides').onchange = () => {
       $('slides').blur();               // the keys are for the lecture again
@@ -24,14 +24,14 @@ export class Lecture {
     return this.slide >= 0;
   }
 
-  /** Begins, or ends with what the page showed before. */
+  /** Begins, or ends with what the page showed before: the browser keeps that also when the page is loaded again. */
   toggle() {
     if (!this.on) {
-      this.before = this.describe();
+      history.replaceState(this.describe(), '');
       this.go(0);
-    } else if (this.before) {
-      this.open(this.before);
-    } else {
+    } else if (history.state) {
+      this.open(history.state);
+    } else {                            // a link began the lecture
       this.show(-1);
       this.ended();
     }
@@ -44,28 +44,22 @@ export class Lecture {
   }
 
   go(slide) {
-    const {before} = this;
     this.open({...STATIONS[slide], scene: STATIONS[slide].scene + '.yaml', lecture: slide});
-    this.keep(before);
-  }
-
-  /** What to go back to at the end; null if a link began the lecture. */
-  keep(before) {
-    this.before = before;
-    $('endLecture').textContent = before ? 'End, back to my scene' : 'End';
   }
 
   /** Shows a slide's words, whatever its scene does; -1 ends the lecture, and so does what is no number of a slide. */
   show(slide) {
     this.slide = STATIONS[slide] ? slide : -1;
-    this.keep(null);
     document.body.classList.toggle('lecture', this.on);
     $('lecture').hidden = !this.on;
     if (this.on) {
+      $('endLecture').textContent = history.state ? 'End, back to my scene' : 'End';
       $('slides').value = slide;
       $('ask').textContent = STATIONS[slide].ask;
       $('previousSlide').disabled = slide === 0;
       $('nextSlide').disabled = slide === STATIONS.length - 1;
+    } else {
+      history.replaceState(null, '');
     }
     this.resize();
   }
