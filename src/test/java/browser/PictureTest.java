@@ -58,6 +58,24 @@ class PictureTest extends LabPageTestCase {
     }
 
     @Test
+    void theGroundIsDarkWhereTheLampDoesNotReachIt() {
+        page.openScene("10-jelly-block");
+        page.await("a shadow", () -> pixels("#view canvas", "b > r + 5 && b < r + 40 && b > 90 && b < 140") > 1000);
+        page.screenshot("shadow");
+    }
+
+    @Test
+    void dropsThatTouchHaveOneSurface() {
+        page.openScene("25-drop");
+        until("view.blobs.object.geometry.index?.count > 3000");
+        // Euler: V - E + F = 2, where E = 3 F / 2
+        assertEquals(2, value("view.blobs.object.geometry.attributes.position.count"
+                + " - view.blobs.object.geometry.index.count / 6"));
+        page.await("its colour", () -> pixels("#view canvas", "b > 1.5 * r && b > 100 && a > 0") > 5000);
+        page.screenshot("drop");
+    }
+
+    @Test
     void labelsOfASceneAreBesideItsParticles() {
         page.openScene("14-thrown-dumbbell");
         page.await("the labels", () -> !labels().isEmpty());

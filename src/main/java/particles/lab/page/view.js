@@ -1,12 +1,15 @@
 // The scene in three dimensions, drawn as in the frames; the camera, lines, marks and scenery have their own modules.
 import * as THREE from 'three';
+import {Blobs} from './blobs.js';
 import {SceneCamera} from './camera.js';
+import {glow} from './glow.js';
 import {Springs, Trails} from './lines.js';
 import {Marks} from './marks.js';
-import {scenery} from './scenery.js';
+import {Ground, scenery} from './scenery.js';
 
 const LABEL_GAP = 6;                    // pixels
 const FEW_BALLS = 100;
+const SHADOWS = 4.5, SHADOW_PIXELS = 1024;      // the width of the part with shadows, in heights of the picture
 
 // asked once: browsers drop the oldest of some 16 pictures when there are more
 const CAN_DRAW = Boolean(document.createElement('canvas').getContext('webgl2'));
@@ -41,6 +44,9 @@ class View {
     this.element = element;
     this.renderer = new THREE.WebGLRenderer({antialias: true, preserveDrawingBuffer: true});
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.autoUpdate = false;         // only when something has moved
+    this.renderer.shadowMap.type = THREE.PCFSoftShadowMap;
     element.append(this.renderer.domElement);
     this.camera = new SceneCamera(element, this.renderer.domElement, () => { this.stale = true; });
     this.marks = new Marks(element);
@@ -57,22 +63,62 @@ class View {
     this.scene = new THREE.Scene();
     this.fastest = 0;
     this.camera.open(facts, structure, state);
-    const sun = new THREE.DirectionalLight(0xffffff, 2.2);
-    sun.position.set(0.4, 1, 0.7);
+    this.ball = this.radiusOfBalls(structure);
+    this.grounds = facts.planes.map(plane => new Ground(plane, this.reach(structure)));
+    this.shine();
     this.springs = new Springs();
     this.trails = new Trails();
-    this.scene.add(sun, new THREE.HemisphereLight(0xffffff, 0x8894a5, 1.6), this.springs.object, this.trails.object,
-        ...scenery(facts, this.camera.target, this.camera.extent));
+    this.springs.object.castShadow = true;
+    this.blobs = new Blobs(facts.look.colours[0]);
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8894a5, 1.6), this.springs.object, this.trails.object,
+        this.blobs.object, ...this.grounds.map(ground => ground.mesh), ...scenery(facts));
     this.balls = this.instances(structure.ids.length);
     this.surfaces = facts.surfaces.map(surface => this.addSurface(surface, facts.look));
     this.resize();
   }
 
+  radiusOfBalls({ids, restLengths}) {
+    const mean = restLengths.reduce((sum, length) => sum + length / restLengths.length, 0);
+    return this.facts.look.radius || Math.min(mean > 0 ? 0.26 * mean : Infinity,
+        this.camera.viewHeight * Math.min(0.028, 0.3 / Math.cbrt(Math.max(1, ids.length))));
+  }
+
+  /** How far a particle that lies on a plane reaches below its centre (m). */
+  reach({ids}) {
+    const {look: {kind, particles}, surfaces} = this.facts;
+    const inSurface = new Set(surfaces.flatMap(surface => surface.triangles)).size;
+    const shown = particles === 'always' || particles === 'beside_surfaces' && ids.length > inSurface;
+    return shown && ['balls', 'blobs'].includes(kind) ? this.ball : 0;
+  }
+
+  /** The lamp is where the frames have it: above, in front and to the left of where the scene is first seen from. */
+  shine() {
+    const {camera, target, viewHeight} = this.camera, lamp = new THREE.DirectionalLight(0xffffff, 2.2);
+    const [right, , back] = [0, 1, 2].map(k => new THREE.Vector3().setFromMatrixColumn(camera.matrixWorld, k));
+    const way = camera.up.clone().addScaledVector(right, -0.35).addScaledVector(back, 0.75).normalize();
+    const half = SHADOWS * viewHeight / 2;
+    lamp.target.position.copy(target);
+    lamp.position.copy(target).addScaledVector(way, 2 * half);
+    lamp.castShadow = this.facts.planes.length > 0;
+    lamp.shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
+    Object.assign(lamp.shadow.camera, {left: -half, right: half, bottom: -half, top: half, far: 4 * half});
+    this.lamp && this.scene.remove(this.lamp, this.lamp.target);
+    this.lamp?.dispose();
+    this.lamp = lamp;
+    this.litHeight = viewHeight;
+    this.scene.add(lamp, lamp.target);
+    this.grounds.forEach(ground => ground.place(target, viewHeight));
+  }
+
   /** Balls; many are small, and without a graphics processor their triangles would take a quarter of a second. */
-  instances(count, material = new THREE.MeshLambertMaterial()) {
-    const geometry = count > FEW_BALLS ? new THREE.SphereGeometry(1, 8, 6) : new THREE.SphereGeometry(1, 16, 12);
+  instances(count, material) {
+    const glows = this.facts.look.kind === 'glow';
+    material ??= glows ? glow() : new THREE.MeshLambertMaterial();
+    const geometry = glows ? new THREE.PlaneGeometry(2, 2)
+        : count > FEW_BALLS ? new THREE.SphereGeometry(1, 8, 6) : new THREE.SphereGeometry(1, 16, 12);
     const mesh = new THREE.InstancedMesh(geometry, material, Math.max(16, count));
     mesh.frustumCulled = false;
+    mesh.castShadow = !glows;
     mesh.count = 0;
     this.scene.add(mesh);
     return mesh;
@@ -84,6 +130,7 @@ class View {
     for (const [color, side] of sides) {
       const mesh = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({color, side}));
       mesh.frustumCulled = false;
+      mesh.castShadow = true;
       this.scene.add(mesh);
     }
     return {surface, geometry};
@@ -99,17 +146,11 @@ class View {
         || look.particles === 'beside_surfaces' && !inSurface.has(i));
     this.shownSprings = structure.restLengths.map((length, s) => s).filter(s => look.springs === 'always'
         || look.springs === 'beside_surfaces' && !(inSurface.has(pairs[2 * s]) && inSurface.has(pairs[2 * s + 1])));
-    const mean = structure.restLengths.reduce((sum, length) => sum + length / structure.restLengths.length, 0);
-    this.ball = look.radius || Math.min(this.camera.viewHeight * Math.min(0.028, 0.3 / Math.cbrt(Math.max(1, count))),
-        mean > 0 ? 0.26 * mean : Infinity);
     if (count > this.balls.instanceMatrix.count) {
       this.scene.remove(this.balls);
       this.balls.geometry.dispose();
       this.balls.dispose();
       this.balls = this.instances(2 * count, this.balls.material);
-    }
-    if (look.kind === 'glow') {
-      Object.assign(this.balls.material, {transparent: true, blending: THREE.AdditiveBlending, depthWrite: false});
     }
     this.setTriangles();
     this.setNames();
@@ -159,10 +200,19 @@ class View {
   }
 
   place() {
+    if (this.litHeight !== this.camera.viewHeight) {
+      this.shine();
+    }
+    this.renderer.shadowMap.needsUpdate = true;
     const {state, time} = this.moment, {fixed, births, lives} = this.structure, look = this.facts.look;
+    const wet = [];
     let shown = 0;
     for (let i = 0; i < this.structure.ids.length; i++) {
       if (!this.isShown[i]) {
+        continue;
+      }
+      if (look.kind === 'blobs' && !fixed[i]) {
+        wet.push([...state.subarray(6 * i, 6 * i + 3)]);
         continue;
       }
       const mark = look.marks[this.structure.ids[i]];
@@ -172,6 +222,10 @@ class View {
       this.balls.setColorAt(shown, mark?.colour !== undefined ? this.colour.set(mark.colour)
           : this.particleColour(look, fixed[i], (time - births[i]) / (lives[i] ?? Infinity)));
       shown++;
+    }
+    if (look.kind === 'blobs') {
+      this.blobs.place(wet, this.ball, this.camera.viewHeight / this.element.clientHeight,
+          this.camera.target.toArray());
     }
     this.balls.count = shown;
     this.balls.instanceMatrix.needsUpdate = true;
@@ -205,7 +259,8 @@ class View {
     }
     const at = Math.max(0, Math.min(0.9999, age || 0)) * (look.ageColours.length - 1), k = Math.floor(at);
     const next = look.ageColours[Math.min(k + 1, look.ageColours.length - 1)];
-    return this.colour.set(look.ageColours[k]).lerp(new THREE.Color(next), at - k).multiplyScalar(1 - 0.8 * (age || 0));
+    return this.colour.set(look.ageColours[k]).lerp(new THREE.Color(next), at - k)
+        .multiplyScalar((1 - Math.min(1, age || 0)) ** 2.2);    // as much as 1 - age in the screen's colours
   }
 
   /** How far arrows reach (s): as the scene says, or so that the fastest since the start has a suitable length. */

@@ -1,0 +1,118 @@
+// The surface of a liquid, as in the frames: where the field of metaballs has a certain value, found by surface nets.
+import * as THREE from 'three';
+
+const REACH = 2, LEVEL = (1 - 1 / REACH ** 2) ** 3;     // a single ball's surface is where its radius says
+const FINEST = 4;                       // pixels; the frames have finer cells, and more time
+const MIDDLE = 512, STEPS = [1 << 20, 1 << 10, 1];      // a node's key has three numbers of 10 bits
+const CORNERS = [0, 1, 2, 3, 4, 5, 6, 7].map(corner => STEPS.map((step, axis) => (corner >> axis & 1) * step)
+    .reduce((sum, step) => sum + step));
+
+export class Blobs {
+  constructor(color) {
+    this.object = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshPhongMaterial({color, shininess: 60,
+      specular: 0x2a2a2a}));
+    this.object.frustumCulled = false;
+    this.object.castShadow = true;
+  }
+
+  /** The surface of balls of a radius (m) around points; a pixel at the origin is so wide (m). */
+  place(points, radius, pixel, origin) {
+    const cell = Math.min(Math.max(radius / 2, FINEST * pixel), 0.7 * radius);
+    Object.assign(this, {cell, numbers: new Map(), sums: [], cells: new Map(), places: [], normals: []});
+    for (const point of points) {
+      this.add(point.map((x, axis) => (x - origin[axis]) / cell + MIDDLE), REACH * radius / cell);
+    }
+    const corners = [];
+    for (const [key, at] of this.numbers) {
+      for (let axis = 0; this.sums[at] >= LEVEL && axis < 3; axis++) {
+        if (!this.isInside(key + STEPS[axis])) {
+          this.join(corners, key, axis, true);
+        }
+        if (!this.isInside(key - STEPS[axis])) {
+          this.join(corners, key - STEPS[axis], axis, false);
+        }
+      }
+    }
+    const {geometry} = this.object;
+    geometry.dispose();
+    geometry.setAttribute('position', new THREE.Float32BufferAttribute(this.places.map((x, i) =>
+        (x - MIDDLE) * cell + origin[i % 3]), 3));
+    geometry.setAttribute('normal', new THREE.Float32BufferAttribute(this.normals, 3));
+    geometry.setIndex(corners);
+  }
+
+  /** Adds a ball's field and its gradient to the nodes nearer than its reach; lengths are in cells from now on. */
+  add([x, y, z], reach) {
+    if (![x, y, z].every(value => value > reach + 1 && value < 2 * MIDDLE - reach - 2)) {
+      return;                           // out of the picture
+    }
+    const {numbers, sums} = this, square = reach * reach;
+    for (let i = Math.ceil(x - reach); i <= x + reach; i++) {
+      for (let j = Math.ceil(y - reach); j <= y + reach; j++) {
+        for (let k = Math.ceil(z - reach); k <= z + reach; k++) {
+          const rest = 1 - ((i - x) ** 2 + (j - y) ** 2 + (k - z) ** 2) / square;
+          if (rest > 0) {
+            const key = i * STEPS[0] + j * STEPS[1] + k, slope = -6 * rest * rest / square;
+            let at = numbers.get(key);
+            if (at === undefined) {
+              numbers.set(key, at = sums.length);
+              sums.push(0, 0, 0, 0);
+            }
+            sums[at] += rest ** 3;
+            sums[at + 1] += slope * (i - x);
+            sums[at + 2] += slope * (j - y);
+            sums[at + 3] += slope * (k - z);
+          }
+        }
+      }
+    }
+  }
+
+  isInside(key) {
+    return this.sums[this.numbers.get(key)] >= LEVEL;
+  }
+
+  /** The four cells around an edge that the surface crosses, as two triangles. */
+  join(corners, edge, axis, outwards) {
+    const b = STEPS[(axis + 1) % 3], c = STEPS[(axis + 2) % 3];
+    const quad = [edge, edge - b, edge - b - c, edge - c].map(cell => this.vertex(cell));
+    const [p, q, r, s] = outwards ? quad : quad.reverse();
+    corners.push(p, q, r, p, r, s);
+  }
+
+  /** A cell's vertex: the mean of where the surface crosses its edges, moved onto the surface by a step of Newton's. */
+  vertex(cell) {
+    const known = this.cells.get(cell), place = [0, 0, 0];
+    if (known !== undefined) {
+      return known;
+    }
+    const nodes = CORNERS.map(corner => this.numbers.get(cell + corner));
+    const values = nodes.map(at => this.sums[at] ?? 0);
+    let crossings = 0;
+    for (let corner = 0; corner < 8; corner++) {
+      for (let axis = 0; axis < 3; axis++) {
+        const low = values[corner], high = values[corner | 1 << axis];
+        if (low >= LEVEL !== high >= LEVEL) {
+          place.forEach((sum, k) => { place[k] += (corner >> k & 1) + (k === axis) * (LEVEL - low) / (high - low); });
+          crossings++;
+        }
+      }
+    }
+    const [x, y, z] = place.map(sum => sum / crossings), sum = [0, 0, 0, 0];
+    for (let corner = 0; corner < 8; corner++) {
+      const d = [x - (corner & 1), y - (corner >> 1 & 1), z - (corner >> 2)], at = nodes[corner];
+      const weight = d.reduce((product, part) => product * (1 - Math.abs(part)), 1);
+      for (let k = 0; at !== undefined && k < 4; k++) {
+        sum[k] += weight * (this.sums[at + k] + (k ? 0 : d.reduce((half, part, axis) =>
+            half + part * this.sums[at + 1 + axis] / 2, 0)));
+      }
+    }
+    const [value, ...gradient] = sum, length = Math.hypot(...gradient) || 1;
+    const way = Math.max(-1, Math.min(1, (LEVEL - value) / length));
+    const base = [cell >> 20, cell >> 10 & 1023, cell & 1023];
+    this.cells.set(cell, this.places.length / 3);
+    this.places.push(...[x, y, z].map((part, axis) => base[axis] + part + way * gradient[axis] / length));
+    this.normals.push(...gradient.map(part => -part / length));
+    return this.places.length / 3 - 1;
+  }
+}
