@@ -1,8 +1,11 @@
 package browser;
 
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
+import static particles.Texts.assertStarts;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -39,7 +42,7 @@ class LabPageTest extends LabPageTestCase {
         page.openScene("02-one-spring");
         edit("solver: rk4", "solver: rk5");
         page.await("the error", () -> page.text("errors").contains("did you mean 'rk4'?"));
-        assertTrue(page.text("errors").startsWith("02-one-spring.yaml:9:9: "), page.text("errors"));
+        assertStarts(page.text("errors"), "02-one-spring.yaml:9:9: ");
         assertFalse(page.element("start").isEnabled());
         assertEquals(1, page.driver().findElements(org.openqa.selenium.By.className("wrong-place")).size());
         page.screenshot("error");
@@ -56,7 +59,7 @@ class LabPageTest extends LabPageTestCase {
         setStep("0.01");
         page.click("start");
         until("text('message').includes('stopped at t = ')");
-        assertTrue(page.text("message").contains("deltaT"), page.text("message"));
+        assertHas(page.text("message"), "deltaT");
         String steps = page.text("steps");
         Browser.sleep(500);
         assertEquals(steps, page.text("steps"));
@@ -182,7 +185,7 @@ class LabPageTest extends LabPageTestCase {
         assertEquals(10.5, value("window.lab.view.moment.state[1]"), 1e-9);
         edit("exercises.Lift: {acceleration: 9.81}", "exercises.Other: {acceleration: 9.81}");
         until("text('errors').includes('gradle lab')");
-        assertTrue(page.text("errors").contains("exercises.Other"), page.text("errors"));
+        assertHas(page.text("errors"), "exercises.Other");
     }
 
     @Test
@@ -241,7 +244,7 @@ class LabPageTest extends LabPageTestCase {
                 };
                 """));
         page.go(page.driver().getCurrentUrl());
-        assertTrue(page.text("view").contains("no WebGL 2"), page.text("view"));
+        assertHas(page.text("view"), "no WebGL 2");
         runToTheEnd();
         assertEquals("252", page.text("steps"));
         assertEquals(1, energyRatio(), 1e-5);
@@ -278,7 +281,7 @@ class LabPageTest extends LabPageTestCase {
     @Test
     void thePageIsSmallAndTellsItsLicences() throws IOException {
         Path file = Browser.page();
-        assertTrue(Files.size(file) < 3_000_000, Files.size(file) + " bytes");
+        assertBelow(3_000_000, Files.size(file));
         String text = Files.readString(file);
         for (String word : List.of("three.js", "uPlot", "CodeMirror", "snakeyaml-engine", "EJML", "TeaVM",
                 "Apache License", "Version 2.0, January 2004", "MIT")) {

@@ -4,6 +4,7 @@ import static java.util.stream.Collectors.joining;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
 
 import com.sun.net.httpserver.HttpServer;
 import java.io.IOException;
@@ -71,7 +72,7 @@ class LabStateTest extends LabPageTestCase {
                         && (Boolean) fresh.script("return Boolean(window.lab.view.camera.describe());"));
                 assertEquals(page.script(STATE), fresh.script(STATE));
                 fresh.go(link.substring(0, link.length() - 30));
-                assertTrue(fresh.text("note").contains("damaged"), fresh.text("note"));
+                assertHas(fresh.text("note"), "damaged");
             }
         } finally {
             server.stop(0);

@@ -3,6 +3,7 @@ package browser;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertHas;
 
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -64,7 +65,7 @@ class ReplayTest extends LabPageTestCase {
     void statesAndCurvesAreThoseOfTheRun(String scene, double deltaT) throws IOException {
         replay("--scene=" + scene, "--duration=0.4", "--deltaT=" + deltaT);
         assertEquals(Math.round(0.4 / deltaT) + 1, value("energy.data[0].length"));
-        assertTrue(page.text("note").contains("deltaT = " + deltaT + " s."), page.text("note"));
+        assertHas(page.text("note"), "deltaT = " + deltaT + " s.");
         for (double time : new double[] {0.4, 0.2 + 1e-9, 0}) {
             look(time);
             assertSeenAsInTheTrajectory();
@@ -91,8 +92,8 @@ class ReplayTest extends LabPageTestCase {
         long size = Files.size(OUT.resolve("replay.html"));
         assertTrue(size > 5_000_000 && size <= 10_000_000, size + " bytes");
         String thinned = "states closer than 0.008 s are left out, to stay below 10 MB";
-        assertTrue(lines.contains("replay.html: " + thinned), lines);
-        assertTrue(page.text("note").contains(thinned), page.text("note"));
+        assertHas(lines, "replay.html: " + thinned);
+        assertHas(page.text("note"), thinned);
         assertEquals(376, value("energy.data[0].length"));
         look(3);
         assertSeenAsInTheTrajectory();

@@ -1,6 +1,6 @@
 package particles;
 
-import static org.junit.jupiter.api.Assertions.assertTrue;
+import static deSolvers.problems.Bounds.assertBelow;
 
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;
@@ -39,7 +39,7 @@ class AllocationTest {
     private static void assertNothing(DESolver solver, DEStateSource source, double deltaT) {
         Steps.make(STEPS, solver, source, deltaT);
         long bytes = Steps.allocatedIn(STEPS, solver, source, deltaT);
-        assertTrue(bytes < 4000, bytes + " bytes in " + STEPS + " steps");
+        assertBelow(4000, bytes);
     }
 
     @ParameterizedTest

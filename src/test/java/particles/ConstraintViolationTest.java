@@ -3,6 +3,7 @@ package particles;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertMatches;
 
 import deSolvers.RK4Solver;
 import deSolvers.catalog.SolverCatalog;
@@ -45,8 +46,8 @@ class ConstraintViolationTest {
     void aRodThatIsATenthTooLongEndsTheRun() {
         String message = assertThrows(SimulationException.class,
                 () -> pendulum("euler", 0.02).run()).getMessage();
-        assertTrue(message.matches("the rod from 'nail' to 'bob' is 0[.]1[0-9]* m too long at t = [01][.][0-9]+ s: the"
-                + " motion is wrong"), message);
+        assertMatches(message, "the rod from 'nail' to 'bob' is 0[.]1[0-9]* m too long at t = [01][.][0-9]+ s: the"
+                + " motion is wrong");
         Simulation good = pendulum("rk4", 0.002);
         good.run();
         assertEquals(0, good.getViolation().part(), 1e-8);

@@ -1,7 +1,8 @@
 package particles;
 
+import static deSolvers.problems.Bounds.assertBelow;
+import static deSolvers.problems.Bounds.assertBetween;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.implicit.LinearisedEulerSolver;
 import deSolvers.linear.SolverWork;
@@ -32,7 +33,7 @@ class EliminationTest {
                 changes++;
                 double ratio = (double) stiffer.blockOperations / softer.blockOperations;
                 // Measured 0.97, 1.00 and 1.04 of the work of 47, 57 and 78 iterations.
-                assertTrue(ratio > 0.93 && ratio < 1.07, ratio + " of the work at " + stiffness + " N/m");
+                assertBetween(0.93, 1.07, ratio, stiffness);
             }
             softer = stiffer;
         }
@@ -55,11 +56,10 @@ class EliminationTest {
         SolverWork soft = work(chain(200));
         SolverWork stiff = work(chain(2000));
         assertEquals(0, soft.factorisations);
-        assertTrue(soft.iterations < 16, soft.iterations + " iterations");              // measured 13
+        assertBelow(16, soft.iterations);              // measured 13
         assertEquals(1, stiff.iterations);
         assertEquals(1, stiff.factorisations);
         // Measured 4,071 products after 11,172.
-        assertTrue(stiff.blockOperations < soft.blockOperations / 2, stiff.blockOperations + " after "
-                + soft.blockOperations);
+        assertBelow(soft.blockOperations / 2, stiff.blockOperations);
     }
 }

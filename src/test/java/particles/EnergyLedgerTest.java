@@ -1,5 +1,6 @@
 package particles;
 
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -253,7 +254,7 @@ class EnergyLedgerTest {
                 springs: [{from: wall, to: block, stiffness: 1000, restLength: 1, damping: 100}]
                 effects: []
                 """).getLedger();
-        assertTrue(ledger.getEnergy() < 0.9 * 0.5, ledger.getEnergy() + " J of 0.5 J: the damping did work");
+        assertBelow(0.9 * 0.5, ledger.getEnergy(), "the damping did work");
         assertEquals(0, ledger.getNumericalError(), 1e-9);
     }
 }

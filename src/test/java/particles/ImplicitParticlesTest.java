@@ -1,7 +1,7 @@
 package particles;
 
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
@@ -46,8 +46,8 @@ class ImplicitParticlesTest {
                 plain.stepState(new PlainSource(twin), 1.0 / 60);
             }
             // Measured at most 1.4e-14, on velocities of up to 0.5 m/s.
-            assertTrue(largestDifference(system, twin) < 1e-13, "difference " + largestDifference(system, twin));
-            assertTrue(system.getEvaluations() < 100, "no differences: " + system.getEvaluations());
+            assertBelow(1e-13, largestDifference(system, twin));
+            assertBelow(100, system.getEvaluations());
         }
     }
 
@@ -77,7 +77,7 @@ class ImplicitParticlesTest {
             }
         }
         // Measured 74 to 130 evaluations for the three steps.
-        assertTrue(system.getEvaluations() < 300, system.getEvaluations() + " evaluations");
+        assertBelow(300, system.getEvaluations());
     }
 
     /** Each of these needs the step near a saddle, and new factors where those of an earlier matrix fail. */
@@ -88,7 +88,7 @@ class ImplicitParticlesTest {
         DESolver steps = SolverCatalog.create(solver);
         Steps.make(12, steps, system, 1.0 / 60);
         // Measured 148 and 160 evaluations.
-        assertTrue(system.getEvaluations() < 480, system.getEvaluations() + " evaluations");
+        assertBelow(480, system.getEvaluations());
     }
 
     /**

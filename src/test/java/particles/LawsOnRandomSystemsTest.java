@@ -1,8 +1,8 @@
 package particles;
 
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import deSolvers.EulerSolver;
@@ -148,7 +148,7 @@ class LawsOnRandomSystemsTest {
     void theEnergyLedgerBalances(@ForAll("damped") RandomSystem any) {
         Assume.that(shortestLength(any) > 0.3);
         double unexplained = energyError(any, DELTA_T / 2);
-        assertTrue(unexplained < 2e-4, "unexplained: " + unexplained + " J");
+        assertBelow(2e-4, unexplained);
     }
 
     /**

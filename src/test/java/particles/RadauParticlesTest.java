@@ -1,5 +1,6 @@
 package particles;
 
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -81,7 +82,7 @@ class RadauParticlesTest {
         assertTrue(stiffness < 1e5 || solver.getWork().factorisations > 0, "factorised when stiff");
         double newton = (double) solver.getWork().newtonIterations / plain.getWork().newtonIterations;
         // Measured 0.96 to 1.03
-        assertTrue(newton < 1.1, "solutions good enough for Newton's iteration: " + newton);
+        assertBelow(1.1, newton, "solutions good enough for Newton's iteration");
     }
 
     /** The work of a Newton iteration is proportional to the number of links, mild or stiff. */
@@ -93,7 +94,7 @@ class RadauParticlesTest {
             solver.stepState(chain(n, stiffness, damping), FRAME);
             double each = (double) solver.getWork().blockOperations / solver.getWork().newtonIterations / n;
             // Measured with 50, 200 and 800: 127, 99 and 100; stiff, with factors, 558, 617 and 627.
-            assertTrue(each < most, n + ": " + each);
+            assertBelow(most, each, n);
         }
     }
 

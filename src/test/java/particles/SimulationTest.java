@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Systems.GRAVITY;
+import static particles.Systems.onMove;
 import static particles.Systems.oneParticle;
 import static particles.Systems.run;
 
@@ -67,12 +68,9 @@ class SimulationTest {
         Simulation simulation = observed.simulation();
         List<Double> every = new ArrayList<>();
         List<Double> rare = new ArrayList<>();
-        simulation.addObserver(new Observer() {
-            @Override
-            public void moved(Motion motion) {
-                every.add(motion.getEndTime() - motion.getStartTime());
-            }
-        });
+        simulation.addObserver(onMove(motion -> {
+            every.add(motion.getEndTime() - motion.getStartTime());
+        }));
         simulation.addObserver(new Observer() {
             @Override
             public double getNextTime() {
@@ -98,19 +96,16 @@ class SimulationTest {
     void interpolatedFramesLieOnTheParabola() {
         Simulation simulation = new ShortRun("rk4 clamp 0.25 1",
                 "particles: [{id: p, position: [1, 2, 3], velocity: [4, 5, 6]}]").getScene().simulation();
-        simulation.addObserver(new Observer() {
-            @Override
-            public void moved(Motion motion) {
-                double[] between = new double[6];
-                for (double t = motion.getStartTime(); t <= motion.getEndTime(); t += 0.0625) {
-                    motion.interpolate(t, between);
-                    assertEquals(1 + 4 * t, between[0], 1e-14);
-                    assertEquals(2 + 5 * t - 9.81 * t * t / 2, between[1], 1e-14);
-                    assertEquals(5 - 9.81 * t, between[4], 1e-13);
-                    assertEquals(6, between[5], 1e-13);
-                }
+        simulation.addObserver(onMove(motion -> {
+            double[] between = new double[6];
+            for (double t = motion.getStartTime(); t <= motion.getEndTime(); t += 0.0625) {
+                motion.interpolate(t, between);
+                assertEquals(1 + 4 * t, between[0], 1e-14);
+                assertEquals(2 + 5 * t - 9.81 * t * t / 2, between[1], 1e-14);
+                assertEquals(5 - 9.81 * t, between[4], 1e-13);
+                assertEquals(6, between[5], 1e-13);
             }
-        });
+        }));
         simulation.run();
     }
 

@@ -3,6 +3,7 @@ package particles;
 import deSolvers.DESolver;
 import deSolvers.RK4Solver;
 import java.util.List;
+import java.util.function.Consumer;
 import particles.energy.EnergyLedger;
 import particles.law.Vector3;
 
@@ -58,6 +59,16 @@ public final class Systems {
         Simulation simulation = new Simulation(system, () -> solver, deltaT, duration);
         List.of(rules).forEach(simulation::addRule);
         return simulation;
+    }
+
+    /** @return an observer that is told of every motion */
+    public static Observer onMove(Consumer<Motion> look) {
+        return new Observer() {
+            @Override
+            public void moved(Motion motion) {
+                look.accept(motion);
+            }
+        };
     }
 
     /** @return entry k of the system's state: 0, 1, 2 position of the first particle, 3, 4, 5 its velocity */

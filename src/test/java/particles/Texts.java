@@ -18,4 +18,9 @@ public final class Texts {
     public static void assertStarts(String text, String start) {
         assertTrue(text.startsWith(start), () -> "not '" + start + "' begins: " + text);
     }
+
+    /** Checks that a regular expression describes the whole text. */
+    public static void assertMatches(String text, String regex) {
+        assertTrue(text.matches(regex), () -> "'" + regex + "' does not match: " + text);
+    }
 }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
+import static particles.Texts.assertMatches;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -141,7 +142,7 @@ class FaultsTest {
         Path scene = scene(LONG);
         ChildProgram.End end = run(child().startedBy(inside), scene, disk.resolve("out"));
         assertEquals(1, end.code(), end.lines());
-        assertTrue(end.lines().matches("(?s).*cannot write \\S+: the disk is full\n.*"), end.lines());
+        assertMatches(end.lines(), "(?s).*cannot write \\S+: the disk is full\n.*");
         assertFalse(end.lines().matches("(?s).*\n(trajectory.csv|animation.gif|run.json)\n.*"),
                 "what broke off looks whole: " + end.lines());
         assertFalse(end.lines().contains("Exception"), end.lines());

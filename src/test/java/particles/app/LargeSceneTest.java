@@ -1,5 +1,6 @@
 package particles.app;
 
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -68,7 +69,7 @@ class LargeSceneTest {
                 "needs about (\\d+) MiB of memory for 250000 particles").matcher(refused.lines());
         assertTrue(needed.find(), refused.lines());
         int megabytes = Integer.parseInt(needed.group(1));
-        assertTrue(megabytes < 1024, "half of 2 GB, and it is " + megabytes);
+        assertBelow(1024, megabytes, "half of 2 GB");
 
         ChildProgram.End end = run((int) (COLLECTOR * megabytes) + "m", scene, out);
         assertEquals(ExitCode.DONE.code(), end.code(), end.lines());

@@ -1,7 +1,7 @@
 package particles.effects;
 
+import static deSolvers.problems.Bounds.assertBetween;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.scene.ShortRun.G;
 
 import org.junit.jupiter.api.Test;
@@ -156,7 +156,7 @@ class ClosedFormsTest {
         double b = 0.4;
         double v0 = 2;
         double w = run("rk4 clamp 2e-5 0.1", "0, 0, 0", "0, -2, 0", "penaltyPlane: {stiffness: 1e4, loss: 0.4}").at(4);
-        assertTrue(w > 0.8 && w < 1.9, "leaves with " + w);
+        assertBetween(0.8, 1.9, w);
         assertEquals(Math.log((1 + b * v0) / (1 - b * w)), b * (v0 + w), 1e-6);
     }
 

@@ -1,5 +1,7 @@
 package particles.effects;
 
+import static deSolvers.problems.Bounds.assertAbove;
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -45,7 +47,7 @@ class CohesionTest {
     @Test
     void workGrowsWithTheNumberOfParticles() {
         double ratio = pairsToLookAt(8000) / (double) pairsToLookAt(1000);
-        assertTrue(ratio < 9.5, "ratio " + ratio);
+        assertBelow(9.5, ratio);
         assertTrue(pairsToLookAt(1000) < 1000 * 999 / 2 / 5, "far fewer than all pairs");
     }
 
@@ -74,8 +76,8 @@ class CohesionTest {
     void aDropHoldsTogether() {
         ShortRun start = drop(0);
         ShortRun run = drop(3);
-        assertTrue(farthest(run) < 0.9 * farthest(start), "from " + farthest(start) + " to " + farthest(run));
-        assertTrue(farthest(run) > 0.25, "and it does not collapse: " + farthest(run));
+        assertBelow(0.9 * farthest(start), farthest(run));
+        assertAbove(0.25, farthest(run), "and it does not collapse");
         double momentum = 0;
         for (int i = 0; i < 64; i++) {
             momentum += 0.01 * run.at(6 * i + 3);

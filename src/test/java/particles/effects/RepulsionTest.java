@@ -1,5 +1,8 @@
 package particles.effects;
 
+import static deSolvers.problems.Bounds.assertAbove;
+import static deSolvers.problems.Bounds.assertBelow;
+import static deSolvers.problems.Bounds.assertBetween;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
@@ -52,7 +55,7 @@ class RepulsionTest {
         Steps.make(1000, new RK4Solver(), system, time / 2000);
         assertEquals(SPEED * Math.sqrt(REDUCED / K), overlap(system), 4e-14, "at half time");
         Steps.make(999, new RK4Solver(), system, time / 2000);
-        assertTrue(overlap(system) > 0 && overlap(system) < 0.002 * time * SPEED, "about to end: " + overlap(system));
+        assertBetween(0, 0.002 * time * SPEED, overlap(system));
         Steps.make(2, new RK4Solver(), system, time / 2000);
         assertTrue(overlap(system) < 0, "over");
         assertEquals(SPEED * (LIGHT - HEAVY) / (LIGHT + HEAVY), entry(system, 3), 4e-13);
@@ -85,9 +88,9 @@ class RepulsionTest {
         Steps.make(1000, new RK4Solver(), system, time / 2000);
         assertEquals(deepest, overlap(system), 5e-9 * deepest);
         Steps.make(999, new RK4Solver(), system, time / 2000);
-        assertTrue(overlap(system) > 0, "about to end: " + overlap(system));
+        assertAbove(0, overlap(system), "about to end");
         Steps.make(2, new RK4Solver(), system, time / 2000);
-        assertTrue(overlap(system) < 0, "over: " + overlap(system));
+        assertBelow(0, overlap(system));
     }
 
     /** Momenta stay, and without damping the energy does too. Measured: 7e-15, 2.4e-14 and 1.8e-6. */
@@ -106,7 +109,7 @@ class RepulsionTest {
         if (damping == 0) {
             assertEquals(0, lost, 1e-5);
         } else {
-            assertTrue(lost > 0.1, "lost " + lost);
+            assertAbove(0.1, lost);
         }
     }
 
@@ -142,7 +145,7 @@ class RepulsionTest {
         double coarse = errorInImpact(solver, 64);
         double fine = errorInImpact(solver, 128);
         if (solver.adaptive()) {
-            assertTrue(fine < 1e-7, "error " + fine);
+            assertBelow(1e-7, fine);
         } else {
             double order = Math.log(coarse / fine) / Math.log(2);
             assertEquals(solver.order(), order, 0.2);

@@ -1,5 +1,6 @@
 package particles.energy;
 
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -85,7 +86,7 @@ class EnergyHistoryTest {
             largest = Math.max(largest, Math.abs(kinetic.y()[k] - sine * sine / 2));
             largest = Math.max(largest, Math.abs(potential.y()[k] - (1 - sine * sine) / 2));
         }
-        assertTrue(largest < 1e-9, "off by " + largest);    // measured 3.8e-10: half of RK4's phase error h^4 t / 120
+        assertBelow(1e-9, largest);    // measured 3.8e-10: half of RK4's phase error h^4 t / 120
         assertEquals(0.5, energy.getScale());
         assertEquals(0.5, energy.getStart());
     }
@@ -182,8 +183,7 @@ class EnergyHistoryTest {
         double before = 0.5 * 2 * (G * 0.5) * (G * 0.5);
         // measured 1.4e-14
         assertEquals(-0.75 * before, books.getWork().values().stream().mapToDouble(w -> w).sum(), 1e-13);
-        assertTrue(books.getLargestNumericalError() < 3e-14 * before,
-                "8.5e-14 J and not " + books.getLargestNumericalError());
+        assertBelow(3e-14 * before, books.getLargestNumericalError());
         Series work = books.charts(before, false).get(0).series().get(0);
         for (int k = 0; work.x()[k] < 0.5; k++) {
             assertEquals(0, work.y()[k]);                   // level until the bounce, and then a vertical line

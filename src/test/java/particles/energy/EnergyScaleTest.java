@@ -1,5 +1,6 @@
 package particles.energy;
 
+import static deSolvers.problems.Bounds.assertAbove;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -86,7 +87,7 @@ class EnergyScaleTest {
                     effects:
                       - cohesion: {range: 1, balance: 0.6, depth: 0.01}
                     """.formatted(size));
-            assertTrue(one.energy.getScale() > 0.005, size + ": " + one.energy.getScale());
+            assertAbove(0.005, one.energy.getScale(), size);
             assertTrue(Math.abs(one.ledger.getLatestNumericalError()) < 0.2 * one.energy.getScale(),
                     size + ": " + one.ledger.getLatestNumericalError() + " of " + one.energy.getScale());
         }

@@ -1,5 +1,6 @@
 package particles.energy;
 
+import static deSolvers.problems.Bounds.assertAbove;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -36,7 +37,7 @@ class MinMaxThinningTest {
         }
         double[][] points = extremes.points();
         assertTrue(points[0].length <= 2 * 64 + 2, points[0].length + " points");
-        assertTrue(points[0].length > 64, points[0].length + " points");
+        assertAbove(64, points[0].length);
         for (int p = 0; p < points[0].length; p++) {
             assertEquals(values[(int) points[0][p]], points[1][p]);
             assertTrue(p == 0 || points[0][p] > points[0][p - 1]);

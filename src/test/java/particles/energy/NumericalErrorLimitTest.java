@@ -1,8 +1,10 @@
 package particles.energy;
 
+import static deSolvers.problems.Bounds.assertAbove;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertMatches;
 
 import deSolvers.DESolver;
 import deSolvers.EulerSolver;
@@ -93,8 +95,7 @@ class NumericalErrorLimitTest {
         SimulationException e = failure("euler clamp 0.1 30", 0.1);
         assertEquals(10, e.getTime(), 1);               // the work swings about its average
         assertEquals(SimulationException.End.WRONG_MOTION, e.getEnd());
-        assertTrue(e.getMessage().matches(
-                "the numerical error of 1\\.\\d+ J is larger than the energy scale, 0\\.5\\d* J"), e.getMessage());
+        assertMatches(e.getMessage(), "the numerical error of 1\\.\\d+ J is larger than the energy scale, 0\\.5\\d* J");
         swing("euler clamp 0.1 8", 0.1);
         swing("rk4 clamp 0.1 30", 0.1);
     }
@@ -219,8 +220,7 @@ class NumericalErrorLimitTest {
         scene.simulation().addObserver(energy);
         scene.simulation().addObserver(books);
         run(scene.simulation(), scene.energyEstimate());
-        assertTrue(books.getNumericalError() > 1.5 * energy.getScale(),
-                books.getNumericalError() + " J of " + energy.getScale() + " J");
+        assertAbove(1.5 * energy.getScale(), books.getNumericalError());
     }
 
     /**

@@ -1,5 +1,6 @@
 package particles.engine;
 
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -161,7 +162,7 @@ class ForceJacobianTest {
                     pairs[k / 4 % 2][0], pairs[k / 4 % 2][1]).setHolding(k / 2 % 2 == 0);
             assertTrue(system.hasExactJacobian());
             double deviation = deviation(system, random);
-            assertTrue(deviation < EXACT, "case " + k + ": " + deviation);
+            assertBelow(EXACT, deviation, "case " + k);
         }
     }
 

@@ -1,5 +1,7 @@
 package particles.hard;
 
+import static deSolvers.problems.Bounds.assertAbove;
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.hard.HardSystems.fastest;
@@ -119,7 +121,7 @@ class BetweenPlanesTest {
         boolean firstOrder = SolverCatalog.info(solver).order() == 1;
         double energy = scene.system().getEnergy(scene.system().getOwnState(), 5);
         assertEquals(0, energy / start - 1, firstOrder ? 0.9 : 1e-9);
-        assertTrue(scene.simulation().getEvents() > 25, "impacts " + scene.simulation().getEvents());
+        assertAbove(25, scene.simulation().getEvents());
     }
 
     /**
@@ -150,7 +152,7 @@ class BetweenPlanesTest {
             assertEquals(0, scene.system().getOwnState()[0], 1e-15);
             assertEquals(0, scene.system().getOwnState()[1], 1e-15);
             assertEquals(0, fastest(scene.system()));
-            assertTrue(scene.simulation().getEvents() < 100, "events " + scene.simulation().getEvents());
+            assertBelow(100, scene.simulation().getEvents());
         }
     }
 }

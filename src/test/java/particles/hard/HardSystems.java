@@ -1,6 +1,6 @@
 package particles.hard;
 
-import static org.junit.jupiter.api.Assertions.assertTrue;
+import static deSolvers.problems.Bounds.assertBelow;
 
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.Steps;
@@ -43,7 +43,7 @@ final class HardSystems {
     /** Requires that a run fails before a time (s), with a message that has a part. */
     static void assertFailsBefore(double time, String part, Simulation run) {
         SimulationException e = Steps.assertFails(SimulationException.class, part, run::run);
-        assertTrue(e.getTime() < time, e.getMessage() + " at " + e.getTime() + " s");
+        assertBelow(time, e.getTime(), e.getMessage());
     }
 
     /** @return a scene from its text, with another solver, step and duration */

@@ -1,5 +1,7 @@
 package particles.hard;
 
+import static deSolvers.problems.Bounds.assertAbove;
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.hard.HardSystems.assertFailsBefore;
@@ -96,7 +98,7 @@ class LargeStepsOfSoftBodiesTest {
         Scene scene = scene(CLOTH, "backward-euler", FRAME, 10);
         scene.simulation().run();
         assertEquals(-2.02, extreme(scene, -1), 0.08);
-        assertTrue(fastest(scene.system()) < 1, "speed " + fastest(scene.system()));
+        assertBelow(1, fastest(scene.system()));
     }
 
     /**
@@ -108,7 +110,7 @@ class LargeStepsOfSoftBodiesTest {
     void theClothStaysWithinTheLimitWithImplicitMidpoint() {
         Scene scene = scene(CLOTH, "implicit-midpoint", FRAME, 2);
         scene.simulation().run();
-        assertTrue(extreme(scene, -1) > -4, "the lowest particle is at " + extreme(scene, -1));
+        assertAbove(-4, extreme(scene, -1), "the lowest particle");
     }
 
     /** Adaptive solvers take the steps that the cloth needs; all four agree within a millimetre. */

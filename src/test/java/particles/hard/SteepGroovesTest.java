@@ -1,8 +1,8 @@
 package particles.hard;
 
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.hard.HardSystems.fastest;
 import static particles.hard.HardSystems.scene;
 
@@ -66,7 +66,7 @@ class SteepGroovesTest {
             String which = "seed " + SEED + ", groove " + k + ": ";
             assertDoesNotThrow(scene.simulation()::run, which);
             assertEquals(0, fastest(scene.system()), which + "speed");
-            assertTrue(scene.simulation().getEvents() < 400, which + scene.simulation().getEvents() + " events");
+            assertBelow(400, scene.simulation().getEvents(), which);
         }
     }
 }

@@ -1,8 +1,9 @@
 package particles.hard;
 
+import static deSolvers.problems.Bounds.assertAbove;
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.hard.HardSystems.fastest;
 import static particles.hard.HardSystems.scene;
 import static particles.hard.HardSystems.simulation;
@@ -83,7 +84,7 @@ class StiffBodiesInLongStepsTest {
         assertEquals(0, mean(system, 4), bound);
         assertEquals(2, mean(system, 0), bound);
         // 2.67 m/s at the start, measured at most 2.78: the springs vibrate a little
-        assertTrue(fastest(system) < 2.9, "speed " + fastest(system));
+        assertBelow(2.9, fastest(system));
     }
 
     @ParameterizedTest
@@ -105,7 +106,7 @@ class StiffBodiesInLongStepsTest {
         Scene scene = scene(block(3, stiffness, GROUND), solver, FRAME, 2);
         scene.simulation().run();
         assertEquals(0.2, mean(scene.system(), 1), 7e-5);
-        assertTrue(fastest(scene.system()) < speed, "speed " + fastest(scene.system()));
+        assertBelow(speed, fastest(scene.system()));
     }
 
     /**
@@ -118,6 +119,6 @@ class StiffBodiesInLongStepsTest {
         EnergyLedger ledger = new EnergyLedger();
         scene.simulation().addObserver(ledger);
         scene.simulation().run();
-        assertTrue(Math.abs(ledger.getNumericalError()) > 100 * 21, Math.abs(ledger.getNumericalError()) + " J");
+        assertAbove(100 * 21, Math.abs(ledger.getNumericalError()));
     }
 }

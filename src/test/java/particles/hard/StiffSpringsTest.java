@@ -1,7 +1,7 @@
 package particles.hard;
 
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.hard.HardSystems.add;
 import static particles.hard.HardSystems.assertFailsBefore;
 import static particles.hard.HardSystems.simulation;
@@ -64,7 +64,7 @@ class StiffSpringsTest {
         ParticleSystem system = weight(1e-3, stiffness, 0);
         double start = energy(system);
         blowUp(system, "backward-euler").run();
-        assertTrue(energy(system) < 2e-6 * start, "energy " + energy(system) / start);
+        assertBelow(2e-6, energy(system) / start);
     }
 
     /**
@@ -84,7 +84,7 @@ class StiffSpringsTest {
             solver.stepState(system, H);
             // Measured 1.6e-12 and 0.8749999 m.
             assertEquals(1, energy(system) / start, 1e-11, "step " + i);
-            assertTrue(system.getOwnState()[7] < -0.87499, "y = " + system.getOwnState()[7]);
+            assertBelow(-0.87499, system.getOwnState()[7]);
         }
     }
 
@@ -100,7 +100,7 @@ class StiffSpringsTest {
             double start = energy(system);
             blowUp(system, solver).run();
             assertEquals(1, energy(system) / start, 0.05, "k = " + stiffness);
-            assertTrue(system.getEvaluations() < evaluations, "evaluations " + system.getEvaluations());
+            assertBelow(evaluations, system.getEvaluations());
         }
     }
 

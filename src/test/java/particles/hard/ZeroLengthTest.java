@@ -1,7 +1,7 @@
 package particles.hard;
 
+import static deSolvers.problems.Bounds.assertAbove;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.hard.HardSystems.simulation;
 import static particles.hard.HardSystems.springs;
 
@@ -51,7 +51,7 @@ class ZeroLengthTest {
     void particlesTurnBackBeforeZeroLength(String solver) {
         ParticleSystem system = pair(0.5, 2);
         simulation(system, solver, 1.0 / 512, 1, 1e3).run();
-        assertTrue(system.getOwnState()[6] > 0, "never through: x = " + system.getOwnState()[6]);
+        assertAbove(0, system.getOwnState()[6], "never through");
     }
 
     /** At length 0 the spring has no direction: the unstable equilibrium is kept exactly, without a division by 0. */

@@ -1,5 +1,6 @@
 package particles.lab;
 
+import static deSolvers.problems.Bounds.assertAbove;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -43,11 +44,11 @@ class HistoryTest {
         List<Frame> frames = filled(100_000, 0.01).after(-1);
         assertEquals(0, frames.get(0).time());
         double latest = frames.get(frames.size() - 1).time();
-        assertTrue(latest > 990, "the latest is at " + latest);
+        assertAbove(990, latest, "the latest");
         DoubleSummaryStatistics gaps = IntStream.range(1, frames.size()).mapToDouble(i ->
                 frames.get(i).time() - frames.get(i - 1).time()).summaryStatistics();
         assertTrue(gaps.getMax() <= 2 * gaps.getMin() + 1e-9, gaps.toString());
-        assertTrue(frames.size() > 180, frames.size() + " moments");       // 376 fill the memory, and half of them stay
+        assertAbove(180, frames.size());       // 376 fill the memory, and half of them stay
     }
 
     @Test

@@ -1,9 +1,12 @@
 package particles.messages;
 
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertMatches;
+import static particles.Texts.assertStarts;
 
 import deSolvers.DESolverException;
 import deSolvers.implicit.BackwardEulerSolver;
@@ -78,7 +81,7 @@ class BlowUpMessageTest {
             """)
     void theLinesSayWhatHappenedWhyAndWhatToTry(String solver, double damping, String pattern) {
         String lines = blowUp(chain(solver, damping));
-        assertTrue(lines.matches(pattern), lines);
+        assertMatches(lines, pattern);
     }
 
     /** A particle at the very centre of an attraction. */
@@ -138,7 +141,7 @@ class BlowUpMessageTest {
         advised.simulation().run();
         assertEquals(60, advised.system().getTime(), 1e-9);
         double energy = advised.system().getKineticEnergy(advised.system().getOwnState());
-        assertTrue(energy < 0.1, energy + " J after " + line);  // 0.005 J and what the springs hold at the start
+        assertBelow(0.1, energy, line);  // 0.005 J and what the springs hold at the start
     }
 
     /** Damping of 1e30 N s/m on masses of 1e-40 kg decays at 1e70 /s and more; no option takes a step so short. */
@@ -170,8 +173,8 @@ class BlowUpMessageTest {
                   - %s
                 """.formatted(rule);
         String lines = blowUp(TestScenes.build(text));
-        assertTrue(lines.matches("rk4 stopped at t = 4\\.06 s: contacts make no headway: .*\nwith restSpeed 0, bounces"
-                + " become ever smaller and never end\ntry restSpeed: 0\\.01 in the scene's rule"), lines);
+        assertMatches(lines, "rk4 stopped at t = 4\\.06 s: contacts make no headway: .*\nwith restSpeed 0, bounces"
+                + " become ever smaller and never end\ntry restSpeed: 0\\.01 in the scene's rule");
     }
 
     /** A rope of rods that swings down from the horizontal and cracks like a whip. */
@@ -218,8 +221,8 @@ class BlowUpMessageTest {
         Scene scene = SceneBuilder.build(chain("euler", 0));
         String line = new BlowUpMessage(scene, new SimulationException(SimulationException.End.WRONG_MOTION, 1.25, 2,
                 "the numerical error of 3 J is larger"), name -> "--" + name).lines();
-        assertTrue(line.startsWith("from t = 1.25 s on the motion by euler is wrong: the numerical error of 3 J is"
-                + " larger\nundamped springs gain energy with euler at any deltaT\ntry "), line);
+        assertStarts(line, "from t = 1.25 s on the motion by euler is wrong: the numerical error of 3 J is"
+                + " larger\nundamped springs gain energy with euler at any deltaT\ntry ");
     }
 
     /** A straight pair of rods between a wall and a hand that pulls away: no step is short enough for that. */
@@ -243,8 +246,8 @@ class BlowUpMessageTest {
                   - glide: {particle: hand, to: [3, 0, 0], duration: 1}
                 """;
         String line = blowUp(TestScenes.build(text));
-        assertTrue(line.matches("rk4 stopped at t = [\\d.e-]+ s at particle 'middle': the rods and wires"
-                + " connected to particle 'middle' contradict each other: no forces can satisfy them all"), line);
+        assertMatches(line, "rk4 stopped at t = [\\d.e-]+ s at particle 'middle': the rods and wires"
+                + " connected to particle 'middle' contradict each other: no forces can satisfy them all");
     }
 
     private static Scene stiffCloth(String solver) {
@@ -316,10 +319,10 @@ class BlowUpMessageTest {
                 new DESolverException(BackwardEulerSolver.class, 0.4, 0.005, -1,
                         "Newton's iteration did not converge: 7 iterations", "")), name -> "--" + name);
         String line = message.lines();
-        assertTrue(line.matches("backward-euler stopped at t = 0\\.\\d+ s: Newton's iteration did not converge: .*"
+        assertMatches(line, "backward-euler stopped at t = 0\\.\\d+ s: Newton's iteration did not converge: .*"
                 + "\nsomething is about to stop or to begin to slide, and there Coulomb friction changes its"
                 + " direction too fast for backward-euler\n"
-                + "try --solver=rk4, which steps across the change"), line);
+                + "try --solver=rk4, which steps across the change");
         Scene advised = SceneBuilder.build(Advised.by(line, rope).orElseThrow());
         advised.simulation().run();
         assertEquals(0.6, advised.system().getTime(), 1e-12);

@@ -1,5 +1,8 @@
 package particles.output;
 
+import static deSolvers.problems.Bounds.assertAbove;
+import static deSolvers.problems.Bounds.assertBelow;
+import static deSolvers.problems.Bounds.assertBetween;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Systems.rk4;
@@ -20,6 +23,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
 import particles.Simulation;
+import particles.Systems;
 import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;
@@ -84,7 +88,7 @@ class ParticleStylesTest {
             state.death[0] = 5;
             state.time = 3 + 0.1 * k;
             double light = light(renderer.render(state), dark);
-            assertTrue(light < before, "age " + k + ": " + light + " is not less than " + before);
+            assertBelow(before, light, "age " + k);
             before = light;
         }
         assertEquals(0, before, "nothing is left at the end");
@@ -92,11 +96,11 @@ class ParticleStylesTest {
         immortal.time = 1e6;
         immortal.death[0] = Double.POSITIVE_INFINITY;
         double one = light(renderer.render(immortal), dark);
-        assertTrue(one > 50_000, "who does not die of age does not fade: " + one);
+        assertAbove(50_000, one, "who does not die of age does not fade");
         FrameState two = state(0, 0, 0, 0, 0, 1);
         two.death = new double[] {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
         double both = light(renderer.render(two), dark);
-        assertTrue(both > 1.7 * one && both < 2 * one, one + " and " + both);       // measured 1.81: the film saturates
+        assertBetween(1.7 * one, 2 * one, both);       // measured 1.81: the film saturates
     }
 
     private static double light(int[] rgb, int[] dark) {
@@ -139,14 +143,13 @@ class ParticleStylesTest {
         }
         assertEquals(areas[1][0], areas[1][1], 1);                               // two or three pixels
         // the square of 6 is 36; measured 32
-        assertTrue(areas[0][0] > 20 * areas[0][1], areas[0][0] + " and " + areas[0][1]);
+        assertAbove(20 * areas[0][1], areas[0][0]);
     }
 
     /** A moving particle has a trail that fades evenly over its duration. */
     @Test
     void aTrailFollowsThePathAndFades() {
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("ball", 1, new Vector3(-6, 0.525, 0), new Vector3(4, 0, 0), false);
+        ParticleSystem system = Systems.oneParticle(new Vector3(-6, 0.525, 0), new Vector3(4, 0, 0));
         Simulation simulation = rk4(system, 0.003, 3);
         FrameRenderer renderer = renderer(FRONT, look(ParticleStyle.Kind.BALLS, 0.25, 2), Scenery.NONE);
         int[] empty = picture(FRONT, look(ParticleStyle.Kind.BALLS, 0.25, 2), Scenery.NONE);

@@ -1,5 +1,6 @@
 package particles.output;
 
+import static deSolvers.problems.Bounds.assertAbove;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.output.SmallPictures.FRONT;
@@ -100,7 +101,7 @@ class SceneryStylesTest {
             }
         }
         assertEquals(60, mean / count, 0.1);          // measured 60.05
-        assertTrue(count > 2 * Math.PI * 60 * 3, count + " pixels");
+        assertAbove(2 * Math.PI * 60 * 3, count);
         int[] second = picture(FRONT, look, scenery(parabola));
         for (int x = -7; x <= 7; x++) {
             int p = (int) (100 - 20 * x * x / 16.0) * W + 160 + 20 * x;

@@ -1,5 +1,6 @@
 package particles.scene;
 
+import static deSolvers.problems.Bounds.assertBetween;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -148,7 +149,7 @@ class OnlyWhatIsNamedTest {
             assertEquals(bytes, all.allocated(rope));
             assertTrue(all.loadedFrom("particles.effects.").contains("particles.effects.Gravity$Keys"), "all");
             long named = all.allocated(rope + "effects:\n  - gravity\n") - bytes;
-            assertTrue(named > 0 && named < 1000, "the law itself takes " + named + " bytes of " + bytes);
+            assertBetween(0, 1000, named);
         }
     }
 

@@ -2,6 +2,7 @@ package particles.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.onMove;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -9,8 +10,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import particles.Motion;
-import particles.Observer;
 import particles.experiments.stability.SceneStability;
 import particles.law.Particles;
 
@@ -69,14 +68,11 @@ class SceneNumbersTest {
     void theCometIsThirtyNineTimesAsFastNearTheSun() {
         double[] slowest = {Double.MAX_VALUE};
         Scene scene = scene("24", 20);
-        scene.simulation().addObserver(new Observer() {
-            @Override
-            public void moved(Motion motion) {
-                double[] state = motion.getEndState();
-                int v = 3 * Particles.STRIDE + 3;
-                slowest[0] = Math.min(slowest[0], Math.hypot(state[v], state[v + 1]));
-            }
-        });
+        scene.simulation().addObserver(onMove(motion -> {
+            double[] state = motion.getEndState();
+            int v = 3 * Particles.STRIDE + 3;
+            slowest[0] = Math.min(slowest[0], Math.hypot(state[v], state[v + 1]));
+        }));
         scene.simulation().run();
         assertEquals(39, Math.sqrt(19.5) / slowest[0], 0.01);         // measured 39.0004
     }

@@ -1,7 +1,9 @@
 package particles.scene;
 
+import static deSolvers.problems.Bounds.assertAbove;
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.onMove;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -15,8 +17,6 @@ import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import particles.Motion;
-import particles.Observer;
 import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.law.Vector3;
@@ -29,14 +29,11 @@ class SceneWordsTest {
     }
 
     private static ParticleSystem run(Scene scene, BiConsumer<ParticleSystem, Integer> look) {
-        scene.simulation().addObserver(new Observer() {
-            @Override
-            public void moved(Motion motion) {
-                for (int i = 0; i < scene.system().getParticles().count(); i++) {
-                    look.accept(scene.system(), i);
-                }
+        scene.simulation().addObserver(onMove(motion -> {
+            for (int i = 0; i < scene.system().getParticles().count(); i++) {
+                look.accept(scene.system(), i);
             }
-        });
+        }));
         scene.simulation().run();
         return scene.system();
     }
@@ -124,7 +121,7 @@ class SceneWordsTest {
             }
         });
         int died = born.size() - system.getParticles().count();
-        assertTrue(died > 500, "died: " + died);
+        assertAbove(500, died);
         assertEquals(1 / 8.0, drained.size() / (double) died, 0.015);
     }
 
@@ -157,7 +154,7 @@ class SceneWordsTest {
         });
         assertEquals(0.1, highest[0], 7e-5);
         double others = sum(5, 9, i -> kinetic[i]);
-        assertTrue(others < 3e-17, "the others have " + others + " J");
+        assertBelow(3e-17, others, "the energy of the others");
     }
 
     /** Impacts change no momentum, and drag makes that of equal balls fall as exp(-c t/m). Measured: 1e-15. */
@@ -166,7 +163,7 @@ class SceneWordsTest {
     void theBreakKeepsTheMomentum() {
         ParticleSystem system = run(scene(45, 0.2), (s, i) -> { });
         double start = 0.17 * 7;
-        assertTrue(entry(system, 0, 3) < 3, "the cue ball has hit: " + entry(system, 0, 3));
+        assertBelow(3, entry(system, 0, 3), "the cue ball has hit");
         assertEquals(start * Math.exp(-0.1 * 0.2 / 0.17),
                 sum(0, 16, i -> system.getParticles().mass(i) * entry(system, i, 3)), 1e-12);
         assertEquals(0, sum(0, 16, i -> system.getParticles().mass(i) * entry(system, i, 5)), 1e-12);
@@ -198,7 +195,7 @@ class SceneWordsTest {
     void thePileComesToRest() {
         ParticleSystem system = run(scene(47, 3), (s, i) -> { });
         double energy = sum(0, 25, i -> kinetic(system, i));
-        assertTrue(energy < 0.1, energy + " J");
+        assertBelow(0.1, energy);
     }
 
     /**

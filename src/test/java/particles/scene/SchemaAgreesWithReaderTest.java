@@ -1,7 +1,7 @@
 package particles.scene;
 
+import static deSolvers.problems.Bounds.assertBetween;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.harrel.jsonschema.Dialects;
 import dev.harrel.jsonschema.Validator;
@@ -95,7 +95,7 @@ class SchemaAgreesWithReaderTest {
                     + text);
             right += valid ? 1 : 0;
         }
-        assertTrue(right > CHANGES / 10 && right < CHANGES * 9 / 10, right + " of " + CHANGES + " stay right");
+        assertBetween(CHANGES / 10, CHANGES * 9 / 10, right);
     }
 
     /** Returns a copy with one value replaced, at a random depth. */

@@ -1,5 +1,7 @@
 package particles.scene;
 
+import static deSolvers.problems.Bounds.assertBelow;
+import static deSolvers.problems.Bounds.assertBetween;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -68,7 +70,7 @@ class ShapesTest {
             assertTrue(pairs.add(Set.of(scene.springs().from(s), scene.springs().to(s))), "spring " + s);
         }
         double energy = scene.system().getEnergy(scene.system().getOwnState(), 0);
-        assertTrue(energy < 8e-30, "measured 8.5e-31, rounding of lengths: " + energy);
+        assertBelow(8e-30, energy, "measured 8.5e-31, rounding of lengths");
     }
 
     @Test
@@ -152,7 +154,7 @@ class ShapesTest {
                 worst = Math.max(worst, right.minus(new Vector3(-left.x(), left.y(), left.z())).length());
             }
         }
-        assertTrue(worst < 2e-14, "left and right differ by " + worst);
+        assertBelow(2e-14, worst);
         assertTrue(at(scene, 9 * 4 + 8).y() < -0.5, "it has fallen");
     }
 
@@ -185,9 +187,8 @@ class ShapesTest {
         for (int n : new int[] {0, 1, 2, 9, 10, 11, 18, 19, 20}) {
             assertEquals(0, state[6 * n + 1], 1e-9, "the bottom lies on the ground");
         }
-        assertTrue(scene.system().getKineticEnergy(state) < 4e-7, "and is at rest, measured 4.7e-8: "
-                + scene.system().getKineticEnergy(state));
+        assertBelow(4e-7, scene.system().getKineticEnergy(state), "at rest, measured 4.7e-8");
         assertEquals(0, at(scene, 13).x(), 1e-15, "measured 5e-19, rounding only");
-        assertTrue(at(scene, 13).y() < 0.499 && at(scene, 13).y() > 0.496, "squeezed to " + at(scene, 13).y());
+        assertBetween(0.496, 0.499, at(scene, 13).y());
     }
 }

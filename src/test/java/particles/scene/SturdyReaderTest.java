@@ -1,5 +1,6 @@
 package particles.scene;
 
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -107,7 +108,7 @@ class SturdyReaderTest {
                 "x".repeat(100_000) + ": 1\n")) {
             for (String line : linesFor(text)) {
                 assertFalse(line.matches("(?s).*[\\p{Cntrl}\\u2028\\u2029].*"), line);
-                assertTrue(line.length() < 1100, "a line of " + line.length());
+                assertBelow(1100, line.length());
             }
         }
     }

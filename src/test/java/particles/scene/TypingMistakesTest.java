@@ -1,5 +1,6 @@
 package particles.scene;
 
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -114,7 +115,7 @@ class TypingMistakesTest {
             IntStream.range(0, 10_000).forEach(i -> text.append(mistake.formatted(i)));
             Reading in = new Reading("x.yaml", new Problems());
             SceneFormat.SCENE.read(text.toString().getBytes(StandardCharsets.UTF_8), in);
-            assertTrue(in.problems().count() < 60, in.problems().count() + " looked for");
+            assertBelow(60, in.problems().count());
             assertEquals(51, problems(text.toString()).size());
         }
     }

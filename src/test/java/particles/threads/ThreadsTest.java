@@ -1,5 +1,6 @@
 package particles.threads;
 
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -186,7 +187,7 @@ class ThreadsTest {
             Steps.make(STEPS, solver, cloth, 1.0 / 1024);
             long bytes = Steps.allocatedIn(STEPS, solver, cloth, 1.0 / 1024);
             // Measured 0, or 48 on a busy machine; the smallest object, 16 bytes, for each evaluation would be 1,280.
-            assertTrue(bytes < 16 * 4 * STEPS, bytes + " bytes");
+            assertBelow(16 * 4 * STEPS, bytes);
         } finally {
             measured.countDown();
         }

@@ -1,15 +1,15 @@
 package particles.app.run;
 
+import static deSolvers.problems.Bounds.assertAbove;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.onMove;
 
 import java.nio.charset.StandardCharsets;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.Motion;
-import particles.Observer;
 import particles.app.student.StudentClasses;
 import particles.law.Particles;
 import particles.output.raster.CameraProjection;
@@ -47,7 +47,7 @@ class CameraFinderTest {
     void aRunThatBlowsUpIsSeenFromNearby(String solver) {
         SceneDescription chain = CHAIN.withSolver(solver).withDeltaT(0.2);
         double size = size(view(chain), SceneBuilder.build(chain));
-        assertTrue(size > HEIGHT / 8.0, solver + " shows the chain " + size + " pixels high");
+        assertAbove(HEIGHT / 8.0, size, solver);
     }
 
     @Test
@@ -74,15 +74,12 @@ class CameraFinderTest {
     void aRunThatDoesNotBlowUpStaysInThePicture() {
         Scene scene = SceneBuilder.build(CHAIN);
         CameraProjection view = view(CHAIN);
-        scene.simulation().addObserver(new Observer() {
-            @Override
-            public void moved(Motion motion) {
-                double[] state = motion.getEndState();
-                for (int x = 0; x < state.length; x += Particles.STRIDE) {
-                    assertTrue(view.isInPicture(state[x], state[x + 1], state[x + 2]), "t = " + motion.getEndTime());
-                }
+        scene.simulation().addObserver(onMove(motion -> {
+            double[] state = motion.getEndState();
+            for (int x = 0; x < state.length; x += Particles.STRIDE) {
+                assertTrue(view.isInPicture(state[x], state[x + 1], state[x + 2]), "t = " + motion.getEndTime());
             }
-        });
+        }));
         scene.simulation().run();
         assertTrue(size(view, scene) < HEIGHT);
     }

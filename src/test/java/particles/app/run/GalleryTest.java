@@ -1,8 +1,9 @@
 package particles.app.run;
 
+import static deSolvers.problems.Bounds.assertAbove;
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Texts.assertHas;
 
 import java.awt.image.BufferedImage;
@@ -52,7 +53,7 @@ class GalleryTest {
             }
         }
         assertEquals(scenes, pictures, "gradle gallery draws them again");
-        assertTrue(bytes < MOST_BYTES, bytes + " bytes; 0.5 million were measured for 32 scenes");
+        assertBelow(MOST_BYTES, bytes, "0.5 million were measured for 32 scenes");
     }
 
     private static final String SCENE = """
@@ -85,8 +86,8 @@ class GalleryTest {
             int rgb = image.getRGB(p % width, p / width);
             return (rgb >> 16 & 255) > (rgb >> 8 & 255) + 60;
         }).map(p -> p % width).summaryStatistics();
-        assertTrue(red.getMax() > width / 2 + 20, "the stone is at " + red.getMax());
-        assertTrue(red.getMin() < width / 2, "its trail begins at " + red.getMin());
+        assertAbove(width / 2 + 20, red.getMax(), "the stone");
+        assertBelow(width / 2, red.getMin(), "the beginning of its trail");
     }
 
     @Test

@@ -2,6 +2,7 @@ package particles.app.run;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.onMove;
 
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -11,8 +12,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import particles.Motion;
-import particles.Observer;
 import particles.Simulation;
 import particles.scene.SceneBuilder;
 import particles.scene.TestScenes;
@@ -44,12 +43,9 @@ class ProgressTest {
     private List<String> linesOf(double seconds, double first) {
         AtomicLong nanos = new AtomicLong(123);
         Simulation simulation = SceneBuilder.build(scene).simulation();
-        simulation.addObserver(new Observer() {
-            @Override
-            public void moved(Motion motion) {
-                nanos.addAndGet((long) (motion.getStartTime() == 0 ? first * 1e9 : seconds * 1e7));
-            }
-        });
+        simulation.addObserver(onMove(motion -> {
+            nanos.addAndGet((long) (motion.getStartTime() == 0 ? first * 1e9 : seconds * 1e7));
+        }));
         simulation.addObserver(new Progress(new PrintWriter(out), scene, nanos::get));
         simulation.run();
         return out.toString().lines().toList();

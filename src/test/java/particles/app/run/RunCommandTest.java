@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Texts.assertHas;
+import static particles.Texts.assertMatches;
 import static particles.Texts.assertStarts;
 
 import deSolvers.DESolver;
@@ -362,10 +363,10 @@ class RunCommandTest {
     @Test
     void aThousandfoldGainIsABlowUp() throws IOException {
         assertEquals(ExitCode.STOPPED, run("--solver=euler", "--duration=20", "--frames=false"));
-        assertTrue(screen.err().matches("""
+        assertMatches(screen.err(), """
                 euler stopped at t = 9\\.\\d+ s at particle 'block': the numerical error is \\d+ J, over 1000 times \
                 the rest of the energy\\Rundamped springs gain energy with euler at any deltaT\\Rtry \
-                -Psolver=verlet"""), screen.err());
+                -Psolver=verlet""");
     }
 
     /**
@@ -380,11 +381,11 @@ class RunCommandTest {
                 .replaceAll("(columns|rows|layers): 6", "$1: 7").replaceAll("stiffness: \\d+", "stiffness: 6000"));
         assertEquals(ExitCode.STOPPED, run("--scene=" + jelly, "--solver=implicit-midpoint", "--deltaT=0.0166666667",
                 "--frames=false"));
-        assertTrue(screen.err().matches("from t = [\\d.]+ s on the motion by implicit-midpoint is wrong: the"
+        assertMatches(screen.err(), "from t = [\\d.]+ s on the motion by implicit-midpoint is wrong: the"
                 + " numerical error of \\d+ J is larger than the energy scale and the work put in, \\d+ J\\R"
                 + "implicit-midpoint has no stability limit, but it adds energy where springs buckle or"
                 + " turn\\Rtry -Psolver=linearised-euler, which solves one linear system per step and damps what is too"
-                + " fast for it"), screen.err());
+                + " fast for it");
         assertFalse(screen.out().contains("warning"), "the lines above say it");
     }
 

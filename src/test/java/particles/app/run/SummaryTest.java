@@ -2,6 +2,7 @@ package particles.app.run;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertMatches;
 import static particles.Texts.assertStarts;
 
 import java.util.List;
@@ -149,8 +150,8 @@ class SummaryTest {
                   - shake: {particle: hand, amplitude: [0, 0.02, 0], period: 1}
                 """;
         List<String> lines = lines(text);
-        assertTrue(lines.get(4).matches("warning: numerical damping took \\d[.]\\d+ J, \\d\\d times the energy scale; a"
-                + " smaller deltaT loses less."), lines.get(4));
+        assertMatches(lines.get(4), "warning: numerical damping took \\d[.]\\d+ J, \\d\\d times the energy scale; a"
+                + " smaller deltaT loses less.");
     }
 
     /** Both are right. Bulirsch-Stoer takes more than a swing at once, in which the ledger looks three times. */
@@ -166,7 +167,7 @@ class SummaryTest {
     void aGoodRunDoesNotWarn() {
         List<String> lines = lines("rk4", 0.1, 20);
         assertEquals(4, lines.size(), lines.toString());
-        assertTrue(lines.get(3).matches("numerical error: at most \\S+e-6 J .*"), lines.get(3));
+        assertMatches(lines.get(3), "numerical error: at most \\S+e-6 J .*");
     }
 
     @Test

@@ -2,6 +2,7 @@ package particles.app.student;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Texts.assertHas;
+import static particles.Texts.assertMatches;
 import static particles.Texts.assertStarts;
 
 import java.io.IOException;
@@ -111,7 +112,7 @@ class CheckEffectCommandTest {
     @ValueSource(classes = {Exits.class, ExitsAtOnce.class})
     void aClassThatEndsTheProgramIsFoundOut(Class<?> planted, @TempDir Path folder) throws Exception {
         String found = CheckProcess.failureOf("checkEffect", "--effect=", planted, folder);
-        assertTrue(found.matches("failure: the class ends the whole program .System.exit., in "
-                + planted.getSimpleName() + "[.](getForce|<init>), line \\d+ of CheckEffectCommandTest.java"), found);
+        assertMatches(found, "failure: the class ends the whole program .System.exit., in "
+                + planted.getSimpleName() + "[.](getForce|<init>), line \\d+ of CheckEffectCommandTest.java");
     }
 }

@@ -200,9 +200,9 @@ class CheckSolverCommandTest {
     @Test
     void refusedStepsAreNoPartOfTheStabilityRegion(@TempDir Path folder) throws IOException {
         String screen = here(ExitCode.DONE, Iterates.class.getName(), folder);
-        assertTrue(screen.startsWith("Iterates: right. This is backward Euler."), screen);
+        assertStarts(screen, "Iterates: right. This is backward Euler.");
         String report = Files.readString(folder.resolve("report/checkSolver.md"));
-        assertTrue(report.contains("(region.png)") && report.contains("| refused |"), report);
+        assertHas(report, "(region.png)", "| refused |");
     }
 
     /** Each has 10,000 steps or more, of 0.6 s or more in all, and an endless loop is told after 0.2 s. */
@@ -223,8 +223,8 @@ class CheckSolverCommandTest {
         Screen.of(ExitCode.BAD_INPUT, List.of(new CheckSolverCommand()), OptionStyle.SHELL, "checkSolver",
                 "--solver=" + Halts.class.getName(), "--out=" + folder.resolve("report"));
         String report = Files.readString(folder.resolve("report/checkSolver.md"));
-        assertTrue(report.startsWith("# " + Halts.class.getName() + ": The check did not finish."), report);
-        assertTrue(report.contains("- **failure**: the check did not finish; the class ended the program"), report);
+        assertStarts(report, "# " + Halts.class.getName() + ": The check did not finish.");
+        assertHas(report, "- **failure**: the check did not finish; the class ended the program");
     }
 
     @Test

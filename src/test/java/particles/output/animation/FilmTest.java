@@ -1,5 +1,6 @@
 package particles.output.animation;
 
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -121,8 +122,8 @@ class FilmTest {
             }
         }
         // of 255; the quantiser of the encoder leaves them: measured 0.23 and 4
-        assertTrue(sum / count < 1, "mean error " + sum / count);
-        assertTrue(worst < 8, "worst error " + worst);
+        assertBelow(1, sum / count);
+        assertBelow(8, worst);
     }
 
     /**

@@ -1,5 +1,6 @@
 package particles.output.files;
 
+import static deSolvers.problems.Bounds.assertAbove;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -19,6 +20,7 @@ import particles.Observer;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.SimulationException;
+import particles.Systems;
 import particles.law.Vector3;
 import particles.output.TestEffects;
 
@@ -66,8 +68,7 @@ class TrajectoryWriterTest {
      */
     @Test
     void theFileStaysBelowItsLimitWhenParticlesAreBorn() throws IOException {
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("p0", 1, Vector3.ZERO, new Vector3(1, 0, 0), false);
+        ParticleSystem system = Systems.oneParticle(Vector3.ZERO, new Vector3(1, 0, 0));
         Simulation simulation = rk4(system, 0.125, 125);
         simulation.addRule(TestEffects.rule(grown -> {
             grown.addParticle("p" + grown.getParticles().count(), 1, Vector3.ZERO, Vector3.ZERO, false);
@@ -76,7 +77,7 @@ class TrajectoryWriterTest {
         List<String> lines = linesOf(simulation, n -> TrajectoryWriter.strideFor(1000, n, 5000), "born");
         int most = 1 + 1 + 5000 + 1001;                 // the heading too
         assertTrue(lines.size() <= most, lines.size() + " lines");
-        assertTrue(lines.size() > most / 2, "and is not much coarser than it may be: " + lines.size());
+        assertAbove(most / 2, lines.size(), "not much coarser than it may be");
     }
 
     @Test

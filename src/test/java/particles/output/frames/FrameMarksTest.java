@@ -1,5 +1,6 @@
 package particles.output.frames;
 
+import static deSolvers.problems.Bounds.assertBetween;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -88,7 +89,7 @@ class FrameMarksTest {
         ParticleStyle style = style(0, new ParticleMark("marked", OptionalInt.empty(), 0, "a label"));
         FrameMarks marks = new FrameMarks(new CameraProjection(FRONT, W, H), style);
         Rectangle2D right = marks.boxes(state(style, 2), RADIUS).get(0);
-        assertTrue(right.getMinX() > 220 && right.getMinX() < 230, right.toString());   // the ball ends at 220
+        assertBetween(220, 230, right.getMinX());   // the ball ends at 220
         assertTrue(right.getMinY() < 100 && right.getMaxY() > 100, right.toString());
         Rectangle2D left = marks.boxes(state(style, 6.8), RADIUS).get(0);
         assertTrue(left.getMaxX() < 160 + 20 * 5.8 && left.getMinX() > 0, left.toString());

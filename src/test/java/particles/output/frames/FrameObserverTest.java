@@ -19,6 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.SimulationException;
+import particles.Systems;
 import particles.law.Vector3;
 import particles.output.TestEffects;
 import particles.output.files.OutputException;
@@ -79,8 +80,7 @@ class FrameObserverTest {
 
     /** Thrown up from y = -4 m with 8 m/s under 8 m/s^2: y = -4 + 8 t - 4 t^2, which Hermite's cubic gives exactly. */
     private static Simulation thrown(double deltaT, double duration) {
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("ball", 1, new Vector3(0, -4, 0), new Vector3(0, 8, 0), false);
+        ParticleSystem system = Systems.oneParticle(new Vector3(0, -4, 0), new Vector3(0, 8, 0));
         system.addEffect(TestEffects.gravity(system, 8));
         return rk4(system, deltaT, duration);
     }
@@ -112,8 +112,7 @@ class FrameObserverTest {
      */
     @Test
     void aTrailReachesTheBounce() {
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("ball", 1, new Vector3(-0.5, 3.24, 0), new Vector3(1, 0, 0), false);
+        ParticleSystem system = Systems.oneParticle(new Vector3(-0.5, 3.24, 0), new Vector3(1, 0, 0));
         system.addEffect(TestEffects.gravity(system, 8));
         Simulation simulation = rk4(system, 0.1, 1);
         simulation.addRule(TestEffects.rule(moved -> {

@@ -1,5 +1,7 @@
 package particles.output.frames;
 
+import static deSolvers.problems.Bounds.assertAbove;
+import static deSolvers.problems.Bounds.assertBetween;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -118,10 +120,10 @@ class FrameRendererTest {
         assertArrayEquals(empty, renderer.render(state(0, -2, 0)), "a shadow from below");
         int[] hovering = renderer.render(state(0, 1, 0)).clone();
         long green = count(hovering, FrameRendererTest::isGreen);
-        assertTrue(green > 250, green + " pixels of the ball");
+        assertAbove(250, green);
         long darker = IntStream.range(0, empty.length).filter(p -> !isGreen(hovering[p])
                 && (hovering[p] >> 16 & 255) < 0.8 * (empty[p] >> 16 & 255)).count();
-        assertTrue(darker > 60 && darker < 400, darker + " pixels of shadow");      // measured 220
+        assertBetween(60, 400, darker);      // measured 220
         assertEquals(green, count(renderer.render(state(0, 0, 0)), FrameRendererTest::isGreen), 25,
                 "the ground cuts into a ball that rests on it");
     }

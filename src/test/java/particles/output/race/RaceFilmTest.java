@@ -24,6 +24,7 @@ import particles.Observer;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.SimulationException;
+import particles.Systems;
 import particles.law.Vector3;
 import particles.output.TestEffects;
 import particles.output.charts.ChartFormat;
@@ -47,8 +48,7 @@ class RaceFilmTest {
     }
 
     private static Simulation falling(double deltaT, Observer observer) {
-        ParticleSystem system = new ParticleSystem();
-        system.addParticle("ball", 1, new Vector3(0, 3, 0), new Vector3(0, 0, 0), false);
+        ParticleSystem system = Systems.oneParticle(new Vector3(0, 3, 0), new Vector3(0, 0, 0));
         system.addEffect(TestEffects.gravity(system, 8));
         Simulation simulation = rk4(system, deltaT, 1);
         simulation.addObserver(observer);

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.ParticleSystem;
 import particles.Simulation;
+import particles.Systems;
 import particles.app.ChildProgram;
 import particles.law.Vector3;
 import particles.output.charts.ChartFormat;
@@ -44,8 +45,7 @@ class FontCheckTest {
         /** @param args the output folder */
         public static void main(String[] args) {
             try (OutputFolder folder = OutputFolder.open(Path.of(args[0]))) {
-                ParticleSystem system = new ParticleSystem();
-                system.addParticle("ball", 1, Vector3.ZERO, Vector3.ZERO, false);
+                ParticleSystem system = Systems.oneParticle(Vector3.ZERO, Vector3.ZERO);
                 FrameRenderer renderer = new FrameRenderer(new FrameSetup(
                         CameraFraming.around(Vector3.ZERO, Vector3.ZERO, 1.5), RenderOptions.STANDARD,
                         Scenery.NONE, "title", "caption"), 90, 60, 2);
