@@ -1,12 +1,13 @@
 package deSolvers;
 
+import static deSolvers.problems.Bounds.assertBelow;
+import static deSolvers.problems.KnownSolutions.growthInSeason;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.problems.DragInWind;
-import deSolvers.problems.GrowthInSeason;
 import deSolvers.problems.Oscillator;
 import deSolvers.problems.ReferenceProblem;
 import deSolvers.problems.SecondOrderProblem;
@@ -60,7 +61,7 @@ public abstract class DESolverContract extends FailureContract {
         solver.stepState(problem, STEP);
         assertFalse(Arrays.equals(before, problem.getState()), "the state moved");
         // Even Euler's step errs by no more than h^2/2 |s''| <= 0.005 * 4 here (measured 0.0132 for euler).
-        assertTrue(problem.error() < 0.02, "error " + problem.error());
+        assertBelow(0.02, problem.error());
     }
 
     @Test
@@ -70,7 +71,7 @@ public abstract class DESolverContract extends FailureContract {
         Steps.make(64, solver, problem, -1.0 / 256);
         assertEquals(START - 0.25, problem.getTime());
         // First order: 0.25 * h/2 * |s''| <= 0.25/512 * 4 = 0.002 (measured 9.1e-4 for symplectic-euler).
-        assertTrue(problem.error() < 0.002, "error " + problem.error());
+        assertBelow(0.002, problem.error());
     }
 
     @Test
@@ -187,15 +188,15 @@ public abstract class DESolverContract extends FailureContract {
         Steps.make(300, solver, problem, 1.0 / 64);
         long bytes = Steps.allocatedIn(1000, solver, problem, 1.0 / 64);
         // Measured 0; one boxed number a step would be 16,000. The bound allows for the measurement itself.
-        assertTrue(bytes < 1000, bytes + " bytes in 1000 steps");
+        assertBelow(1000, bytes);
     }
 
     @Test
     void sourcesOfFirstOrderAreSteppedOrRefusedWithBothTypesNamed() {
-        ReferenceProblem firstOrder = new GrowthInSeason();
+        ReferenceProblem firstOrder = growthInSeason();
         if (!needsSecondOrder()) {
             createSolver().stepState(firstOrder, 1.0 / 16);
-            assertTrue(firstOrder.error() < 0.003, "error " + firstOrder.error());  // measured 0.00195 for euler
+            assertBelow(0.003, firstOrder.error());  // measured 0.00195 for euler
             return;
         }
         IllegalArgumentException e = Steps.assertFails(IllegalArgumentException.class,

@@ -1,11 +1,11 @@
 package deSolvers;
 
+import static deSolvers.problems.KnownSolutions.growthInSeason;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import deSolvers.problems.Chain;
 import deSolvers.problems.DragInWind;
 import deSolvers.problems.ForcedOscillator;
-import deSolvers.problems.GrowthInSeason;
 import deSolvers.problems.ReferenceProblem;
 import java.util.function.DoubleFunction;
 import java.util.function.Supplier;
@@ -59,7 +59,7 @@ public abstract class FixedStepContract extends DESolverContract {
     @Test
     void theOrderHoldsWhereTheDerivativeDependsOnTime() {
         if (!needsSecondOrder()) {
-            assertOrder(new GrowthInSeason(), DURATION);
+            assertOrder(growthInSeason(), DURATION);
         }
         assertOrder(new ForcedOscillator(), DURATION);
     }

@@ -1,5 +1,12 @@
 package deSolvers.adaptive;
 
+import static deSolvers.problems.Bounds.assertAbove;
+import static deSolvers.problems.Bounds.assertBelow;
+import static deSolvers.problems.Bounds.assertBetween;
+import static deSolvers.problems.KnownSolutions.growthInSeason;
+import static deSolvers.problems.KnownSolutions.pole;
+import static deSolvers.problems.KnownSolutions.slowAndFastSpring;
+import static deSolvers.problems.KnownSolutions.stiffPair;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -9,14 +16,10 @@ import deSolvers.DESolverContract;
 import deSolvers.DESolverException;
 import deSolvers.SubStepSource;
 import deSolvers.problems.DragInWind;
-import deSolvers.problems.GrowthInSeason;
 import deSolvers.problems.Kepler;
 import deSolvers.problems.Oscillator;
-import deSolvers.problems.Pole;
 import deSolvers.problems.ReferenceProblem;
-import deSolvers.problems.SlowAndFastSpring;
 import deSolvers.problems.Steps;
-import deSolvers.problems.StiffPair;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
@@ -76,13 +79,13 @@ public abstract class AdaptiveContract extends DESolverContract {
 
     @Test
     void theErrorFollowsTheTolerance() {
-        ReferenceProblem[] problems = {new Kepler(0.5), new DragInWind(2, 2), new GrowthInSeason()};
+        ReferenceProblem[] problems = {new Kepler(0.5), new DragInWind(2, 2), growthInSeason()};
         for (ReferenceProblem problem : problems) {
             double exponent = fittedExponent(problem, 12);
             // Measured: step-doubling 0.84, 0.82, 0.91 and, with local extrapolation, 0.92, 1.01, 0.93; dormand-prince
             // 1.05,
             // 1.03, 0.93; bulirsch-stoer 1.10, 1.05, 1.02. They scatter because errors of sub-steps partly cancel.
-            assertTrue(exponent > 0.7 && exponent < 1.3, problem.getClass().getSimpleName() + ": " + exponent);
+            assertBetween(0.7, 1.3, exponent);
             assertEquals(toleranceExponent, exponent, 0.15, problem.getClass().getSimpleName());
         }
     }
@@ -98,8 +101,7 @@ public abstract class AdaptiveContract extends DESolverContract {
         solver.stepState(orbit, quarter);
         long farOut = orbit.getEvaluations() - nearTheSun;
         // Measured 3.3 (step-doubling), 3.5 (dormand-prince) and 2.9 (bulirsch-stoer) times as many.
-        assertTrue(2.5 * farOut < nearTheSun, farOut + " evaluations for half an orbit far out, " + nearTheSun
-                + " for a quarter near the sun");
+        assertAbove(2.5 * farOut, nearTheSun);
     }
 
     /** x'' = -x from (1, 0), which notes where it is told that it was: t, x and v. */
@@ -128,12 +130,12 @@ public abstract class AdaptiveContract extends DESolverContract {
         maker.create(1e-6, 1e-9).stepState(problem, 20);
         double before = 0;
         for (double[] stop : problem.stops) {
-            assertTrue(stop[0] > before, stop[0] + " s after " + before + " s");
+            assertAbove(before, stop[0]);
             before = stop[0];
             // Measured 2.1e-5 (step-doubling) and less.
             assertEquals(StrictMath.cos(before), stop[1], 2e-4);
         }
-        assertTrue(problem.stops.size() > 4, problem.stops.size() + " sub-steps");
+        assertAbove(4, problem.stops.size());
         assertArrayEquals(new double[] {20, problem.getState()[0], problem.getState()[1]},
                 problem.stops.get(problem.stops.size() - 1));
     }
@@ -148,7 +150,7 @@ public abstract class AdaptiveContract extends DESolverContract {
         run(solver, problem, 40, true);
         long restarted = problem.getEvaluations();
         // Measured 0.76 (step-doubling), 0.70 (dormand-prince), 0.58 (bulirsch-stoer).
-        assertTrue(remembered < 0.85 * restarted, remembered + " evaluations, " + restarted + " with restarts");
+        assertBelow(0.85 * restarted, remembered);
     }
 
     private static void run(DESolver solver, ReferenceProblem problem, int steps, boolean restart) {
@@ -167,7 +169,7 @@ public abstract class AdaptiveContract extends DESolverContract {
         Steps.make(768, solver, problem, 1.0 / 64);
         double inFrames = problem.error();
         // Measured 2e-5 (step-doubling) and less: the frames are shorter than the tolerance would allow.
-        assertTrue(inFrames < errorAfter(problem, 12, 1e-6) / 1000, "error " + inFrames);
+        assertBelow(errorAfter(problem, 12, 1e-6) / 1000, inFrames);
     }
 
     @Test
@@ -177,7 +179,7 @@ public abstract class AdaptiveContract extends DESolverContract {
         solver.stepState(problem, 3);
         solver.stepState(problem, -3);
         // Measured 0.9e-9 to 2.7e-9.
-        assertTrue(problem.error() < 1e-8, "error " + problem.error());
+        assertBelow(1e-8, problem.error());
     }
 
     @Test
@@ -189,16 +191,16 @@ public abstract class AdaptiveContract extends DESolverContract {
                     () -> maker.create(pair[0], pair[1]));
         }
         for (double[] pair : new double[][] {{1e-6, 0}, {0, 1e-6}}) {
-            GrowthInSeason problem = new GrowthInSeason();
+            ReferenceProblem problem = growthInSeason();
             maker.create(pair[0], pair[1]).stepState(problem, 1);
             // Measured up to 2.4e-6 (step-doubling).
-            assertTrue(problem.error() < 1e-5, "error " + problem.error());
+            assertBelow(1e-5, problem.error());
         }
     }
 
     @Test
     void aPoleIsAnExceptionAndTheSourceIsPutBack() {
-        Pole problem = new Pole();
+        ReferenceProblem problem = pole();
         DESolver solver = maker.create(1e-6, 1e-9);
         DESolverException e = Steps.assertFails(DESolverException.class, "sub-step fell to",
                 () -> solver.stepState(problem, 2));
@@ -206,7 +208,7 @@ public abstract class AdaptiveContract extends DESolverContract {
         assertEquals(0, problem.getTime());
         assertEquals(0, e.getEntry());
         // Measured 2624 (dormand-prince) to 4550 (bulirsch-stoer).
-        assertTrue(problem.getEvaluations() < 10_000, problem.getEvaluations() + " evaluations");
+        assertBelow(10_000, problem.getEvaluations());
         solver.stepState(problem, 0.5);
         // Measured up to 4.5e-6 (step-doubling).
         assertEquals(2, problem.getState()[0], 1e-5);
@@ -238,14 +240,14 @@ public abstract class AdaptiveContract extends DESolverContract {
             Oscillator problem = new Oscillator(1, size, 0);
             maker.create(1e-6, 1e-6 * size).stepState(problem, 10);
             // Measured 3.0e-5 (step-doubling) and less, the same for every size.
-            assertTrue(problem.error() < 1e-4 * size, size + ": relative error " + problem.error() / size);
+            assertBelow(1e-4, problem.error() / size, size);
         }
     }
 
     /** The relative amplitude of 0.5 cos(300 t) beside cos(t) after 10 s in 600 steps. */
     private double fastAmplitude(double tolerance) {
         double omega = 300;
-        ReferenceProblem problem = new SlowAndFastSpring(omega, 0);
+        ReferenceProblem problem = slowAndFastSpring(omega, 0);
         DESolver solver = maker.create(tolerance, 1e-3 * tolerance);
         Steps.make(600, solver, problem, 1.0 / 60);
         return Math.hypot(problem.getState()[2], problem.getState()[3] / omega) / 0.5;
@@ -267,16 +269,16 @@ public abstract class AdaptiveContract extends DESolverContract {
             double left = fastAmplitude(tolerance);
             // Measured at 1e-3, 1e-4, 1e-6: step-doubling 0.63, 0.97, 0.9997, extrapolated 1.49, 1.036, 1.00036;
             // dormand-prince 0.93, 0.98, 0.9997; bulirsch-stoer 0.83, 1.0030, 0.99997; radau 0.98, 0.9987, 0.999996.
-            assertTrue(left < 1 + vibrationGrowth() * tolerance, tolerance + " leaves " + left);
+            assertBelow(1 + vibrationGrowth() * tolerance, left, tolerance);
         }
     }
 
     @Test
     void aStiffPairTakesManySubStepsButDoesNotBlowUp() {
-        ReferenceProblem problem = new StiffPair();
+        ReferenceProblem problem = stiffPair();
         maker.create(1e-6, 1e-9).stepState(problem, 2);
         // Measured 4.0e-7 (bulirsch-stoer) and less, with 4370 (dormand-prince) to 13051 (bulirsch-stoer) evaluations.
-        assertTrue(problem.error() < 1e-6, "error " + problem.error());
+        assertBelow(1e-6, problem.error());
         // An explicit method needs about 1000 h / 3 of sub-steps, however smooth the solution is.
         long evaluations = problem.getEvaluations();
         assertEquals(isExplicit(), evaluations > 2000, evaluations + " evaluations");       // radau: 514

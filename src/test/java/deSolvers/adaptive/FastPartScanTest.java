@@ -1,14 +1,14 @@
 package deSolvers.adaptive;
 
-import static org.junit.jupiter.api.Assertions.assertTrue;
+import static deSolvers.problems.Bounds.assertBelow;
+import static deSolvers.problems.KnownSolutions.decay;
+import static deSolvers.problems.KnownSolutions.slowAndFastSpring;
+import static deSolvers.problems.KnownSolutions.stiffPair;
 
 import deSolvers.DESolver;
 import deSolvers.adaptive.AdaptiveContract.Maker;
 import deSolvers.extrapolation.BulirschStoerSolver;
-import deSolvers.problems.Decay;
 import deSolvers.problems.ReferenceProblem;
-import deSolvers.problems.SlowAndFastSpring;
-import deSolvers.problems.StiffPair;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
@@ -49,10 +49,10 @@ class FastPartScanTest {
             Scan scan = new Scan(maker, tolerance);
             for (double lambda = 20; lambda < 400; lambda *= 1.06) {
                 for (double deltaT : new double[] {0.1, 0.25, 1}) {
-                    scan.run(new Decay(lambda), deltaT, largestError(tolerance), "lambda " + lambda);
+                    scan.run(decay(lambda), deltaT, largestError(tolerance), "lambda " + lambda);
                 }
             }
-            scan.assertBelow(bound, name);
+            scan.assertWithin(bound, name);
         }
     }
 
@@ -67,7 +67,7 @@ class FastPartScanTest {
                     scan.run(spring(omega), deltaT, overEnvelope(omega, tolerance), "omega " + omega);
                 }
             }
-            scan.assertBelow(bound, name);
+            scan.assertWithin(bound, name);
         }
     }
 
@@ -79,9 +79,9 @@ class FastPartScanTest {
         for (double[] tolerance : TOLERANCES) {
             Scan scan = new Scan(maker, tolerance);
             for (double deltaT = 0.004; deltaT < 0.05; deltaT *= 1.04) {
-                scan.run(new StiffPair(), deltaT, largestError(tolerance), "the pair");
+                scan.run(stiffPair(), deltaT, largestError(tolerance), "the pair");
             }
-            scan.assertBelow(bound, name);
+            scan.assertWithin(bound, name);
         }
     }
 
@@ -111,9 +111,8 @@ class FastPartScanTest {
             }
         }
 
-        void assertBelow(double bound, String solver) {
-            assertTrue(worst < bound, solver + ", tolerances " + tolerance[0] + " and " + tolerance[1] + ": " + worst
-                    + " times as far off at " + where);
+        void assertWithin(double bound, String solver) {
+            assertBelow(bound, worst, solver + ", tolerances " + tolerance[0] + " and " + tolerance[1] + ", " + where);
         }
     }
 
@@ -142,6 +141,6 @@ class FastPartScanTest {
 
     /** A spring with a twentieth of the critical damping. */
     private static ReferenceProblem spring(double omega) {
-        return new SlowAndFastSpring(omega, 0.05 * omega);
+        return slowAndFastSpring(omega, 0.05 * omega);
     }
 }

@@ -1,11 +1,12 @@
 package deSolvers.adaptive;
 
+import static deSolvers.problems.Bounds.assertAbove;
+import static deSolvers.problems.Bounds.assertBelow;
+import static deSolvers.problems.KnownSolutions.testEquation;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.StepTransaction;
 import deSolvers.problems.ReferenceProblem;
-import deSolvers.problems.TestEquation;
 import org.junit.jupiter.api.Test;
 
 /** The error estimate of step doubling for s' = lambda s over the left half-plane of z = h lambda. */
@@ -17,7 +18,7 @@ class StepDoublingEstimateTest {
     }
 
     private static Trial tryOne(double re, double im) {
-        ReferenceProblem problem = new TestEquation(re, im);
+        ReferenceProblem problem = testEquation(re, im);
         StepDoublingSolver solver = new StepDoublingSolver(0, 1);
         solver.resize(2);
         double[] newState = new double[2];
@@ -37,7 +38,7 @@ class StepDoublingEstimateTest {
         assertEquals(435.705, real.modulus(), 1e-3);
         assertEquals(-Math.pow(FIRST_ZERO, 5) / 15360, real.estimate(), 1e-9);
         assertEquals(401.83, complex.modulus(), 1e-2);
-        assertTrue(complex.estimate() > 6.9, "estimate " + complex.estimate());       // one entry's part of 7.3
+        assertAbove(6.9, complex.estimate());       // one entry's part of 7.3
     }
 
     /** Measured 76.7; with the first estimate alone the ratio is infinite. */
@@ -51,7 +52,7 @@ class StepDoublingEstimateTest {
                 worst = Math.max(worst, trial.error() / trial.estimate());
             }
         }
-        assertTrue(worst < 100, "worst ratio " + worst);
+        assertBelow(100, worst);
     }
 
     /** For small steps the difference of the results decides; the second estimate is an eighth of it. */

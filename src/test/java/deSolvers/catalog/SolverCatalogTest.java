@@ -1,5 +1,7 @@
 package deSolvers.catalog;
 
+import static deSolvers.problems.Bounds.assertBelow;
+import static deSolvers.problems.KnownSolutions.growthInSeason;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertNotSame;
@@ -11,7 +13,6 @@ import deSolvers.DEStateSource;
 import deSolvers.adaptive.AdaptiveSolver;
 import deSolvers.adaptive.DormandPrinceSolver;
 import deSolvers.problems.ForcedOscillator;
-import deSolvers.problems.GrowthInSeason;
 import deSolvers.problems.Steps;
 import java.util.List;
 import java.util.NoSuchElementException;
@@ -78,10 +79,10 @@ class SolverCatalogTest {
             SolverCatalog.create(info.name()).stepState(new ForcedOscillator(), 0.125);
             DESolver solver = SolverCatalog.create(info.name());
             if (info.secondOrder()) {
-                assertThrows(IllegalArgumentException.class, () -> solver.stepState(new GrowthInSeason(), 0.125),
+                assertThrows(IllegalArgumentException.class, () -> solver.stepState(growthInSeason(), 0.125),
                         info.name());
             } else {
-                solver.stepState(new GrowthInSeason(), 0.125);
+                solver.stepState(growthInSeason(), 0.125);
             }
         }
     }
@@ -101,7 +102,7 @@ class SolverCatalogTest {
             if (info.adaptive()) {
                 double coarse = errorOf(SolverCatalog.create(info.name(), 1e-3, 1e-3));
                 double fine = errorOf(SolverCatalog.create(info.name(), 1e-9, 1e-9));
-                assertTrue(fine < coarse / 1000, info.name() + ": " + fine + " against " + coarse);
+                assertBelow(coarse / 1000, fine, info.name());
             } else {
                 IllegalArgumentException e = Steps.assertFails(IllegalArgumentException.class, "'" + info.name() + "'",
                         () -> SolverCatalog.create(info.name(), 1e-3, 1e-3));

@@ -1,11 +1,12 @@
 package deSolvers.extrapolation;
 
+import static deSolvers.problems.Bounds.assertAbove;
+import static deSolvers.problems.KnownSolutions.testEquation;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.StepTransaction;
 import deSolvers.problems.ReferenceProblem;
-import deSolvers.problems.TestEquation;
 import org.junit.jupiter.api.Test;
 
 /** The extrapolation table for s' = lambda s over 1 s: the columns' stability functions and error estimates. */
@@ -16,7 +17,7 @@ class ExtrapolationTableTest {
 
     /** From s = 1 with lambda = re + i im, as a system of two: all columns, from the second on. */
     private static Column[] cover(double re, double im) {
-        ReferenceProblem problem = new TestEquation(re, im);
+        ReferenceProblem problem = testEquation(re, im);
         ModifiedMidpoint midpoint = new ModifiedMidpoint();
         ExtrapolationTable results = new ExtrapolationTable();
         ExtrapolationTable smoothings = new ExtrapolationTable();
@@ -79,7 +80,7 @@ class ExtrapolationTableTest {
                 }
             }
         }
-        assertTrue(blindest > 1e5, "without the smoothing " + blindest);
+        assertAbove(1e5, blindest, "without the smoothing");
     }
 
     /** Where the table converges the smoothing tends to 0 as well, and does not decide. */

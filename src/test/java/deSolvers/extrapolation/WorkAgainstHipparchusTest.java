@@ -1,5 +1,7 @@
 package deSolvers.extrapolation;
 
+import static deSolvers.problems.Bounds.assertAbove;
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.adaptive.DormandPrinceSolver;
@@ -65,7 +67,7 @@ class WorkAgainstHipparchusTest {
                 .over(WorkCurve.of(problem, duration, tol -> new DormandPrinceSolver(tol, tol), 3, 6));
         // Measured 0.50, 0.55, 0.34, 0.57, 0.24 for tolerances 1e-9 ... 1e-12;
         // 1.67, 1.54, 1.58, 1.56, 1.34 for 1e-3 ... 1e-6.
-        assertTrue(ratio < 1, name + ": " + ratio);
-        assertTrue(coarse > 1, name + ": " + coarse);
+        assertBelow(1, ratio, name);
+        assertAbove(1, coarse, name);
     }
 }

@@ -2,6 +2,7 @@ package deSolvers.hard;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import deSolvers.DESolverException;
@@ -44,6 +45,18 @@ record HardRun(double error, double largest, Optional<DESolverException> failure
             }
         }
         return new HardRun(problem.error(), largest, Optional.empty());
+    }
+
+    /** Requires that the run came to its end, with an error below a bound. */
+    HardRun assertFollows(double bound) {
+        assertTrue(failure.isEmpty() && error < bound, this::message);
+        return this;
+    }
+
+    /** Requires that the run failed, with a message that has a part. */
+    HardRun assertFails(String part) {
+        assertTrue(failure.isPresent() && message().contains(part), this::message);
+        return this;
     }
 
     /** @return the failure's message, or a description of the result */

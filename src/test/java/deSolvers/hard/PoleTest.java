@@ -1,9 +1,12 @@
 package deSolvers.hard;
 
+import static deSolvers.problems.Bounds.assertAbove;
+import static deSolvers.problems.Bounds.assertBelow;
+import static deSolvers.problems.KnownSolutions.pole;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.problems.Pole;
+import deSolvers.problems.ReferenceProblem;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -20,22 +23,20 @@ class PoleTest {
     @ParameterizedTest
     @ValueSource(strings = {"step-doubling", "dormand-prince", "bulirsch-stoer", "radau"})
     void stepSizeControlFindsThePole(String solver) {
-        Pole pole = new Pole();
-        HardRun run = HardRun.of(solver, pole, 2, 1);
-        assertTrue(run.message().contains("grows without bound"), run.message());
+        ReferenceProblem pole = pole();
+        HardRun run = HardRun.of(solver, pole, 2, 1).assertFails("grows without bound");
         String reached = run.message().replaceFirst(".*s after ([0-9.E-]+) s,.*", "$1");
         assertEquals(1, Double.parseDouble(reached), 1e-5, "the pole; measured 2.8e-6 to 6e-9 beyond it");
         assertEquals(0, pole.getTime());
-        assertTrue(pole.getEvaluations() < 10_000, "it does not hang: " + pole.getEvaluations() + " evaluations");
+        assertBelow(10_000, pole.getEvaluations(), "it does not hang");
     }
 
     /** Fixed steps overflow after the pole: 13 steps of 1/64 s late with euler, 2 with rk4. */
     @ParameterizedTest
     @CsvSource({"euler, 1.21", "midpoint, 1.08", "rk4, 1.04", "adams, 1.07"})
     void fixedStepsOverflowSoonAfterIt(String solver, double noLaterThan) {
-        Pole pole = new Pole();
-        HardRun run = HardRun.of(solver, pole, 1.0 / 64, 128);
-        assertTrue(run.failure().isPresent(), run.message());
+        ReferenceProblem pole = pole();
+        HardRun.of(solver, pole, 1.0 / 64, 128).assertFails("");
         assertTrue(pole.getTime() >= 1 && pole.getTime() <= noLaterThan, "at t = " + pole.getTime());
     }
 
@@ -43,10 +44,9 @@ class PoleTest {
     @ParameterizedTest
     @CsvSource({"backward-euler, 0.92", "implicit-midpoint, 0.98"})
     void implicitStepsEndWhereTheirEquationHasNoSolution(String solver, double noLaterThan) {
-        Pole pole = new Pole();
-        HardRun run = HardRun.of(solver, pole, 1.0 / 64, 128);
-        assertTrue(run.message().contains("Newton's iteration did not converge"), run.message());
+        ReferenceProblem pole = pole();
+        HardRun.of(solver, pole, 1.0 / 64, 128).assertFails("Newton's iteration did not converge");
         assertTrue(pole.getTime() > 0.85 && pole.getTime() <= noLaterThan, "at t = " + pole.getTime());
-        assertTrue(pole.getState()[0] > 16, "y = " + pole.getState()[0]);
+        assertAbove(16, pole.getState()[0]);
     }
 }

@@ -1,15 +1,15 @@
 package deSolvers.implicit;
 
+import static deSolvers.problems.Bounds.assertBelow;
+import static deSolvers.problems.KnownSolutions.END_OF_ROBERTSON;
+import static deSolvers.problems.KnownSolutions.END_OF_VAN_DER_POL;
+import static deSolvers.problems.KnownSolutions.protheroRobinson;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.problems.Kepler;
+import deSolvers.problems.KnownSolutions;
 import deSolvers.problems.Oscillator;
-import deSolvers.problems.ProtheroRobinson;
 import deSolvers.problems.ReferenceProblem;
-import deSolvers.problems.Robertson;
-import deSolvers.problems.StiffPair;
-import deSolvers.problems.VanDerPol;
 import deSolvers.problems.WorkCurve;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
@@ -54,10 +54,10 @@ class RadauWorkTest {
 
     static Stream<Arguments> problems() {
         return Stream.of(
-                problem("Van der Pol", VanDerPol::new, VanDerPol.END),
-                problem("Robertson", Robertson::new, Robertson.END),
-                problem("998/1998", StiffPair::new, ends(0.9, 0.05, 5)),
-                problem("Prothero-Robinson", () -> new ProtheroRobinson(-1e6), ends(9, 0.1, 21)),
+                problem("Van der Pol", KnownSolutions::vanDerPol, END_OF_VAN_DER_POL),
+                problem("Robertson", KnownSolutions::robertson, END_OF_ROBERTSON),
+                problem("998/1998", KnownSolutions::stiffPair, ends(0.9, 0.05, 5)),
+                problem("Prothero-Robinson", () -> protheroRobinson(-1e6), ends(9, 0.1, 21)),
                 problem("Kepler, e = 0.5", () -> new Kepler(0.5), 20),
                 problem("oscillator", Oscillator::new, ends(19, 0.5, 5)));
     }
@@ -90,12 +90,12 @@ class RadauWorkTest {
             double error = Math.sqrt(squares / ends.length);
             ours.add(evaluations / ends.length, error);
             // Measured 3.2 of the tolerance at most (the orbit, which adds its errors up), 1.2 for PR, else 0.15.
-            assertTrue(error < 5 * tolerance, tolerance + ": error " + error);
+            assertBelow(5 * tolerance, error, tolerance);
         }
         // Measured 0.98, 0.96, 0.95, 0.85, 1.02, 0.99 in the order above; with the prediction from two errors 1.02 for
         // PR.
-        assertTrue(ours.over(theirs) < 1.1, "mean " + ours.over(theirs));
+        assertBelow(1.1, ours.over(theirs));
         // Measured 1.15, 1.03, 1.13, 0.89, 1.12, 1.02, each at the end of the range; with that prediction 1.27 for PR.
-        assertTrue(ours.worstOver(theirs) < 1.2, "worst " + ours.worstOver(theirs));
+        assertBelow(1.2, ours.worstOver(theirs));
     }
 }

@@ -1,5 +1,6 @@
 package deSolvers.implicit;
 
+import static deSolvers.problems.Bounds.assertBetween;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -120,6 +121,6 @@ class ShiftedJacobianTest {
             }
         }
         // Only damping is left, and damping takes energy away.
-        assertTrue(after < before && after > 0.1 * before, after + " of " + before);
+        assertBetween(0.1 * before, before, after);
     }
 }

@@ -1,5 +1,7 @@
 package deSolvers.implicit;
 
+import static deSolvers.problems.Bounds.assertBelow;
+import static deSolvers.problems.KnownSolutions.robertson;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -7,7 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import deSolvers.DESolver;
 import deSolvers.DESolverException;
 import deSolvers.problems.Law;
-import deSolvers.problems.Robertson;
+import deSolvers.problems.ReferenceProblem;
 import deSolvers.problems.Steps;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
@@ -68,7 +70,7 @@ class SmallUnknownsTest {
                 dSdt[1] = -5 * Math.signum(s[1]);
             }, x, 0.1);
             assertThrows(DESolverException.class, () -> solver.stepState(law, 0.1));
-            assertTrue(law.getEvaluations() < 2000, law.getEvaluations() + " evaluations");      // measured 819 to 983
+            assertBelow(2000, law.getEvaluations());      // measured 819 to 983
         }
     }
 
@@ -78,7 +80,7 @@ class SmallUnknownsTest {
     @ParameterizedTest
     @ValueSource(doubles = {1e6, 1e8, 1e9, 1e11})
     void aReactionIsSolvedForEachSpeciesOrRefused(double h) {
-        Robertson robertson = new Robertson();
+        ReferenceProblem robertson = robertson();
         double[] before = robertson.getState();
         new BackwardEulerSolver().stepState(robertson, h);
         double[] s = robertson.getState();
@@ -110,7 +112,7 @@ class SmallUnknownsTest {
             assertEquals(1, law.getState()[i] / exact, 1e-12, "entry " + i);
         }
         int most = 20 * (1 + 2 * pairs);                // measured up to 30 for one pair and 3621 for 301
-        assertTrue(law.getEvaluations() < most, law.getEvaluations() + " evaluations");
+        assertBelow(most, law.getEvaluations());
     }
 
     /** The message says so if the matrix is singular: here I - h J = 0. */

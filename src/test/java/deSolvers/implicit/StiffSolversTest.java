@@ -1,5 +1,9 @@
 package deSolvers.implicit;
 
+import static deSolvers.problems.Bounds.assertBelow;
+import static deSolvers.problems.KnownSolutions.decay;
+import static deSolvers.problems.KnownSolutions.protheroRobinson;
+import static deSolvers.problems.KnownSolutions.stiffPair;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -9,10 +13,8 @@ import deSolvers.DESolverException;
 import deSolvers.EulerSolver;
 import deSolvers.MidpointSolver;
 import deSolvers.RK4Solver;
-import deSolvers.problems.Decay;
-import deSolvers.problems.ProtheroRobinson;
+import deSolvers.problems.ReferenceProblem;
 import deSolvers.problems.Steps;
-import deSolvers.problems.StiffPair;
 import java.util.List;
 import java.util.function.Supplier;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -74,7 +76,7 @@ class StiffSolversTest {
      * Asserts that steps of s' = -1e6 s with deltaT = 1 never grow, and that the first multiplies by the given factor.
      */
     private static void assertNoGrowth(DESolver solver, double factor) {
-        Decay decay = new Decay(1e6);
+        ReferenceProblem decay = decay(1e6);
         double before = 1;
         for (int i = 0; i < 20; i++) {
             solver.stepState(decay, 1);
@@ -93,13 +95,13 @@ class StiffSolversTest {
     private static void assertStiffOrder(Supplier<DESolver> solvers, double order, double bound) {
         double coarse = protheroRobinsonError(solvers.get(), 16);
         double fine = protheroRobinsonError(solvers.get(), 64);
-        assertTrue(coarse < bound, "error " + coarse);
+        assertBelow(bound, coarse);
         double slope = StrictMath.log(coarse / fine) / StrictMath.log(4);
         assertEquals(order, slope, 0.1);
     }
 
     private static double protheroRobinsonError(DESolver solver, int steps) {
-        ProtheroRobinson problem = new ProtheroRobinson(-1e6);
+        ReferenceProblem problem = protheroRobinson(-1e6);
         double worst = 0;
         for (int i = 0; i < steps; i++) {
             solver.stepState(problem, 1.0 / steps);
@@ -112,11 +114,11 @@ class StiffSolversTest {
      * Asserts that the slow part of the 998/1998 pair is followed with steps ten times the explicit limit.
      */
     private static void assertStiffPair(DESolver solver, double bound) {
-        StiffPair pair = new StiffPair();
+        ReferenceProblem pair = stiffPair();
         for (int i = 0; i < 64 * 20; i++) {
             solver.stepState(pair, 1e-3 / 64);              // through the fast part with short steps
         }
         Steps.make(100, solver, pair, 0.01);
-        assertTrue(pair.error() < bound, "error " + pair.error());
+        assertBelow(bound, pair.error());
     }
 }

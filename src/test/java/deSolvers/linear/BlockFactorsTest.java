@@ -1,5 +1,6 @@
 package deSolvers.linear;
 
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -101,8 +102,8 @@ class BlockFactorsTest {
         BlockFactors large = new BlockFactors(SparseCases.grid(128), work);
         double fill = StrictMath.log((double) large.blocks() / small.blocks()) / StrictMath.log(16);
         double products = StrictMath.log((double) large.products(true) / small.products(true)) / StrictMath.log(16);
-        assertTrue(fill < 1.25, "fill-in " + fill);
-        assertTrue(products < 1.6, "products " + products);
+        assertBelow(1.25, fill);
+        assertBelow(1.6, products);
     }
 
     /**
@@ -114,7 +115,7 @@ class BlockFactorsTest {
         int n = 1000;
         BlockPattern chain = new BlockPattern(n, IntStream.range(0, n - 1)
                 .mapToLong(i -> BlockPattern.place(i, i + 1)).toArray());
-        assertTrue(new BlockFactors(chain, work).blocks() < 7 * n, "blocks " + new BlockFactors(chain, work).blocks());
+        assertBelow(7 * n, new BlockFactors(chain, work).blocks());
     }
 
     /** A matrix whose factors would take gigabytes is refused before they are made. */

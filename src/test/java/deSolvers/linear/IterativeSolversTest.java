@@ -1,5 +1,7 @@
 package deSolvers.linear;
 
+import static deSolvers.problems.Bounds.assertBelow;
+import static deSolvers.problems.Bounds.assertBetween;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -32,8 +34,7 @@ class IterativeSolversTest {
             assertTrue(SparseCases.residual(matrix, b, x) < 1e-7, "residual");
         }
         // A hundred times the condition: ten times the iterations, less what clusters of eigenvalues save.
-        assertTrue(iterations[1] > 3 * iterations[0] && iterations[1] < 10 * iterations[0],
-                iterations[0] + " and " + iterations[1]);
+        assertBetween(3 * iterations[0], 10 * iterations[0], iterations[1]);
     }
 
     @Test
@@ -75,7 +76,7 @@ class IterativeSolversTest {
         double[] b = new double[n];
         b[0] = 1;
         assertFalse(new Gmres(work).solve(shift, IDENTITY, b, new double[n], 1e-8));
-        assertTrue(work.iterations < 100, work.iterations + " iterations");
+        assertBelow(100, work.iterations);
     }
 
     @Test
@@ -97,7 +98,7 @@ class IterativeSolversTest {
         double[] b = SparseCases.vector(3 * edge * edge);
         double[] x = new double[b.length];
         assertTrue(solver.solve(b, x, 1e-6));
-        assertTrue(SparseCases.residual(matrix, b, x) < 1e-5, "residual " + SparseCases.residual(matrix, b, x));
+        assertBelow(1e-5, SparseCases.residual(matrix, b, x));
         assertEquals(edge == 6 || stiffness > 1e5, work.factorisations > 0,
                 "factorised where iterations would take longer");
     }

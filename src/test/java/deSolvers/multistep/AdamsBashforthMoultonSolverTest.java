@@ -1,5 +1,7 @@
 package deSolvers.multistep;
 
+import static deSolvers.problems.Bounds.assertAbove;
+import static deSolvers.problems.KnownSolutions.decay;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -7,8 +9,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import deSolvers.DESolver;
 import deSolvers.FixedStepContract;
 import deSolvers.StepMatrixFormula;
-import deSolvers.problems.Decay;
 import deSolvers.problems.ForcedOscillator;
+import deSolvers.problems.Law;
 import deSolvers.problems.Oscillator;
 import deSolvers.problems.ReferenceProblem;
 import deSolvers.problems.Steps;
@@ -92,23 +94,13 @@ class AdamsBashforthMoultonSolverTest extends FixedStepContract {
         double told = errorWithJump(true);
         double untold = errorWithJump(false);
         assertEquals(0, told);
-        assertTrue(untold > 0.01, "untold " + untold);  // a quarter of a step, H/4
+        assertAbove(0.01, untold);  // a quarter of a step, H/4
     }
 
     /** s' = 1 until t = 1, then s' = -1, switched by hand. */
     private double errorWithJump(boolean reset) {
         double[] rate = {1};
-        ReferenceProblem problem = new ReferenceProblem(0) {
-            @Override
-            public double[] exactState(double t) {
-                return new double[] {t <= 1 ? t : 2 - t};
-            }
-
-            @Override
-            protected void rates(double t, double[] s, double[] dSdt) {
-                dSdt[0] = rate[0];
-            }
-        };
+        Law problem = new Law((t, s, dSdt) -> dSdt[0] = rate[0], t -> new double[] {t <= 1 ? t : 2 - t});
         DESolver solver = createSolver();
         evaluationsOf(solver, problem, 16);
         rate[0] = -1;
@@ -124,17 +116,8 @@ class AdamsBashforthMoultonSolverTest extends FixedStepContract {
     void polynomialsUpToDegreeFourAreExact() {
         for (int degree = 1; degree <= 5; degree++) {
             final int m = degree;
-            ReferenceProblem problem = new ReferenceProblem(0) {
-                @Override
-                public double[] exactState(double t) {
-                    return new double[] {StrictMath.pow(t, m)};
-                }
-
-                @Override
-                protected void rates(double t, double[] s, double[] dSdt) {
-                    dSdt[0] = m * StrictMath.pow(t, m - 1);
-                }
-            };
+            Law problem = new Law((t, s, dSdt) -> dSdt[0] = m * StrictMath.pow(t, m - 1),
+                    t -> new double[] {StrictMath.pow(t, m)});
             DESolver solver = createSolver();
             Steps.make(64, solver, problem, 1.0 / 64);
             // The three steps of RK4 are Simpson's rule here, exact as well. Measured 0 up to degree 4, 1.8e-7 at 5.
@@ -173,7 +156,7 @@ class AdamsBashforthMoultonSolverTest extends FixedStepContract {
 
     @Test
     void theLimitOnTheRealAxisMatchesTheory() {
-        ReferenceProblem decay = new Decay(1);
+        ReferenceProblem decay = decay(1);
         double limit = Steps.bisect(1, 2, h -> {
             decay.startAt(0);
             return growth(decay, h, 200, 1200) < 1;

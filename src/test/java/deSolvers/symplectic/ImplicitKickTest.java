@@ -1,9 +1,9 @@
 package deSolvers.symplectic;
 
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import deSolvers.DESolverException;
@@ -161,7 +161,7 @@ class ImplicitKickTest {
         OneMoves source = new OneMoves(v -> -v * v * v).with(OneMoves.MOVING, 100);
         Steps.assertFails(DESolverException.class, "too stiff for this deltaT",
                 () -> new VelocityVerletSolver().stepState(source, H));
-        assertTrue(source.getEvaluations() < 20, "overflows soon: " + source.getEvaluations());
+        assertBelow(20, source.getEvaluations(), "overflows soon");
     }
 
     /** Numbers below 1e-308 have fewer digits: the iteration must not wait for more. */

@@ -1,7 +1,8 @@
 package deSolvers.symplectic;
 
+import static deSolvers.problems.Bounds.assertAbove;
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import deSolvers.FixedStepContract;
@@ -42,7 +43,7 @@ public abstract class SymplecticContract extends FixedStepContract {
     void theEnergyErrorStaysBoundedFor100000Periods() {
         double first = EnergyKeeping.check(createSolver(), H, energyBound(H));
         // The bound is reached, up to how close the steps come to the worst phase.
-        assertTrue(first > 0.99 * energyBound(H), first + " of " + energyBound(H));
+        assertAbove(0.99 * energyBound(H), first);
     }
 
     @Test
@@ -54,9 +55,9 @@ public abstract class SymplecticContract extends FixedStepContract {
             assertEquals(0, problem.getTime());
             // Measured at most 7.0e-13 (verlet, Kepler) and at least 1.3e-3 (symplectic-euler, oscillator).
             if (isReversible()) {
-                assertTrue(problem.error() < 5e-12, problem.getClass().getSimpleName() + ": " + problem.error());
+                assertBelow(5e-12, problem.error(), problem.getClass().getSimpleName());
             } else {
-                assertTrue(problem.error() > 1e-3, problem.getClass().getSimpleName() + ": " + problem.error());
+                assertAbove(1e-3, problem.error(), problem.getClass().getSimpleName());
             }
         }
     }
