@@ -1,7 +1,7 @@
 package hunts;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Texts.assertStarts;
 
 import java.nio.file.Path;
 import org.junit.jupiter.api.Tag;
@@ -19,6 +19,6 @@ class SceneFuzzerTest {
         SceneFuzzer fuzzer = new SceneFuzzer(SEED, found);
         assertEquals(0, fuzzer.run(EXECUTIONS, Double.POSITIVE_INFINITY), "the finds are above");
         System.out.println(fuzzer);
-        assertTrue(fuzzer.toString().startsWith(EXECUTIONS + " executions: "), fuzzer.toString());
+        assertStarts(fuzzer.toString(), EXECUTIONS + " executions: ");
     }
 }

@@ -12,15 +12,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.w3c.dom.Element;
-import org.w3c.dom.NodeList;
+import particles.Xml;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
@@ -159,17 +157,11 @@ class GradeCommandTest {
         assertEquals(Exercises.all().size() + 3,
                 report.lines().filter(line -> line.matches("\\| .* \\| [01] \\| .*")).count());
 
-        Element suite = DocumentBuilderFactory.newInstance().newDocumentBuilder()
-                .parse(folder.resolve("report/TEST-grade.xml").toFile()).getDocumentElement();
-        assertEquals("testsuite", suite.getTagName());
-        assertEquals("15", suite.getAttribute("tests"));
-        assertEquals("13", suite.getAttribute("failures"));
-        NodeList cases = suite.getElementsByTagName("testcase");
-        assertEquals(15, cases.getLength());
-        assertEquals(13, suite.getElementsByTagName("failure").getLength());
-        Element last = (Element) cases.item(11);
-        assertEquals("12. Design a scene", last.getAttribute("name"));
-        assertHas(((Element) last.getElementsByTagName("failure").item(0)).getAttribute("message"),
+        Xml suite = Xml.of(Files.readString(folder.resolve("report/TEST-grade.xml")));
+        assertEquals(List.of("15", "13"), List.of(suite.one("/testsuite/@tests"), suite.one("/testsuite/@failures")));
+        assertEquals(15, suite.all("//testcase").size());
+        assertEquals(13, suite.all("//failure").size());
+        assertHas(suite.one("(//testcase)[12][@name = '12. Design a scene']/failure/@message"),
                 "no <such> & scene.yaml");
     }
 

@@ -1,5 +1,6 @@
 package particles.output.report;
 
+import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -12,29 +13,25 @@ import java.awt.image.BufferedImage;
 import java.io.BufferedOutputStream;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Base64;
 import java.util.Collections;
-import java.util.HashSet;
 import java.util.IntSummaryStatistics;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
-import javax.xml.parsers.DocumentBuilder;
-import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.parsers.ParserConfigurationException;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.w3c.dom.Document;
-import org.w3c.dom.Element;
-import org.w3c.dom.NodeList;
 import org.xml.sax.SAXException;
+import particles.Xml;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.Panel;
 import particles.output.files.OutputException;
@@ -57,7 +54,7 @@ class ReportWriterTest {
     static Path top;
 
     private static String html;
-    private static Document page;
+    private static Xml page;
 
     @BeforeAll
     static void write() throws IOException, SAXException, ParserConfigurationException {
@@ -85,7 +82,7 @@ class ReportWriterTest {
             ReportWriter.write(folder, "report.html", new Report(NASTY, List.of(NASTY), sections, "The end."));
         }
         html = Files.readString(top.resolve("report/report.html"));
-        page = parse(html);
+        page = Xml.of(html);
     }
 
     private static Report withPicture(String file) {
@@ -124,38 +121,15 @@ class ReportWriterTest {
         assertFalse(Files.exists(top.resolve("broken/report.html")));
     }
 
-    private static Document parse(String text) throws IOException, SAXException, ParserConfigurationException {
-        DocumentBuilder builder = DocumentBuilderFactory.newInstance().newDocumentBuilder();
-        builder.setErrorHandler(null);
-        return builder.parse(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
-    }
-
-    private static List<Element> all(String tag) {
-        return all(page.getDocumentElement(), tag);
-    }
-
-    private static List<Element> all(Element in, String tag) {
-        List<Element> found = new ArrayList<>();
-        NodeList nodes = in.getElementsByTagName(tag);
-        for (int k = 0; k < nodes.getLength(); k++) {
-            found.add((Element) nodes.item(k));
-        }
-        return found;
-    }
-
     /** Parsing as XML in {@link #write} is the first half; the parser does see what is wrong. */
     @Test
     void pageIsWellFormed() {
-        assertEquals("html", page.getDocumentElement().getTagName());
-        assertThrows(SAXException.class, () -> parse(html.replaceFirst("</section>", "")));
+        assertEquals(1, page.all("/html").size());
+        assertThrows(SAXException.class, () -> Xml.of(html.replaceFirst("</section>", "")));
         assertEquals("<!DOCTYPE html>", html.lines().findFirst().orElseThrow());
         // in HTML only these may be written as <tag/>
-        Set<String> closed = new HashSet<>();
-        java.util.regex.Matcher matcher = java.util.regex.Pattern.compile("<(\\w+)[^<>]*/>").matcher(html);
-        while (matcher.find()) {
-            closed.add(matcher.group(1));
-        }
-        assertEquals(Set.of("meta", "img"), closed);
+        assertEquals(Set.of("meta", "img"), Pattern.compile("<(\\w+)[^<>]*/>").matcher(html).results()
+                .map(closed -> closed.group(1)).collect(Collectors.toSet()));
         // what a browser reads as it stands has nothing that XML would read otherwise
         for (String raw : List.of(ReportStyle.CSS, ReportStyle.SCRIPT)) {
             assertFalse(raw.contains("<") || raw.contains("&") || raw.contains("]]>"));
@@ -164,24 +138,18 @@ class ReportWriterTest {
 
     @Test
     void everythingIsInside() throws IOException {
-        List<Element> images = all("img");
-        assertEquals(4, images.size());
-        for (Element image : images) {
-            assertStarts(image.getAttribute("src"), "data:image/");
-            assertFalse(image.getAttribute("alt").isBlank());
-        }
-        String png = images.get(0).getAttribute("src");
+        List<String> images = page.all("//img[normalize-space(@alt)]/@src");
+        assertEquals(List.of(4, 4), List.of(page.all("//img").size(), images.size()));
+        images.forEach(image -> assertStarts(image, "data:image/"));
+        String png = images.get(0);
         assertStarts(png, "data:image/png;base64,");
         assertSamePicture(Files.readAllBytes(top.resolve("fall/height.png")),
                 Base64.getDecoder().decode(png.substring(png.indexOf(',') + 1)));
-        assertStarts(images.get(1).getAttribute("src"), "data:image/gif;base64,R0lG");
+        assertStarts(images.get(1), "data:image/gif;base64,R0lG");
         String text = html.replaceAll("base64,[^\"]*", "");
         assertFalse(text.contains("http:") || text.contains("https:") || text.contains("//") || text.contains("@import")
                 || text.contains("url("), "no link leads out");
-        assertTrue(all("link").isEmpty() && all("iframe").isEmpty());
-        for (Element script : all("script")) {
-            assertFalse(script.hasAttribute("src"));
-        }
+        assertEquals(List.of(), page.all("//link | //iframe | //script[@src]"));
     }
 
     /** 16 shades from 0 to 255 are 17 apart: none is off by more than 8. And the file is smaller: measured, 0.24. */
@@ -192,7 +160,7 @@ class ReportWriterTest {
         assertEquals(expected.getHeight(), actual.getHeight());
         IntSummaryStatistics off = differences(pixels(expected), pixels(actual));
         assertTrue(off.getMax() <= 8, off.toString());
-        assertTrue(embedded.length < 0.5 * file.length, embedded.length + " of " + file.length);
+        assertBelow(0.5 * file.length, embedded.length);
     }
 
     private static int[] pixels(BufferedImage image) {
@@ -201,48 +169,39 @@ class ReportWriterTest {
 
     @Test
     void contentsLeadToTheSectionsAndIdsAreUnique() {
-        Set<String> ids = new HashSet<>();
-        for (Element element : all("*")) {
-            if (element.hasAttribute("id")) {
-                assertTrue(ids.add(element.getAttribute("id")), "twice: " + element.getAttribute("id"));
-            }
-        }
+        List<String> ids = page.all("//@id");
         assertEquals(3 + 2 * 2 + 2 * 2, ids.size(), "sections, figures and tables have one");
-        List<Element> links = all("a");
+        assertEquals(ids.size(), Set.copyOf(ids).size(), ids.toString());
+        List<String> links = page.all("//a/@href");
         assertEquals(3, links.size());
-        links.forEach(link -> assertTrue(ids.contains(link.getAttribute("href").substring(1)),
-                link.getAttribute("href")));
+        links.forEach(link -> assertTrue(ids.contains(link.substring(1)), link));
     }
 
     /** A control character may not be in a page, in whatever form. */
     @Test
     void textIsEscaped() {
         String shown = NASTY.replace('\u0001', '\ufffd');
-        assertEquals(shown, all("title").get(0).getTextContent());
-        assertEquals(shown, all("h1").get(0).getTextContent());
-        assertEquals(shown, all(all("section").get(0), "h2").get(0).getTextContent());
-        assertEquals(shown, all("img").get(0).getAttribute("alt"));
-        assertTrue(all("b").isEmpty());
-        assertEquals("solver <name>", all("th").get(0).getTextContent());
+        for (String place : List.of("//title", "//h1", "//section[1]/h2", "//section[1]//figure[1]//img/@alt")) {
+            assertEquals(shown, page.one(place), place);
+        }
+        assertEquals(List.of(), page.all("//b"));
+        assertEquals("solver <name>", page.all("//th").get(0));
     }
 
     @Test
     void tablesHaveTheNumbersOfTheRecords() {
-        Element table = all("table").get(0);
-        List<Element> heads = all(table, "th");
-        assertEquals(List.of("", "number", "number"), heads.stream().map(head -> head.getAttribute("class")).toList());
-        heads.forEach(head -> assertEquals(1, all(head, "button").size(), "to sort by"));
-        List<Element> cells = all(table, "td");
-        assertEquals(List.of("rk4 & co", "1.235e-7", "400", "euler", "\u2013", "12345678"),
-                cells.stream().map(Element::getTextContent).toList());
-        assertEquals(1.23456789e-7, Double.parseDouble(cells.get(1).getAttribute("data-value")));
-        assertEquals("12345678", cells.get(5).getAttribute("data-value"));
-        assertTrue(Double.isNaN(Double.parseDouble(cells.get(4).getAttribute("data-value"))));
-        assertEquals(1, all(table, "thead").size());
-        Element details = all("details").get(0);
-        assertEquals("All 200 rows", all(details, "summary").get(0).getTextContent());
-        assertEquals(201, all(details, "tr").size());
-        String script = all("script").get(0).getTextContent();
+        String table = "(//table)[1]";
+        assertEquals(List.of("error (m)", "evaluations"), page.all(table + "//th[@class = 'number']"));
+        assertEquals(3, page.all(table + "//th[count(.//button) = 1]").size(), "to sort by");
+        assertEquals(List.of("rk4 & co", "1.235e-7", "400", "euler", "\u2013", "12345678"), page.all(table + "//td"));
+        List<String> values = page.all(table + "//td/@data-value");
+        assertEquals(List.of(1.23456789e-7, 400.0, Double.NaN, 12345678.0),
+                values.stream().map(Double::valueOf).toList());
+        assertEquals("12345678", values.get(3));
+        assertEquals(1, page.all(table + "//thead").size());
+        assertEquals("All 200 rows", page.all("//details/summary").get(0));
+        assertEquals(201, page.all("(//details)[1]//tr").size());
+        String script = page.all("//script").get(0);
         assertHas(script, "th button", "data-value", "aria-sort");
     }
 
@@ -251,15 +210,9 @@ class ReportWriterTest {
      */
     @Test
     void longTablesAreNotPrintedButNamed() {
-        Element section = all("section").get(0);
-        Element folded = all(section, "div").stream().filter(div -> div.getAttribute("class").equals("folded"))
-                .findFirst()
-                .orElseThrow();
-        assertEquals(List.of("All"), all(folded, "h3").stream().map(Element::getTextContent).toList());
-        assertEquals(2, all(section, "h3").size(), "the short table's stands alone");
-        Element note = all(section, "p").stream().filter(p -> p.getAttribute("class").equals("printed")).findFirst()
-                .orElseThrow();
-        assertEquals("Not printed: All; 200 rows, in costs.csv.", note.getTextContent());
+        assertEquals("All", page.one("//section[1]//div[@class='folded'][1]//h3"));
+        assertEquals(2, page.all("//section[1]//h3").size(), "the short table's stands alone");
+        assertEquals("Not printed: All; 200 rows, in costs.csv.", page.one("//section[1]//p[@class='printed']"));
         String print = ReportStyle.CSS.substring(ReportStyle.CSS.indexOf("@media print"));
         assertHas(print, ".folded { display: none; }", ".printed { display: block; }");
     }
@@ -267,8 +220,9 @@ class ReportWriterTest {
     /** A chart is as wide as charts are; of a film there is nothing to print. */
     @Test
     void onlyPicturesOfManyPartsHaveASheet() throws IOException {
-        assertEquals(List.of("", "animation", "", "animation"),
-                all("figure").stream().map(figure -> figure.getAttribute("class")).toList());
+        assertEquals(4, page.all("//figure").size());
+        assertEquals(List.of("animation", "animation"), page.all("//figure[contains(@id, '.gif')]/@class"));
+        assertEquals(List.of(), page.all("//figure[not(contains(@id, '.gif'))]/@class"));
         try (OutputFolder folder = OutputFolder.open(top.resolve("wide"))) {
             ChartData chart = new ChartData("falls", "time (s)", "height (m)", false, false, List.of());
             ResultPage panels = new ResultPage("wide", "Wide", List.of(),
@@ -284,10 +238,9 @@ class ReportWriterTest {
 
     @Test
     void whatFailedIsWrittenAsSuch() {
-        Element jump = all("section").get(2);
-        assertEquals("could not be made", all(jump, "h2").get(0).getTextContent());
-        assertEquals("a < b\nand so on", all(jump, "p").get(1).getTextContent());
-        assertHas(all("li").get(2).getTextContent(), "could not be made");
-        assertTrue(all(all("section").get(1), "figure").size() == 2, "the others stand");
+        assertEquals("could not be made", page.one("//section[3]//h2"));
+        assertEquals("a < b\nand so on", page.all("//section[3]//p").get(1));
+        assertHas(page.all("//li").get(2), "could not be made");
+        assertEquals(2, page.all("//section[2]//figure").size(), "the others stand");
     }
 }
