@@ -16,7 +16,6 @@ import particles.law.Effect;
 import particles.law.Effect.Trait;
 import particles.law.ParticleForce;
 import particles.law.Particles;
-import particles.law.PerParticleEffect;
 import particles.law.Vector3;
 
 /** Right force laws in the styles that students write. */
@@ -29,7 +28,7 @@ final class RightEffects {
     static List<EffectSpecimen> all() {
         return List.of(
                 right("Gravity.", "on one particle", MyGravity::new),
-                right("Pulls everything down.", "gravity in ranges", Ranges::new),
+                right("Pulls everything down.", "gravity in ranges", p -> new WrongEffects.InRanges(p, false, 0)),
                 right("Gravity", "entry by entry", p -> law("Gravity", Trait.CONSERVATIVE).force((s, t, f) -> {
                     for (int k = 4; k < f.length; k += 6) {
                         f[k] -= 9.81 * p.mass(k / 6);
@@ -270,31 +269,6 @@ final class RightEffects {
         @Override
         public double getDrivenPower(double[] state, double time) {
             return sum(particles, (s, x, m) -> -0.3 * slip(s, x).dot(WIND)).of(state, time);
-        }
-    }
-
-    /** For several threads. */
-    private record Ranges(Particles particles) implements PerParticleEffect {
-        @Override
-        public String getName() {
-            return "down";
-        }
-
-        @Override
-        public Set<Trait> getTraits() {
-            return Set.of(Trait.CONSERVATIVE, Trait.TRANSLATION_INVARIANT);
-        }
-
-        @Override
-        public void addForces(double[] state, double time, double[] force, int from, int to) {
-            for (int i = from; i < to; i++) {
-                force[6 * i + 4] += -9.81 * particles.mass(i);
-            }
-        }
-
-        @Override
-        public double getPotentialEnergy(double[] state, double time) {
-            return sum(particles, (s, x, m) -> 9.81 * m * s[x + 1]).of(state, time);
         }
     }
 }

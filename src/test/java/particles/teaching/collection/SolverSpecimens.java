@@ -55,6 +55,7 @@ final class SolverSpecimens {
                 | rk -> 1 | left-at-end 0 -1
                 Mine | to 3 | = state: these entries stay as they were in the new state: 3, 4, 5, 6, 7, 8...; the loop \
                 has to | rk -> 1 | left-at-end 0 3
+                EulerSolver | positions only | entr/or/loop/or/stay | nystrom -> 0 -> 0 @ 0
                 Mine | k4 too early | = time: k4 is evaluated at t + deltaT/2; the slide says t + deltaT \
                 | rk RK4 SIXTHS @ 0 1/2 1/2 1/2
                 Mine | clock at the end | = time: k2 is evaluated at t; the slide says t + deltaT/2: the clock has to \

@@ -215,8 +215,8 @@ final class WrongEffects {
                                 push(f, 6 * i, -0.4, s, 6 * i + 3);
                             }
                         })),
-                wrong("Gravity.", "all of it in every range", "range", p -> new InRanges(p, false)),
-                wrong("Gravity.", "the last of each range left out", "range|loop", p -> new InRanges(p, true)),
+                wrong("Gravity.", "all of it in every range", "range", p -> new InRanges(p, true, 0)),
+                wrong("Gravity.", "the last of each range left out", "range|loop", p -> new InRanges(p, false, 1)),
                 wrong("Gravity.", "set and not added",
                         "^state: component y of the force on particle 'p0' is set and not"
                         + " added .= instead of", p -> gravity(p, 1, 1).force(each(p,
@@ -295,7 +295,7 @@ final class WrongEffects {
     }
 
     /** Gravity for several threads. */
-    private record InRanges(Particles particles, boolean lastOut) implements PerParticleEffect {
+    record InRanges(Particles particles, boolean everywhere, int leftOut) implements PerParticleEffect {
         @Override
         public String getName() {
             return "gravity";
@@ -303,12 +303,12 @@ final class WrongEffects {
 
         @Override
         public Set<Trait> getTraits() {
-            return Set.of(Trait.CONSERVATIVE);
+            return Set.of(Trait.CONSERVATIVE, Trait.TRANSLATION_INVARIANT);
         }
 
         @Override
         public void addForces(double[] state, double time, double[] force, int from, int to) {
-            for (int i = lastOut ? from : 0; i < (lastOut ? to - 1 : particles.count()); i++) {
+            for (int i = everywhere ? 0 : from; i < (everywhere ? particles.count() : to - leftOut); i++) {
                 force[6 * i + 4] -= G * particles.mass(i);
             }
         }
