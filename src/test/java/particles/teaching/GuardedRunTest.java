@@ -82,8 +82,7 @@ class GuardedRunTest {
                 PlantedSolvers.slope(source);
             }
         });
-        assertEquals(20_000_000L, new GuardedRun(0.3).run(() -> StudentSource.after(new Springs(),
-                StudentSource.watched(() -> costly).get(), 1000, 1)
+        assertEquals(20_000_000L, new GuardedRun(0.3).run(() -> StudentSource.after(new Springs(), costly, 1000, 1)
                 .getEvaluations()).value().orElseThrow());
     }
 

@@ -1,4 +1,4 @@
-package particles.teaching.solvers;
+package particles.teaching.contract;
 
 import deSolvers.DESolver;
 import java.util.Optional;
@@ -6,12 +6,11 @@ import java.util.function.Supplier;
 import particles.teaching.EndlessLoop;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
-import particles.teaching.contract.Phrase;
 import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 
 /** Whether the clock ends where the step does: for steps of several lengths, backward ones and later ones. */
-final class ClockCheck {
+public final class ClockCheck {
     private static final double START = 2;
     private static final double H = 1.0 / 32;
     /** No power of 2, so that a clock in float arithmetic shows. */
@@ -25,10 +24,14 @@ final class ClockCheck {
     }
 
     /** @return the first clock that is wrong, with its cause */
-    static Optional<Finding> mistake(Supplier<DESolver> maker) {
+    public static Optional<Finding> mistake(Supplier<DESolver> maker) {
         for (double h : new double[] {H, 8 * H, TENTH}) {
+            DESolver solver = maker.get();
+            WindyOscillators source = begun();
             for (int step = 1; step <= LATER_STEPS; step++) {
-                double moved = moved(maker, step, h) - moved(maker, step - 1, h);
+                double before = source.getTime();
+                source.step(solver, h);
+                double moved = source.getTime() - before;
                 if (Math.abs(moved - h) > LATER_STEPS * ROUNDING * h) {
                     return Optional.of(step == 1 ? wrong(maker, h, moved) : ends("from step " + step + " on ", h,
                             moved));
@@ -36,7 +39,7 @@ final class ClockCheck {
             }
         }
         try {
-            double back = moved(maker, 1, -TENTH);
+            double back = moved(maker, -TENTH);
             return Phrase.CLOCK_BACK.when(back != 0 && !Formula.sameTime(back, -TENTH), -TENTH, back, back > 0
                     ? ": the sign of deltaT is lost, and a step back goes forward" : "");
         } catch (RuntimeException | EndlessLoop e) {
@@ -44,14 +47,14 @@ final class ClockCheck {
         }
     }
 
-    private static WindyOscillators after(Supplier<DESolver> maker, int steps, double h) {
+    private static WindyOscillators begun() {
         WindyOscillators source = new WindyOscillators(1);
         source.startAt(START);
-        return StudentSource.after(source, maker.get(), steps, h);
+        return source;
     }
 
-    private static double moved(Supplier<DESolver> maker, int steps, double h) {
-        return after(maker, steps, h).getTime() - START;
+    private static double moved(Supplier<DESolver> maker, double h) {
+        return StudentSource.after(begun(), maker.get(), 1, h).getTime() - START;
     }
 
     private static Finding ends(String when, double h, double moved) {
@@ -59,13 +62,13 @@ final class ClockCheck {
     }
 
     private static Finding wrong(Supplier<DESolver> maker, double h, double moved) {
-        double twice = moved(maker, 1, 2 * h);
+        double twice = moved(maker, 2 * h);
         if (moved != 0 && Formula.sameTime(twice, moved)) {
             return Phrase.CLOCK_FIXED.of(moved);
         } else if (Formula.sameTime(moved - h, START) && Formula.sameTime(twice - 2 * h, START)) {
             return Phrase.CLOCK_NEW_TIME.of(moved, h, START);
         }
-        WindyOscillators source = after(maker, 1, h);
+        WindyOscillators source = StudentSource.after(begun(), maker.get(), 1, h);
         double error = source.error();
         source.incTime(h - moved);
         return error < MUCH_BETTER * source.error() ? Phrase.PARTS.of(Formula.time(moved / h)) : ends("", h, moved);

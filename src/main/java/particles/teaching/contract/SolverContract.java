@@ -4,12 +4,14 @@ import deSolvers.DESolver;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.Random;
 import java.util.function.DoubleFunction;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.EndlessLoop;
 import particles.teaching.Finding;
+import particles.teaching.Formula;
 import particles.teaching.StudentFailure;
 import particles.teaching.sources.Probe;
 import particles.teaching.sources.StudentSource;
@@ -24,8 +26,15 @@ import particles.teaching.sources.WindyOscillators;
 public record SolverContract(Supplier<DESolver> maker) {
     private static final double H = 1.0 / 16;
     private static final double ALIKE = 1e-2;
-    private static final double TINY = 1e-12;
+    private static final double ROUNDING = 1e-12;
+    /** So small that an adaptive method accepts its first step. */
+    public static final double TINY = StrictMath.pow(2, -40);
+    private static final double SAME = 1e-6;
+    private static final int SIZE = 12;
     private static final int MOST = 2000;
+    private static final int LARGEST = 100_000;
+    /** No special time (s). */
+    private static final double START = 0.5;
     private static final int SOME = 40;
     private static final int MANY = 200;
 
@@ -38,7 +47,7 @@ public record SolverContract(Supplier<DESolver> maker) {
         return Stream.of(mistake, Phrase.CLOCK_IGNORED.when(mistake.isEmpty() && memory.ignoresTheClock()),
                 moved(-H, Phrase.REFUSES_BACK, moved -> Phrase.NOTHING_BACK.when(moved == 0)),
                 moved(0, Phrase.REFUSES_ZERO, moved -> !Double.isFinite(moved) ? Phrase.NAN_AT_ZERO.when(true)
-                : Phrase.MOVES_AT_ZERO.when(moved > TINY, moved)), Phrase.FOR_PARTICLES.when(isForParticles()),
+                : Phrase.MOVES_AT_ZERO.when(moved > ROUNDING, moved)), Phrase.FOR_PARTICLES.when(isForParticles()),
                 failing(0), failing(1), notFinite()).flatMap(Optional::stream).distinct()
                 .toList();
     }
@@ -58,6 +67,39 @@ public record SolverContract(Supplier<DESolver> maker) {
                 WindyOscillators.onLine(5), 1, "5 particles on a line, 10", "three coordinates are taken for granted;"
                 + " ((SecondOrderStateSource) source).getDimension() says how many positions and then velocities"
                 + " each particle has"));
+    }
+
+    /** @return the mistake if an entry of the new state changes with another one's state or derivative */
+    public Optional<Finding> mixed() {
+        double[] numbers = new Random(9).doubles(SIZE, TINY, 2 * TINY).toArray();
+        double[] usual = stepWith(numbers).getState();
+        return IntStream.range(0, SIZE).boxed().flatMap(j -> {
+            double[] changed = numbers.clone();
+            changed[j] *= -2;
+            double[] other = stepWith(changed).getState();      // a velocity moves its position, too
+            return IntStream.range(0, SIZE).filter(k -> k != j && (k != j - 3 || k % 6 > 2) && Math.abs(other[k]
+                    - usual[k]) > SAME * TINY).mapToObj(k -> Phrase.LAYOUT.of(k, j));
+        }).findFirst();
+    }
+
+    /** @return the mistake if a state and derivatives of 0 do not stay 0 */
+    public Optional<Finding> adds() {
+        double[] end = stepWith(new double[SIZE]).getState();
+        return IntStream.range(0, SIZE).filter(k -> Math.abs(end[k]) > SAME).mapToObj(k -> Phrase.ADDS.of(k, end[k]))
+                .findFirst();
+    }
+
+    /** @return the mistake if the clock does not move where nothing else does */
+    public Optional<Finding> still() {
+        double moved = (stepWith(new double[SIZE]).getTime() - START) / H;
+        return Phrase.CLOCK_ENDS.when(!Formula.sameTime(moved, 1), "where state and derivative are 0, ", Formula.time(
+                moved), H);
+    }
+
+    /** A source after a step from these numbers, which are the derivatives, too, and never change. */
+    private Probe stepWith(double[] numbers) {
+        return StudentSource.after(new Probe.OfParticles(numbers, START, (evaluation, dSdt) -> System.arraycopy(numbers,
+                0, dSdt, 0, SIZE), LARGEST, false), maker.get(), 1, H);
     }
 
     private static Probe alike(int size) {
@@ -80,7 +122,7 @@ public record SolverContract(Supplier<DESolver> maker) {
 
     private Optional<Finding> unlike(StudentSource source, int d, String size, String cause) {
         try {
-            maker.get().stepState(source, H);
+            source.step(maker.get(), H);
         } catch (RuntimeException e) {
             return Phrase.SIZE_FAILS.when(d == 3 || !StudentFailure.isRefusal(e), size,
                     StudentFailure.describe(e), cause);
@@ -96,7 +138,7 @@ public record SolverContract(Supplier<DESolver> maker) {
         WindyOscillators source = new WindyOscillators(1);
         double[] before = source.getState();
         try {
-            maker.get().stepState(source, deltaT);
+            source.step(maker.get(), deltaT);
             return judge.apply(distance(before, source.getState()));
         } catch (EndlessLoop e) {
             return loops("a step of deltaT = " + deltaT + " s", "step backwards, or throw an exception that says why"
@@ -116,7 +158,7 @@ public record SolverContract(Supplier<DESolver> maker) {
     /** @return whether a solver refuses sources without positions and velocities */
     public boolean isForParticles() {
         try {
-            maker.get().stepState(alike(6), H);
+            alike(6).step(maker.get(), H);
             return false;
         } catch (RuntimeException e) {
             return !(e instanceof Probe.TooManyEvaluations);    // it works on it, for long
@@ -129,7 +171,7 @@ public record SolverContract(Supplier<DESolver> maker) {
         double[] before = source.getState();
         source.failFromEvaluation(evaluation);
         try {
-            maker.get().stepState(source, H);
+            source.step(maker.get(), H);
             return Phrase.SWALLOWS.when(source.hasFailed());
         } catch (RuntimeException expected) {
             return Phrase.LEFT_WITHIN.when(evaluation > 0 && source.hasFailed() && (distance(before, source.getState())
@@ -142,7 +184,7 @@ public record SolverContract(Supplier<DESolver> maker) {
         WindyOscillators source = new WindyOscillators(1);
         source.spoilDerivative();
         try {
-            maker.get().stepState(source, H);
+            source.step(maker.get(), H);
             boolean hidden = Arrays.stream(source.getState()).noneMatch(Double::isNaN);
             return Optional.of((hidden ? Phrase.NAN_HIDDEN : Phrase.NAN_UNNOTICED).of());
         } catch (EndlessLoop e) {

@@ -6,7 +6,6 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Supplier;
-import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import particles.teaching.Finding;
 import particles.teaching.sources.StudentSource;
@@ -61,8 +60,8 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
     /** Makes a step, and the same one with a new solver, from the same place on a copy of the source. */
     private boolean isFresh(DESolver solver, WindyOscillators source, double deltaT) {
         WindyOscillators twin = source.copy();
-        maker.get().stepState(twin, deltaT);
-        solver.stepState(source, deltaT);
+        twin.step(maker.get(), deltaT);
+        source.step(solver, deltaT);
         return SolverContract.distance(twin.getState(), source.getState()) <= SAME;
     }
 
@@ -117,34 +116,31 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
         DESolver first = maker.get();
         DESolver second = maker.get();
         for (int step = 0; step < STEPS; step++) {
-            first.stepState(one, H);
-            second.stepState(two, H);
+            one.step(first, H);
+            two.step(second, H);
         }
         return Phrase.STATIC.when(!(SolverContract.distance(alone.getState(), one.getState()) <= SAME));
     }
 
     /**
      * The simulation shortens the last step before an event, so that deltaT changes from step to step. A multistep
-     * method then begins anew, or has weights for it, which keep its order.
+     * method then begins anew, or has weights for it, which make a shorter step more accurate.
      */
     private Optional<Finding> changedDeltaT() {
         DESolver solver = maker.get();
         WindyOscillators source = StudentSource.after(new WindyOscillators(1), solver, 2, H);
         return (remembers ? Phrase.DELTA_T_CHANGES : Phrase.DELTA_T_KEPT).when((!isFresh(solver, source, H / 4)
-                || !isFresh(solver, source, H / 2)) && !(multistep && order(0.5) > order(1) - 0.5));
+                || !isFresh(solver, source, H / 2)) && !(multistep && error(0.5) < error(1)));
     }
 
-    /** The exponent with which the error of a step falls with deltaT, after steps of another length. */
-    private double order(double part) {
-        double[] errors = DoubleStream.of(H, H / 2).map(h -> {
-            DESolver solver = maker.get();
-            WindyOscillators source = new WindyOscillators(1);
-            source.startAt(HERE - STEPS * h);
-            StudentSource.after(source, solver, STEPS, h);
-            WindyOscillators fine = StudentSource.after(source.copy(), new RK4Solver(), FINE, part * h / FINE);
-            solver.stepState(source, part * h);
-            return SolverContract.distance(fine.getState(), source.getState());
-        }).toArray();
-        return StrictMath.log(errors[0] / errors[1]) / StrictMath.log(2);
+    /** The error of a step of a part of deltaT, after steps of deltaT. */
+    private double error(double part) {
+        DESolver solver = maker.get();
+        WindyOscillators source = new WindyOscillators(1);
+        source.startAt(HERE - STEPS * H);
+        StudentSource.after(source, solver, STEPS, H);
+        WindyOscillators fine = StudentSource.after(source.copy(), new RK4Solver(), FINE, part * H / FINE);
+        source.step(solver, part * H);
+        return SolverContract.distance(fine.getState(), source.getState());
     }
 }

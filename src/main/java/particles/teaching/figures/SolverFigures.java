@@ -1,7 +1,6 @@
 package particles.teaching.figures;
 
 import deSolvers.DESolver;
-import deSolvers.DEStateSource;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.StepMatrix;
 import deSolvers.text.Digits;
@@ -11,6 +10,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import particles.teaching.GuardedRun;
 import particles.teaching.StudentFailure;
 import particles.teaching.solvers.OrderMeasurement;
 import particles.teaching.solvers.SolverVerdict;
@@ -54,7 +54,10 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
      * @return the numbers and charts
      */
     public static SolverFigures of(String name, Supplier<DESolver> plain, SolverVerdict verdict) {
-        Supplier<DESolver> maker = StudentSource.watched(plain);
+        Supplier<DESolver> maker = () -> {
+            GuardedRun.goesOn();                        // the solver before has made its steps
+            return plain.get();
+        };
         OrderMeasurement order = OrderMeasurement.of(maker);
         List<double[]> energy = energy(maker);
         StabilityFigures stability = StabilityFigures.of(name, maker, verdict.multistep());
@@ -87,9 +90,9 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
     }
 
     /** Makes a step, unless the solver refuses it. */
-    private static boolean accepts(DESolver solver, DEStateSource source, double deltaT) {
+    private static boolean accepts(DESolver solver, StudentSource source, double deltaT) {
         try {
-            solver.stepState(source, deltaT);
+            source.step(solver, deltaT);
             return true;
         } catch (RuntimeException e) {
             if (StudentFailure.isRefusal(e)) {
@@ -147,7 +150,7 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         rows.addAll(stability.rows());
         if (!verdict.multistep() && large != REFUSED) { // else a step does not multiply the state by a matrix
             Springs springs = new Springs();
-            maker.get().stepState(springs, 1);
+            springs.step(maker.get(), 1);
             StepMatrix step = springs.steps();
             rows.add(List.of("a spring's amplitude, factor in a step of deltaT omega = 1", text(step.radius()),
                     amplitude(step.radius())));

@@ -10,6 +10,7 @@ import java.util.stream.Stream;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
 import particles.teaching.contract.Phrase;
+import particles.teaching.contract.SolverContract;
 import particles.teaching.sources.Springs;
 import particles.teaching.sources.StiffDecay;
 import particles.teaching.sources.StudentSource;
@@ -43,7 +44,7 @@ record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<Or
                 other.evaluations() != once.get().evaluations())) {
             return Optional.empty();
         }
-        boolean rejects = size == 1 && once.get().isStill() && StepReading.of(maker, H, StepReading.TINY, 1).stream()
+        boolean rejects = size == 1 && once.get().isStill() && StepReading.of(maker, H, SolverContract.TINY, 1).stream()
                 .noneMatch(StepReading::isStill);
         return Optional.of(rejects ? new Diagnosis("This is a method with step-size control", Optional.of(
                 Phrase.REJECTED_CLOCK.of())) : diagnosis(once.get(), new StepRules(once.get(), twice.get(), back)));
@@ -114,7 +115,7 @@ record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<Or
                     note, order, "");
         }
         Optional<Finding> goesOn = nearest.known().size() == scheme.size() ? Optional.empty() : goesOn(scheme);
-        boolean near = goesOn.isEmpty() && (nearest.isNear() || promise.isWhole() && nearest.known().size()
+        boolean near = goesOn.isEmpty() && (nearest.isNear() || !promise.changed() && nearest.known().size()
                 == scheme.size() && (particles || scheme.size() <= MANY));
         Combination row = scheme.ends().get(0);
         return new Diagnosis(near ? "This is nearest to " + nearest.known().name() : "This is a method of your own",

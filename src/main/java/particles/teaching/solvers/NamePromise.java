@@ -20,25 +20,10 @@ import particles.teaching.contract.Phrase;
  * @param order   the lowest order of all methods that it can stand for
  * @param methods the methods that it can stand for; empty for all of that order
  * @param kind    "implicit", or "earlier" if it uses derivatives or states of earlier steps; empty for others
- * @param strength how much else the name contains
+ * @param changed whether a word of it makes another method of it: RichardsonEuler need not be Euler
  * @param adapts  whether the name promises step-size control
  */
-record NamePromise(String says, int order, List<String> methods, String kind, Strength strength, boolean adapts) {
-    /** How much a name contains beside the method. */
-    private enum Strength {
-        /** Nothing: HeunSolver is Heun's method. */
-        WHOLE,
-        /** Unknown words: SmithEuler is no other known method, and may be one of Smith's own. */
-        UNKNOWN,
-        /** A word that makes another method of it: RichardsonEuler need not be Euler. */
-        CHANGED,
-    }
-
-    /** Words in a name that say nothing about the method; a letter and digits before it number an exercise. */
-    private static final String NOISE =
-            "^[a-z]\\d+|my|solver|stepper|integrator|method|rule|step|the|mine|own|fixed|test|example|good|newton"
-            + "|new|scheme|task|exercise|question|homework|assignment|aufgabe|version|verfahren|explicit|forward"
-            + "|classical|classic|standard|slides?|particles?|\\d";
+record NamePromise(String says, int order, List<String> methods, String kind, boolean changed, boolean adapts) {
     private static final Pattern CHANGES = Pattern.compile("romberg|adapt|embedded|pair|doubling"
             + "|sub|small|tiny|twice|half|halves|multi|rosenbrock|exponential|linear|ensemble|corrected|compos|blend"
             + "|filter|lowstorage|stabili[sz]ed|chebyshev|predict");
@@ -173,11 +158,10 @@ record NamePromise(String says, int order, List<String> methods, String kind, St
             boolean more = EXTRAPOLATES.matcher(rest).find();
             return new NamePromise((more ? "the extrapolation of " : "") + best.says, Math.max(said, best.order
                     + (more ? 1 : 0)),
-                    best.methods, best.kind, rest.replaceAll(NOISE, "").isBlank() ? Strength.WHOLE : more
-                    || ROWS.stream().anyMatch(row -> row.parts.stream().allMatch(rest::contains))       // HeunEuler
-                    || CHANGES.matcher(rest).find() ? Strength.CHANGED : Strength.UNKNOWN, adapts);
+                    best.methods, best.kind, more || ROWS.stream().anyMatch(row -> row.parts.stream().allMatch(
+                    rest::contains)) || CHANGES.matcher(rest).find(), adapts);      // HeunEuler is another method
         }).orElseGet(() -> new NamePromise(adapts ? "a method with step-size control" : "", adapts ? 1 : 0, List.of(),
-                "", Strength.CHANGED, adapts));
+                "", true, adapts));
     }
 
     /** @return whether the name promises something */
@@ -185,16 +169,11 @@ record NamePromise(String says, int order, List<String> methods, String kind, St
         return order > 0;
     }
 
-    /** @return whether the name contains nothing but the method */
-    boolean isWhole() {
-        return strength == Strength.WHOLE;
-    }
-
     /** @return whether a method of this name and order may be called so */
     boolean allows(String method, int itsOrder) {
         boolean high = itsOrder >= order;
         return methods.contains(method) && (high || itsOrder == 0) || high && (methods.isEmpty()
-                || strength == Strength.CHANGED) || method.equals(IMPLICIT_MIDPOINT)
+                || changed) || method.equals(IMPLICIT_MIDPOINT)
                 && says.matches("a (Gauss|diagonally implicit) method( of order 2)?");
     }
 
@@ -205,7 +184,7 @@ record NamePromise(String says, int order, List<String> methods, String kind, St
 
     /** @return whether the name stands for implicit methods only */
     boolean isImplicit() {
-        return kind.equals("implicit") && strength != Strength.CHANGED;
+        return kind.equals("implicit") && !changed;
     }
 
     /** @return the finding for a known method that the name does not stand for; none for no method */

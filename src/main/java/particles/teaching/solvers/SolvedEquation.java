@@ -190,7 +190,7 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
             List<double[]> states = new ArrayList<>(List.of(s, s, s, s));
             try {
                 for (int step = 0; step < steps; step++) {
-                    solver.stepState(source, h);
+                    source.step(solver, h);
                     states.add(0, source.getState());
                 }
             } catch (RuntimeException e) {              // too long a step for it

@@ -4,6 +4,7 @@ import deSolvers.DESolver;
 import deSolvers.FixedStepSolver;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
@@ -11,6 +12,7 @@ import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import particles.teaching.Finding;
 import particles.teaching.StudentFailure;
+import particles.teaching.contract.ClockCheck;
 import particles.teaching.contract.Phrase;
 import particles.teaching.contract.SolverContract;
 import particles.teaching.contract.SolverMemory;
@@ -35,11 +37,9 @@ public final class SolverCheck {
     /** Below this order the error does not go to 0; Euler measures 0.97 to 1.03. */
     static final double LOWEST_ORDER = 0.7;
 
-
     private static final String MULTISTEP = "This is a method that uses earlier steps (a multistep method)";
     private static final String UNREAD = "This is a method without fixed coefficients, adaptive or implicit";
 
-    private final Supplier<DESolver> plain;
     private final Supplier<DESolver> maker;
     private final NamePromise promise;
     private final ExplicitMethod explicit;
@@ -52,9 +52,8 @@ public final class SolverCheck {
     private String identity = "Its step cannot be judged yet.";
     private boolean multistep;
 
-    private SolverCheck(Supplier<DESolver> plain, String className) {
-        this.plain = plain;
-        maker = StudentSource.watched(plain);
+    private SolverCheck(Supplier<DESolver> maker, String className) {
+        this.maker = maker;
         promise = NamePromise.of(className);
         explicit = new ExplicitMethod(maker, promise, this::measurement);
         contract = new SolverContract(maker);
@@ -92,16 +91,16 @@ public final class SolverCheck {
         WindyOscillators source = new WindyOscillators(2);
         WindyOscillators again = source.copy();
         double[] before = source.getState();
-        maker.get().stepState(source, SHORT);
-        boolean written = source.getEvaluations() > 1 || !(plain.get() instanceof FixedStepSolver) && (source.isSet()
+        source.step(maker.get(), SHORT);
+        boolean written = source.getEvaluations() > 1 || !(maker.get() instanceof FixedStepSolver) && (source.isSet()
                 || source.timeMoves() > 0);
         return Phrase.NOTHING_YET.when(!written && Arrays.equals(before, source.getState())).or(() ->
                 Phrase.NOT_FINITE.when(!Double.isFinite(Arrays.stream(source.getState()).sum()))).or(() ->
                 Phrase.NOT_REPEATABLE.when(!IntStream.range(0, REPEATED).allMatch(time -> {
                     WindyOscillators twin = again.copy();
-                    maker.get().stepState(twin, SHORT);
+                    twin.step(maker.get(), SHORT);
                     return Arrays.equals(twin.getState(), source.getState()) && twin.getTime() == source.getTime();
-                }))).or(() -> Search.first(unread::mixed, unread::adds));
+                }))).or(() -> Search.first(contract::mixed, contract::adds));
     }
 
     /** Finds mistakes, and the method. */
@@ -109,7 +108,7 @@ public final class SolverCheck {
         memory = SolverMemory.of(contract);
         multistep = memory.multistep();
         clock = ClockCheck.mistake(maker).map(finding -> unread.rejectedClock().orElse(finding)).or(() ->
-                Search.first(unread::still));
+                Search.first(contract::still));
         Diagnosis diagnosis = memory.remembers() ? remembering()
                 : explicit.diagnosis(1).or(this::equation).orElseGet(this::measured);
         identity = diagnosis.identity();
@@ -194,7 +193,7 @@ public final class SolverCheck {
 
     /** A mistake in the first sub-step of an adaptive method, which it accepts where derivatives are tiny. */
     private Optional<Finding> firstSubStep(Predicate<Finding> which) {
-        return explicit.diagnosis(StepReading.TINY).flatMap(Diagnosis::finding).filter(which.and(
+        return explicit.diagnosis(SolverContract.TINY).flatMap(Diagnosis::finding).filter(which.and(
                 Finding::isWrong));
     }
 
@@ -210,14 +209,15 @@ public final class SolverCheck {
 
     /** Whether the law that is read off the clock leads astray, and the same law without a clock does not. */
     private Optional<Finding> stageClocks() {
-        List<double[]> timeless = OrderMeasurement.of(maker, WindyOscillators::timeless).points();
-        return IntStream.range(0, Math.min(timeless.size(), measurement().points().size())).mapToObj(i -> {
-            double deltaT = timeless.get(i)[0];
-            double error = measurement().points().get(i)[1];
-            double without = timeless.get(i)[1];
-            return Phrase.STAGE_CLOCKS.when(error > OFF_CLOCK * without && error > TOLERATED && Double.isFinite(error),
-                    error, deltaT, without);
-        }).flatMap(Optional::stream).findFirst().map(finding -> unread.rejectedClock().orElse(finding));
+        Iterator<double[]> timeless = OrderMeasurement.of(maker, WindyOscillators::timeless).points().iterator();
+        for (double[] point : measurement().points()) {
+            double error = point[1];
+            double without = timeless.hasNext() ? timeless.next()[1] : error;
+            if (error > OFF_CLOCK * without && error > TOLERATED && Double.isFinite(error)) {
+                return unread.rejectedClock().or(() -> Optional.of(Phrase.STAGE_CLOCKS.of(error, point[0], without)));
+            }
+        }
+        return Optional.empty();
     }
 
     /** The lowest order that the name allows; to use earlier steps without gaining order does not pay. */

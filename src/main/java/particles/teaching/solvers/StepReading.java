@@ -35,8 +35,6 @@ import particles.teaching.sources.Probe;
 record StepReading(Scheme scheme, double h, int steps, Probe calls, double[] before, List<Finding> findings) {
     /** The clock at the start (s). */
     static final double START = 2;
-    /** So small that an adaptive method accepts its first step. */
-    static final double TINY = StrictMath.pow(2, -40);
     /** Unusually large derivatives, to detect a solver that limits them. */
     private static final double LARGE = 1e3;
     /** Unusually small ones, to detect a solver that rounds to 0; an iteration to 1e-10 is exact to 1e-6 of them. */
@@ -116,7 +114,7 @@ record StepReading(Scheme scheme, double h, int steps, Probe calls, double[] bef
             DESolver solver = maker.get();
             for (int step = 0; step < steps; step++) {
                 before = probe.getState();
-                solver.stepState(probe, h);
+                probe.step(solver, h);
             }
             return new Run(numbers, probe, Stream.concat(probe.recorded().stream().map(Probe.Evaluation::state),
                     Stream.of(before, probe.getState())).toList());

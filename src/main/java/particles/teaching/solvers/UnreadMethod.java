@@ -26,7 +26,6 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
     /** Where nothing is symmetric in time (s). */
     private static final double START = 0.5;
     private static final double LONG = 4;
-    private static final int MOST = 100_000;
     /** Shorter than a sub-step of fixed length would be. */
     private static final double BRIEF = 1e-4;
     private static final int SHORT_STEPS = 16;
@@ -61,39 +60,6 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
         WindyOscillators source = new WindyOscillators(particles);
         source.startAt(START);
         return source;
-    }
-
-    /** @return the mistake if an entry of the new state changes with another one's state or derivative */
-    Optional<Finding> mixed() {
-        double[] numbers = new Random(9).doubles(SIZE, StepReading.TINY, 2 * StepReading.TINY).toArray();
-        double[] usual = stepWith(numbers).getState();
-        return IntStream.range(0, SIZE).boxed().flatMap(j -> {
-            double[] changed = numbers.clone();
-            changed[j] *= -2;
-            double[] other = stepWith(changed).getState();      // a velocity moves its position, too
-            return IntStream.range(0, SIZE).filter(k -> k != j && (k != j - 3 || k % 6 > 2) && Math.abs(other[k]
-                    - usual[k]) > ALIKE * StepReading.TINY).mapToObj(k -> Phrase.LAYOUT.of(k, j));
-        }).findFirst();
-    }
-
-    /** @return the mistake if a state and derivatives of 0 do not stay 0 */
-    Optional<Finding> adds() {
-        double[] end = stepWith(new double[SIZE]).getState();
-        return IntStream.range(0, SIZE).filter(k -> Math.abs(end[k]) > ALIKE).mapToObj(k -> Phrase.ADDS.of(k, end[k]))
-                .findFirst();
-    }
-
-    /** @return the mistake if the clock does not move where nothing else does */
-    Optional<Finding> still() {
-        double moved = (stepWith(new double[SIZE]).getTime() - START) / H;
-        return Phrase.CLOCK_ENDS.when(!Formula.sameTime(moved, 1), "where state and derivative are 0, ", Formula.time(
-                moved), H);
-    }
-
-    /** A source after a step from these numbers, which are the derivatives, too, and never change. */
-    private Probe stepWith(double[] numbers) {
-        return after(new Probe.OfParticles(numbers, START, (evaluation, dSdt) -> System.arraycopy(numbers, 0, dSdt, 0,
-                SIZE), MOST, false), H);
     }
 
     /** @return the mistake if the derivative is evaluated for each entry, between two that are written */
@@ -153,11 +119,8 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
 
     /** @return the mistake of a method whose last sub-step leads beyond t + deltaT; the clock may be set back */
     Optional<Finding> uncut() {
-        return IntStream.rangeClosed(1, 16).mapToObj(part -> uncut(part / 4.0)).flatMap(Optional::stream).findFirst();
-    }
-
-    private Optional<Finding> uncut(double deltaT) {
-        return otherTime(deltaT, LITTLE).filter(place -> place > 1).map(place -> Phrase.PARTS.of(Formula.time(place)));
+        return IntStream.rangeClosed(1, 16).mapToObj(part -> otherTime(part / 4.0, LITTLE)).flatMap(Optional::stream)
+                .filter(place -> place > 1).findFirst().map(place -> Phrase.PARTS.of(Formula.time(place)));
     }
 
     /** @return the mistake if the state after a very short or a longer step is that of another time than t + deltaT */

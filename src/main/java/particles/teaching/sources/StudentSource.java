@@ -1,13 +1,11 @@
 package particles.teaching.sources;
 
 import deSolvers.DESolver;
-import deSolvers.DEStateSource;
 import deSolvers.problems.ReferenceProblem;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Supplier;
 import particles.teaching.EndlessLoop;
 import particles.teaching.GuardedRun;
 
@@ -46,31 +44,20 @@ public abstract class StudentSource extends ReferenceProblem {
      */
     public static <S extends StudentSource> S after(S source, DESolver solver, int steps, double deltaT) {
         for (int step = 0; step < steps; step++) {
-            solver.stepState(source, deltaT);
+            source.step(solver, deltaT);
         }
         return source;
     }
 
-    /** @return makes a student's solvers; it is heard that each of their steps comes back */
-    public static Supplier<DESolver> watched(Supplier<DESolver> maker) {
-        return () -> {
-            DESolver solver = maker.get();
-            return new DESolver() {
-                @Override
-                public void stepState(DEStateSource source, double deltaT) {
-                    solver.stepState(source, deltaT);
-                    if (source instanceof StudentSource student) {
-                        student.before = student.getEvaluations();
-                    }
-                    GuardedRun.goesOn();
-                }
-
-                @Override
-                public void reset() {
-                    solver.reset();
-                }
-            };
-        };
+    /**
+     * Lets a solver make a step, and tells that it came back.
+     *
+     * @param deltaT its length (s)
+     */
+    public final void step(DESolver solver, double deltaT) {
+        before = getEvaluations();
+        solver.stepState(this, deltaT);
+        GuardedRun.goesOn();
     }
 
     /** @param evaluations the number in one step that tells an endless loop */
