@@ -7,7 +7,7 @@ import java.util.Map;
  *
  * @param time      t (s)
  * @param state     positions and velocities, six numbers per particle (m, m/s)
- * @param energies  the energies in the order of {@link EnergyParts#getNames()} (J)
+ * @param energies  the energies in the order of {@link FrameRecorder#getEnergyNames()} (J)
  * @param structure the particles and springs at that time
  * @param account   what it cost to come there
  */

@@ -1,17 +1,21 @@
 package particles.lab;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.energy.EnergyLedgerRecorder;
+import particles.law.Effect;
 import particles.scene.Scene;
 
 /** Observer that records the frames of a run after its steps, in a limited amount of memory. */
 final class FrameRecorder implements Observer {
     private final Scene scene;
     private final EnergyLedgerRecorder ledger;
-    private final EnergyParts energies;
+    private final List<Effect> effects;                 // of the scene, without the pointer's
     private final History history;
     private Structure structure;
 
@@ -23,13 +27,17 @@ final class FrameRecorder implements Observer {
     FrameRecorder(Scene scene, EnergyLedgerRecorder ledger, long mostBytes) {
         this.scene = scene;
         this.ledger = ledger;
-        energies = new EnergyParts(scene.system(), ledger);
+        effects = List.copyOf(scene.system().getEffects());
         history = new History(mostBytes);
     }
 
     @Override
     public void started(ParticleSystem system) {
         structure = Structure.of(system);
+        addPresent(system);
+    }
+
+    private void addPresent(ParticleSystem system) {
         history.add(frame(system.getOwnState(), system.getTime(), structure));
     }
 
@@ -43,7 +51,7 @@ final class FrameRecorder implements Observer {
     @Override
     public void finished(ParticleSystem system) {
         if (history.last().time() < system.getTime()) {
-            history.add(frame(system.getOwnState(), system.getTime(), structure));
+            addPresent(system);
         }
     }
 
@@ -52,7 +60,7 @@ final class FrameRecorder implements Observer {
         if (!structure.isOf(system)) {
             structure = Structure.of(system);
             if (history.last().time() == system.getTime()) {
-                history.add(frame(system.getOwnState(), system.getTime(), structure));
+                addPresent(system);
             }
         }
     }
@@ -65,7 +73,7 @@ final class FrameRecorder implements Observer {
         }
         Frame.Account account = new Frame.Account(scene.simulation().getSteps(), scene.system().getEvaluations(),
                 ledger.getWork());
-        return new Frame(time, copy, energies.of(state, time), structure, account);
+        return new Frame(time, copy, energies(state, time), structure, account);
     }
 
     /** The particles and springs at present. */
@@ -77,7 +85,36 @@ final class FrameRecorder implements Observer {
         return history;
     }
 
-    EnergyParts getEnergies() {
+    /** The energies of a state (J); the numerical error is that of the ledger so far. */
+    private float[] energies(double[] state, double time) {
+        float[] energies = new float[effects.size() + 3];
+        double kinetic = scene.system().getKineticEnergy(state);
+        double total = kinetic;
+        for (int e = 0; e < effects.size(); e++) {
+            double stored = effects.get(e).getPotentialEnergy(state, time);
+            energies[e + 2] = (float) stored;
+            total += stored;
+        }
+        energies[0] = (float) total;
+        energies[1] = (float) kinetic;
+        energies[energies.length - 1] = (float) ledger.getNumericalError();
         return energies;
+    }
+
+    /** The names of a frame's energies: the total, the kinetic energy, each effect's and the numerical error. */
+    List<String> getEnergyNames() {
+        List<String> names = new ArrayList<>(List.of("total", "kinetic"));
+        effects.forEach(effect -> names.add(effect.getName()));
+        names.add("numerical error");
+        return names;
+    }
+
+    /**
+     * The places of uniform fields, such as gravity, in a frame's energies: a chart has their zero at their lowest
+     * value in the run, so that the choice of the origin does not matter.
+     */
+    List<Integer> getUniform() {
+        return IntStream.range(0, effects.size()).filter(e -> Effect.Trait.isUniform(effects.get(e)))
+                .mapToObj(e -> e + 2).toList();
     }
 }

@@ -1,7 +1,8 @@
 package particles.lab;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.NavigableMap;
+import java.util.TreeMap;
 
 /**
  * The frames of a run so far, in a limited amount of memory: when it is full, every second frame is dropped, and from
@@ -9,7 +10,7 @@ import java.util.List;
  */
 final class History {
     private final long mostBytes;
-    private final List<Frame> frames = new ArrayList<>();
+    private final NavigableMap<Double, Frame> frames = new TreeMap<>();     // by time
     private long bytes;
     private double interval;
 
@@ -20,13 +21,13 @@ final class History {
 
     /** Whether a moment at this time would be kept. */
     boolean wants(double time) {
-        return frames.isEmpty() || time >= last().time() + interval;
+        return frames.isEmpty() || time >= frames.lastKey() + interval;
     }
 
     /** Keeps a moment, later than all before, or in place of the latest where that has the same time. */
     void add(Frame frame) {
-        if (!frames.isEmpty() && last().time() == frame.time()) {
-            bytes -= bytesOf(frames.remove(frames.size() - 1));
+        if (frames.containsKey(frame.time())) {
+            bytes -= bytesOf(frames.remove(frame.time()));
         }
         append(frame);
         while (bytes > mostBytes && thin()) {
@@ -36,27 +37,24 @@ final class History {
 
     /** Drops every second moment but the last, if there are more than two. @return whether there were */
     boolean thin() {
-        if (frames.size() <= 2) {
+        List<Frame> all = List.copyOf(frames.values());
+        int last = all.size() - 1;
+        if (last < 2) {
             return false;
         }
-        List<Frame> kept = new ArrayList<>();
-        for (int i = 0; i < frames.size(); i += 2) {
-            kept.add(frames.get(i));
-        }
-        if (frames.size() % 2 == 0) {
-            kept.add(last());
-        }
-        double span = last().time() - frames.get(0).time();
         frames.clear();
         bytes = 0;
-        interval = span / (kept.size() - 1) * (1 - 1e-9);
-        kept.forEach(this::append);
+        for (int i = 0; i < last; i += 2) {
+            append(all.get(i));
+        }
+        append(all.get(last));
+        interval = (frames.lastKey() - frames.firstKey()) / (frames.size() - 1) * (1 - 1e-9);
         return true;
     }
 
     private void append(Frame frame) {
         bytes += bytesOf(frame);
-        frames.add(frame);
+        frames.put(frame.time(), frame);
     }
 
     /** What a frame takes after the latest. */
@@ -67,31 +65,17 @@ final class History {
 
     /** The latest moment. */
     Frame last() {
-        return frames.get(frames.size() - 1);
+        return frames.lastEntry().getValue();
     }
 
     /** The latest moment kept that is not after this time, or the first. */
     Frame at(double time) {
-        int low = 0;
-        int high = frames.size() - 1;
-        while (low < high) {
-            int middle = (low + high + 1) / 2;
-            if (frames.get(middle).time() <= time) {
-                low = middle;
-            } else {
-                high = middle - 1;
-            }
-        }
-        return frames.get(low);
+        return frames.floorEntry(Math.max(time, frames.firstKey())).getValue();
     }
 
     /** The moments kept that are after this time, the earliest first. */
     List<Frame> after(double time) {
-        int first = frames.size();
-        while (first > 0 && frames.get(first - 1).time() > time) {
-            first--;
-        }
-        return List.copyOf(frames.subList(first, frames.size()));
+        return List.copyOf(frames.tailMap(time, false).values());
     }
 
     /** The shortest time between two moments kept (s); 0 if all are. */

@@ -24,7 +24,6 @@ public final class LabRun {
     private final PointerSpring pointer;
     private double wanted;
     private Frame shown;
-    private double[] between = {};
     private Motion latest;
     private Structure latestStructure;
 
@@ -45,10 +44,9 @@ public final class LabRun {
 
     /** A solver whose steps are limited by springs bears a vibration of this angular frequency (rad/s) at least. */
     private static double mostOmega(SceneDescription scene) {
-        boolean limited = !SolverCatalog.names().contains(scene.solver())
-                || !SolverCatalog.info(scene.solver()).adaptive()
-                && SolverCatalog.info(scene.solver()).imaginaryLimit() < Double.POSITIVE_INFINITY;
-        return limited ? BEARABLE / scene.deltaT() : Double.POSITIVE_INFINITY;
+        return SolverCatalog.find(scene.solver()).filter(solver -> solver.adaptive()
+                || solver.imaginaryLimit() == Double.POSITIVE_INFINITY).isPresent() ? Double.POSITIVE_INFINITY
+                : BEARABLE / scene.deltaT();
     }
 
     private final class Latest implements Observer {
@@ -64,10 +62,7 @@ public final class LabRun {
 
     /** Shows a time within the latest motion. */
     private void showBetween() {
-        int size = latest.getEndState().length;
-        if (between.length != size) {
-            between = new double[size];
-        }
+        double[] between = new double[latest.getEndState().length];
         latest.interpolate(wanted, between);
         shown = frames.frame(between, wanted, latestStructure);
     }
@@ -130,7 +125,7 @@ public final class LabRun {
         return frames.getHistory();
     }
 
-    EnergyParts getEnergies() {
-        return frames.getEnergies();
+    FrameRecorder getFrames() {
+        return frames;
     }
 }

@@ -1,6 +1,5 @@
 package particles.lab;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -8,6 +7,7 @@ import particles.ParticleSystem;
 import particles.law.Effect;
 import particles.law.Particles;
 import particles.law.Reaction;
+import particles.law.Vector3;
 
 /** The forces on one particle, one for each effect and reaction that acts on it. */
 final class ParticleForces {
@@ -19,31 +19,24 @@ final class ParticleForces {
         Map<String, Object> forces = new LinkedHashMap<>();
         double[] state = system.getOwnState();
         double[] sum = new double[system.getStateSize()];
-        double[] before = new double[3];
         for (Effect effect : system.getEffects()) {
-            effect.addForces(state, system.getTime(), sum);
-            put(forces, effect.getName(), sum, i, before);
+            put(forces, effect.getName(), () -> effect.addForces(state, system.getTime(), sum), sum, i);
         }
         for (Reaction reaction : system.getReactions()) {
             if (reaction.isActive()) {
-                reaction.addForces(state, system.getTime(), sum);
-                put(forces, reaction.getName(), sum, i, before);
+                put(forces, reaction.getName(), () -> reaction.addForces(state, system.getTime(), sum), sum, i);
             }
         }
         return forces;
     }
 
-    private static void put(Map<String, Object> forces, String name, double[] sum, int i, double[] before) {
-        List<Double> force = new ArrayList<>();
-        boolean acts = false;
-        for (int c = 0; c < 3; c++) {
-            double total = sum[Particles.STRIDE * i + 3 + c];
-            force.add(total - before[c]);
-            acts |= total != before[c];
-            before[c] = total;
-        }
-        if (acts) {
-            forces.put(name, force);
+    /** Puts what adds to the sum of forces, if it changes that on particle i. */
+    private static void put(Map<String, Object> forces, String name, Runnable adding, double[] sum, int i) {
+        Vector3 before = Vector3.at(sum, Particles.STRIDE * i + 3);
+        adding.run();
+        Vector3 force = Vector3.at(sum, Particles.STRIDE * i + 3).minus(before);
+        if (!force.isZero()) {
+            forces.put(name, List.of(force.x(), force.y(), force.z()));
         }
     }
 }

@@ -62,24 +62,24 @@ final class PointerSpring implements DifferentiableEffect, Rule {
 
     @Override
     public void addForces(double[] state, double time, double[] force) {
-        for (int c = 0; c < 3 && particle >= 0; c++) {
-            force[Particles.STRIDE * particle + 3 + c] += pull(state, c);
+        if (particle >= 0) {
+            int v = Particles.STRIDE * particle + 3;
+            Vector3.at(force, v).plus(pull(state)).put(force, v);
         }
     }
 
-    private double pull(double[] state, int c) {
-        int x = Particles.STRIDE * particle + c;
-        double to = c == 0 ? pointer.x() : c == 1 ? pointer.y() : pointer.z();
-        return stiffness * (to - state[x]) - damping * state[x + 3];
+    private Vector3 pull(double[] state) {
+        return pointer.minus(Vector3.at(state, Particles.STRIDE * particle)).times(stiffness)
+                .minus(velocity(state).times(damping));
+    }
+
+    private Vector3 velocity(double[] state) {
+        return Vector3.at(state, Particles.STRIDE * particle + 3);
     }
 
     @Override
     public double getDrivenPower(double[] state, double time) {
-        double power = 0;
-        for (int c = 0; c < 3 && particle >= 0; c++) {
-            power += pull(state, c) * state[Particles.STRIDE * particle + 3 + c];
-        }
-        return power;
+        return particle < 0 ? 0 : pull(state).dot(velocity(state));
     }
 
     @Override

@@ -95,7 +95,7 @@ public final class Replay {
                 floats.position(floats.position() + Float.BYTES * values.length);
             }
         }
-        Map<String, Object> facts = SceneFacts.of(scene, recorder.getEnergies());
+        Map<String, Object> facts = SceneFacts.of(scene, recorder);
         facts.put("numbers", List.of());
         facts.put("recorded", thinning().orElse(""));
         return JsonText.compact(Ordered.map("facts", facts, "structures", structures,

@@ -33,16 +33,17 @@ final class SceneFacts {
 
     /**
      * @param scene    the scene, before its run
-     * @param energies the parts of its energy
+     * @param frames records its run
      * @return the facts by name
      */
-    static Map<String, Object> of(Scene scene, EnergyParts energies) {
+    static Map<String, Object> of(Scene scene, FrameRecorder frames) {
         SceneDescription description = scene.description();
         Scenery scenery = scene.scenery();
         Map<String, Object> facts = Ordered.map("title", description.title(),
                 "teaches", description.values().get(SceneFormat.TEACHES), "solver", description.solver(),
                 "deltaT", description.deltaT(), "duration", description.duration(),
-                "energyScale", scene.energyEstimate(), "energies", energies.getNames(), "uniform", energies.uniform(),
+                "energyScale", scene.energyEstimate(), "energies", frames.getEnergyNames(),
+                "uniform", frames.getUniform(),
                 "look", look(description.drawing().look()),
                 "planes", scenery.planes().stream().map(SceneFacts::plane).toList(),
                 "spheres", scenery.spheres().stream().map(SceneFacts::sphere).toList(),

@@ -2,6 +2,7 @@ package particles.lab;
 
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
+import java.nio.FloatBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
@@ -9,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.experiments.stability.Amplification;
@@ -79,7 +81,7 @@ public final class Session {
             shown = run.getShown();
             failure = "";
             nanoseconds = 0;
-            Map<String, Object> facts = SceneFacts.of(scene, run.getEnergies());
+            Map<String, Object> facts = SceneFacts.of(scene, run.getFrames());
             facts.put("numbers", SceneReader.numbers(bytes, classes).stream().map(Session::number).toList());
             return JsonText.compact(facts);
         } catch (InvalidInputException e) {
@@ -181,14 +183,8 @@ public final class Session {
      * @return the time and the energies, in the order of the scene's facts (J), after each step kept that ended later
      */
     public float[] energies(double time) {
-        List<float[]> rows = new ArrayList<>();
-        for (Frame frame : run.getHistory().after(time)) {
-            float[] row = new float[1 + frame.energies().length];
-            row[0] = (float) frame.time();
-            System.arraycopy(frame.energies(), 0, row, 1, frame.energies().length);
-            rows.add(row);
-        }
-        return joined(rows);
+        return joined(run.getHistory().after(time).stream().flatMap(frame ->
+                Stream.of(new float[] {(float) frame.time()}, frame.energies())).toList());
     }
 
     /**
@@ -202,9 +198,8 @@ public final class Session {
      *         row; of a spring, with a solver of your own
      */
     public double[] region(String solver, double left, double bottom, double cell, int columns, int rows) {
-        Amplification amplification = SolverCatalog.names().contains(solver)
-                ? Amplification.of(SolverCatalog.info(solver))
-                : Amplification.ofOwn(() -> SolverCatalog.create(solver));
+        Amplification amplification = SolverCatalog.find(solver).map(Amplification::of)
+                .orElseGet(() -> Amplification.ofOwn(() -> SolverCatalog.create(solver)));
         return IntStream.range(0, columns * rows).mapToDouble(k -> amplification.at(
                 left + (k % columns + 0.5) * cell, bottom + (k / columns + 0.5) * cell)).toArray();
     }
@@ -244,12 +239,9 @@ public final class Session {
         return joined(points);
     }
 
-    private static float[] joined(List<float[]> rows) {
-        int width = rows.isEmpty() ? 0 : rows.get(0).length;
-        float[] all = new float[width * rows.size()];
-        for (int r = 0; r < rows.size(); r++) {
-            System.arraycopy(rows.get(r), 0, all, width * r, width);
-        }
-        return all;
+    private static float[] joined(List<float[]> parts) {
+        FloatBuffer all = FloatBuffer.allocate(parts.stream().mapToInt(part -> part.length).sum());
+        parts.forEach(all::put);
+        return all.array();
     }
 }

@@ -24,7 +24,8 @@ record Structure(String[] ids, int[] fixed, float[] births, float[] lives, Sprin
     static Structure of(ParticleSystem system) {
         Particles particles = system.getParticles();
         int n = particles.count();
-        Structure made = new Structure(new String[n], new int[n], new float[n], new float[n], springs(system));
+        Structure made = new Structure(new String[n], new int[n], new float[n], new float[n],
+                SpringList.of(parts(system)));
         for (int i = 0; i < n; i++) {
             made.ids[i] = particles.id(i);
             made.fixed[i] = particles.isFixed(i) ? 1 : 0;
@@ -32,10 +33,6 @@ record Structure(String[] ids, int[] fixed, float[] births, float[] lives, Sprin
             made.lives[i] = (float) (particles.deathTime(i) - particles.birthTime(i));
         }
         return made;
-    }
-
-    private static SpringList springs(ParticleSystem system) {
-        return SpringList.of(parts(system));
     }
 
     private static Stream<?> parts(ParticleSystem system) {

@@ -1,5 +1,6 @@
 package particles.lab.compile;
 
+import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.URL;
@@ -29,9 +30,7 @@ public final class PageBuilder implements LabBuilder {
             return PageParts.page(engine, scenes(contents), List.of(PageParts.own("licences.txt"), apache()));
         } finally {
             try (Stream<Path> files = Files.walk(folder)) {
-                for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-                    Files.delete(file);
-                }
+                files.sorted(Comparator.reverseOrder()).map(Path::toFile).forEach(File::delete);
             }
         }
     }
