@@ -5,6 +5,7 @@ import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import deSolvers.text.Digits;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
@@ -32,8 +33,6 @@ public final class BlowUpMessage {
     private final StepLimit limits;
     private final AdviceRule rule;
     private final Optional<Effect> singular;
-    private String cause = "";
-    private String advice = "";
 
     /**
      * @param scene   the scene that was run, as the exception left it
@@ -48,7 +47,6 @@ public final class BlowUpMessage {
         limits = new StepLimit(scene);
         rule = new AdviceRule(scene, limits, options);
         singular = failure.filter(given -> given.getEntry() >= 0).flatMap(given -> singularForce());
-        find();
     }
 
     /** @return whether numbers grew without bounds; false if a solver found no solution */
@@ -59,7 +57,7 @@ public final class BlowUpMessage {
 
     /** @return the lines, separated by line feeds */
     public String lines() {
-        return Stream.of(what(), cause, advice).filter(line -> !line.isEmpty()).collect(Collectors.joining("\n"));
+        return Stream.concat(Stream.of(what()), reasons().stream()).collect(Collectors.joining("\n"));
     }
 
     private String what() {
@@ -91,39 +89,37 @@ public final class BlowUpMessage {
                 + Digits.few(scene.energyLimit()) + " J";
     }
 
-    private void found(String cause, String advice) {
-        this.cause = cause;
-        this.advice = advice;
-    }
-
-    /** Finds the cause and the advice. */
-    private void find() {
+    /** The cause, if it is known, and the advice. */
+    private List<String> reasons() {
         Optional<SolverInfo> known = SolverCatalog.find(solver);
+        boolean adaptive = known.filter(SolverInfo::adaptive).isPresent();
         if (singular.isPresent()) {
-            found("no solver can go on from there", AdviceRule.byHand("other positions in the scene"));
-        } else if (end.getEnd() == End.NO_HEADWAY) {
-            findForContacts();
-        } else if (failure.isPresent() && !(isBlowUp() && known.filter(SolverInfo::adaptive).isEmpty()) && mayStop()) {
-            found("something is about to stop or to begin to slide, and there Coulomb friction changes its direction"
-                    + " too fast for " + solver, rule.forFriction());
-        } else if (failure.isPresent() || isBlowUp()) {
-            known.ifPresentOrElse(this::find,
-                    () -> found("the stability limit of " + solver + " is not known", rule.forUnknown()));
-        } else if (scene.simulation().isOver()) {
-            found("", known.filter(SolverInfo::adaptive).isPresent() ? rule.forUnknown() : rule.forOtherForces());
+            return List.of("no solver can go on from there", AdviceRule.byHand("other positions in the scene"));
         }
+        if (end.getEnd() == End.NO_HEADWAY) {
+            return ofContacts();
+        }
+        if (failure.isPresent() && (adaptive || !isBlowUp()) && mayStop()) {
+            return List.of("something is about to stop or to begin to slide, and there Coulomb friction changes its"
+                    + " direction too fast for " + solver, rule.forFriction());
+        }
+        if (failure.isPresent() || isBlowUp()) {
+            return known.map(this::ofForces).orElseGet(() ->
+                    List.of("the stability limit of " + solver + " is not known", rule.forUnknown()));
+        }
+        return !scene.simulation().isOver() ? List.of()
+                : List.of(adaptive ? rule.forUnknown() : rule.forOtherForces());
     }
 
     /** Contacts that open and close without end. */
-    private void findForContacts() {
+    private List<String> ofContacts() {
         if (scene.description().bouncesForEver()) {
-            found("with restSpeed 0, bounces become ever smaller and never end",
+            return List.of("with restSpeed 0, bounces become ever smaller and never end",
                     AdviceRule.byHand("restSpeed: 0.01 in the scene's rule"));
-        } else {
-            found((scene.description().hasHardBalls() ? "hard balls meet and part"
-                    : "springs or friction open and close a contact") + " faster than the motion goes on",
-                    rule.forContacts());
         }
+        return List.of((scene.description().hasHardBalls() ? "hard balls meet and part"
+                : "springs or friction open and close a contact") + " faster than the motion goes on",
+                rule.forContacts());
     }
 
     private boolean mayStop() {
@@ -131,27 +127,24 @@ public final class BlowUpMessage {
                 && contacts.mayStopWithin(scene.system(), scene.simulation().getDeltaT()));
     }
 
-    private void find(SolverInfo known) {
+    private List<String> ofForces(SolverInfo known) {
         if (known.adaptive()) {
-            found(solver + " chooses its own sub-steps, so another deltaT does not help",
+            return List.of(solver + " chooses its own sub-steps, so another deltaT does not help",
                     limits.hasSprings() ? rule.forStiffness() : rule.forOtherForces());
-        } else if (known.unlimited()) {
+        }
+        if (known.unlimited()) {
             String but = solver + " has no stability limit, but ";
-            if (limits.hasSprings()) {
-                found(but + (isBlowUp() ? "it adds energy where springs buckle or turn"
-                        : "its equations could not be solved"), rule.forStiffness());
-            } else {
-                found(but + "deltaT is too long for forces that change so fast", rule.forOtherForces());
-            }
-        } else if (limits.alwaysGrows(known)) {
-            found(limits.isDamped() ? "springs with little damping gain energy with " + solver
+            return limits.hasSprings() ? List.of(but + (isBlowUp() ? "it adds energy where springs buckle or turn"
+                    : "its equations could not be solved"), rule.forStiffness())
+                    : List.of(but + "deltaT is too long for forces that change so fast", rule.forOtherForces());
+        }
+        if (limits.alwaysGrows(known)) {
+            return List.of(limits.isDamped() ? "springs with little damping gain energy with " + solver
                     + " unless deltaT is very short" : "undamped springs gain energy with " + solver
                     + " at any deltaT", rule.forSprings(known));
-        } else if (limits.isExceededBy(known)) {
-            found(limits.excess(known), rule.forSprings(known));
-        } else {
-            found(notSprings(), rule.forOtherForces());
         }
+        return limits.isExceededBy(known) ? List.of(limits.excess(known), rule.forSprings(known))
+                : List.of(notSprings(), rule.forOtherForces());
     }
 
     private String notSprings() {

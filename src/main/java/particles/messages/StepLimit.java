@@ -71,27 +71,24 @@ final class StepLimit {
 
     /** By how much deltaT is too long, for which spring, and the two numbers that this comes from. */
     String excess(SolverInfo solver) {
-        double limit = limit(solver);
         Particles particles = scene.system().getParticles();
         int s = rates.stiffest();
         String spring = s < 0 ? "" : "; stiffest spring: '" + particles.id(scene.springs().from(s)) + "' to '"
                 + particles.id(scene.springs().to(s)) + "'";
-        boolean byFixedPoint = Double.isNaN(solver.realLimit()) && FIXED_POINT / damping < limit / rates.omega();
-        double times = byFixedPoint ? deltaT * damping / FIXED_POINT : deltaT * rate(solver) / limit;
-        String kind = byFixedPoint ? "damping" : "vibration";
-        String what = byFixedPoint
-                ? "c/m * deltaT is at most " + Digits.few(damping * deltaT) + "; the iteration of "
-                        + solver.name() + " converges well up to " + FIXED_POINT
-                : "|lambda| * deltaT is at most " + Digits.few(deltaT * rate(solver)) + "; the limit of "
-                        + solver.name() + " is " + Digits.few(limit)
-                        + (Double.isNaN(solver.realLimit()) && damping > 0 ? ", less with damping" : "");
-        return "deltaT is too long for the fastest " + kind + ", by a factor of up to " + Digits.few(times) + " ("
-                + what + spring + ")";
+        double limit = limit(solver);
+        boolean iterates = Double.isNaN(solver.realLimit());            // for damping, which it solves for apart
+        double rate = iterates ? rates.omega() : fastest;
+        return "deltaT is too long for the fastest " + (iterates && FIXED_POINT / damping < limit / rate
+                ? "damping" + by(deltaT * damping / FIXED_POINT) + "c/m * deltaT is at most "
+                        + Digits.few(damping * deltaT) + "; the iteration of " + solver.name()
+                        + " converges well up to " + FIXED_POINT
+                : "vibration" + by(deltaT * rate / limit) + "|lambda| * deltaT is at most "
+                        + Digits.few(deltaT * rate) + "; the limit of " + solver.name() + " is " + Digits.few(limit)
+                        + (iterates && damping > 0 ? ", less with damping" : "")) + spring + ")";
     }
 
-    /** The fastest motion that counts for this solver (1/s): with damping, unless that is solved for apart. */
-    private double rate(SolverInfo solver) {
-        return Double.isNaN(solver.realLimit()) ? rates.omega() : fastest;
+    private static String by(double times) {
+        return ", by a factor of up to " + Digits.few(times) + " (";
     }
 
     /** The fastest decay by air drag, c/m (1/s). */
