@@ -14,7 +14,6 @@ import particles.reactions.wires.Curve;
 import particles.scene.format.SceneFormat;
 import particles.scene.parts.ConstraintDescription;
 import particles.scene.parts.ParticleIndex;
-import particles.scene.parts.RodDescription;
 import particles.scene.parts.RuleKind;
 import particles.scene.parts.SpringDescription;
 import particles.scene.parts.WireKind;
@@ -32,11 +31,8 @@ import particles.spec.messages.Wording;
  * @param problems receives the problems
  * @param known    the particles
  * @param index    those without mistakes
- * @param rods     receives the rods without mistakes
- * @param wires    receives the wires without mistakes
  */
-record ConstraintChecks(Values scene, Problems problems, KnownParticles known, ParticleIndex index,
-        List<RodDescription> rods, List<Chosen<WireKind>> wires) {
+record ConstraintChecks(Values scene, Problems problems, KnownParticles known, ParticleIndex index) {
     /** The largest initial distance of a bead from its wire (m): positions in files have few digits. */
     private static final double ON_WIRE = 1e-3;
     /** Speeds along a rod or off a wire below this are round-off (m/s). */
@@ -58,24 +54,32 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
         return springs;
     }
 
-    void check() {
-        for (Values values : withKnownEnds(SceneFormat.RODS, RodDescription.FROM, RodDescription.TO)) {
-            RodDescription rod = RodDescription.of(values);
-            Place place = values.place(RodDescription.TO);
-            if (checkEnds("rod", rod.from(), rod.to(), place)) {
-                checkMotion(rod, place);
-            }
-            rods.add(rod);
-        }
-        checkLines();
-        for (Chosen<WireKind> wire : scene.list(SceneFormat.WIRES)) {
-            if (known.has(wire.values(), WireKind.BEAD) && wire.values().isSound()) {
-                check(wire);
+    /** @return the rods and wires without mistakes of their own */
+    ConstraintDescription check() {
+        List<Values> rods = withKnownEnds(SceneFormat.RODS, ConstraintDescription.FROM, ConstraintDescription.TO);
+        for (Values rod : rods) {
+            Place place = rod.place(ConstraintDescription.TO);
+            if (checkEnds("rod", from(rod), to(rod), place)) {
+                checkMotion(from(rod), to(rod), place);
             }
         }
-        if (!(rods.isEmpty() && wires.isEmpty()) && scene.mapping(SceneFormat.CONSTRAINTS).isSound()) {
-            checkFeedback();
+        checkLines(rods);
+        List<Chosen<WireKind>> wires = scene.list(SceneFormat.WIRES).stream().filter(wire ->
+                known.has(wire.values(), WireKind.BEAD) && wire.values().isSound()).toList();
+        wires.forEach(this::check);
+        Values settings = scene.mapping(SceneFormat.CONSTRAINTS);
+        if (!(rods.isEmpty() && wires.isEmpty()) && settings.isSound()) {
+            checkFeedback(settings.get(ConstraintDescription.FEEDBACK));
         }
+        return new ConstraintDescription(rods, wires, settings);
+    }
+
+    private static String from(Values rod) {
+        return rod.get(ConstraintDescription.FROM);
+    }
+
+    private static String to(Values rod) {
+        return rod.get(ConstraintDescription.TO);
     }
 
     private List<Values> withKnownEnds(Key<List<Values>> list, Key<String> from, Key<String> to) {
@@ -96,18 +100,17 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
         return apart;
     }
 
-    private void checkMotion(RodDescription rod, Place place) {
-        Vector3 way = index.way(rod.from(), rod.to());
-        if (index.particle(rod.from()).fixed() && index.particle(rod.to()).fixed()) {
-            problems.add(place, Wording.quote(rod.from()) + " and " + Wording.quote(rod.to())
+    private void checkMotion(String from, String to, Place place) {
+        Vector3 way = index.way(from, to);
+        if (index.particle(from).fixed() && index.particle(to).fixed()) {
+            problems.add(place, Wording.quote(from) + " and " + Wording.quote(to)
                     + " are fixed; a rod between them has no effect");
         } else {
-            double rate = velocity(rod.to()).minus(velocity(rod.from())).dot(way) / way.length();
+            double rate = velocity(to).minus(velocity(from)).dot(way) / way.length();
             if (Math.abs(rate) > STILL) {
-                problems.add(place,
-                        "the ends of the rod from " + Wording.quote(rod.from()) + " to " + Wording.quote(rod.to())
+                problems.add(place, "the ends of the rod from " + Wording.quote(from) + " to " + Wording.quote(to)
                         + " move " + (rate > 0 ? "apart" : "together") + " at " + Digits.exact(Math.abs(rate))
-                        + " m/s; their relative velocity must be across the rod" + moving(rod));
+                        + " m/s; their relative velocity must be across the rod" + moving(from, to));
             }
         }
     }
@@ -123,8 +126,8 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
                 && rule.values().find(RuleKind.ANCHOR).filter(id::equals).isPresent()).findFirst();
     }
 
-    private String moving(RodDescription rod) {
-        return Stream.of(rod.from(), rod.to()).filter(id -> motionOf(id).isPresent())
+    private String moving(String... ends) {
+        return Stream.of(ends).filter(id -> motionOf(id).isPresent())
                 .map(id -> "; " + Wording.quote(id) + " begins with " + components(velocity(id)) + " m/s").findFirst()
                 .orElse("");
     }
@@ -137,33 +140,35 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
      * Refuses rods that form a triangle or polygon without area. Their lengths forbid a motion across the line, but
      * forces along the line cannot prevent it.
      */
-    private void checkLines() {
+    private void checkLines(List<Values> rods) {
         Map<String, Set<String>> joined = new HashMap<>();
-        for (RodDescription rod : rods) {
-            joined.computeIfAbsent(rod.from(), id -> new LinkedHashSet<>()).add(rod.to());
-            joined.computeIfAbsent(rod.to(), id -> new LinkedHashSet<>()).add(rod.from());
+        for (Values rod : rods) {
+            joined.computeIfAbsent(from(rod), id -> new LinkedHashSet<>()).add(to(rod));
+            joined.computeIfAbsent(to(rod), id -> new LinkedHashSet<>()).add(from(rod));
         }
-        for (RodDescription rod : rods) {
-            List<String> line = new ArrayList<>(List.of(rod.from()));
-            for (int k = 0; k < line.size() && !line.contains(rod.to()); k++) {
+        for (Values rod : rods) {
+            String from = from(rod);
+            String to = to(rod);
+            List<String> line = new ArrayList<>(List.of(from));
+            for (int k = 0; k < line.size() && !line.contains(to); k++) {
                 for (String next : joined.get(line.get(k))) {
-                    if (!line.contains(next) && !(k == 0 && next.equals(rod.to())) && isOn(rod, next)) {
+                    if (!line.contains(next) && !(k == 0 && next.equals(to)) && isBetween(from, to, next)) {
                         line.add(next);
                     }
                 }
             }
-            if (line.size() > 1 && line.contains(rod.to())) {
-                problems.add(rod.place(), "the rods between " + Wording.some(line)
+            if (line.size() > 1 && line.contains(to)) {
+                problems.add(rod.getPlace(), "the rods between " + Wording.some(line)
                         + " lie in one line, which only infinite forces could keep straight; leave out the rod from "
-                        + Wording.quote(rod.from()) + " to " + Wording.quote(rod.to()));
+                        + Wording.quote(from) + " to " + Wording.quote(to));
             }
         }
     }
 
-    /** Whether a particle begins on the line of a rod, between its ends. */
-    private boolean isOn(RodDescription rod, String id) {
-        Vector3 way = index.way(rod.from(), rod.to());
-        Vector3 there = index.way(rod.from(), id);
+    /** Whether a particle begins on the line between two others, or where the second does. */
+    private boolean isBetween(String from, String to, String id) {
+        Vector3 way = index.way(from, to);
+        Vector3 there = index.way(from, id);
         double part = there.dot(way) / way.dot(way);
         return part > 0 && part <= 1 && there.minus(way.times(part)).length() <= IN_LINE * way.length();
     }
@@ -189,7 +194,6 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
                 }
             }
         }
-        wires.add(wire);
     }
 
     /** Describes the distance of a point from a wire, found by Newton's method. */
@@ -212,16 +216,11 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
      * Checks that the feedback is not too strong: then it causes larger errors than it removes and is unstable with
      * some solvers.
      */
-    private void checkFeedback() {
-        double rate = scene.mapping(SceneFormat.CONSTRAINTS).get(ConstraintDescription.FEEDBACK);
+    private void checkFeedback(double rate) {
         scene.find(SceneFormat.DELTA_T).filter(deltaT -> rate * deltaT > MOST_FEEDBACK).ifPresent(deltaT ->
                 problems.add(scene.place(scene.isGiven(SceneFormat.CONSTRAINTS) ? SceneFormat.CONSTRAINTS
                         : SceneFormat.DELTA_T), "the feedback of rods and wires, " + Digits.exact(rate)
                         + " /s, is too strong for a deltaT of " + Digits.exact(deltaT)
                         + " s; feedback times deltaT must be " + Digits.exact(MOST_FEEDBACK) + " at most"));
-    }
-
-    ConstraintDescription describe() {
-        return ConstraintDescription.of(rods, wires, scene.mapping(SceneFormat.CONSTRAINTS));
     }
 }

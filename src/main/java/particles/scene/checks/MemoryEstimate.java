@@ -1,7 +1,6 @@
 package particles.scene.checks;
 
 import deSolvers.catalog.SolverCatalog;
-import deSolvers.catalog.SolverInfo;
 import deSolvers.text.Digits;
 import java.util.Locale;
 import particles.scene.format.OutputDescription.Frames;
@@ -64,13 +63,12 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
      * a nested-dissection elimination grow with n log n; radau has a real and a complex one.
      */
     private static double bytesOfSolver(String name, double particles) {
-        if (!SolverCatalog.names().contains(name)) {
-            return 0;
-        }
-        SolverInfo info = SolverCatalog.info(name);
         double growth = StrictMath.log(Math.max(1, particles / FEW));
-        return info.family().equals("implicit") ? info.adaptive() ? 6000 + 1200 * growth : 1400 + 400 * growth
-                : info.family().equals("extrapolation") ? 600 : 0;
+        return SolverCatalog.find(name).map(info -> switch (info.family()) {
+            case "implicit" -> info.adaptive() ? 6000 + 1200 * growth : 1400 + 400 * growth;
+            case "extrapolation" -> 600.0;
+            default -> 0.0;
+        }).orElse(0.0);
     }
 
     /**

@@ -1,6 +1,5 @@
 package particles.scene.checks;
 
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -16,6 +15,7 @@ import particles.scene.format.SceneFormat;
 import particles.scene.format.SolverDescription;
 import particles.scene.format.SolverFormat;
 import particles.scene.format.Tolerances;
+import particles.scene.parts.ConstraintDescription;
 import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.SpringDescription;
 import particles.spec.Chosen;
@@ -47,10 +47,9 @@ public final class SceneChecks {
                             + " 'particles', such as {id: source, position: [0, 0, 0], fixed: true}"
                     : "the scene has no particle; add some under 'particles' or 'shapes'");
         }
-        ConstraintChecks constraints = new ConstraintChecks(scene, problems, known, index, new ArrayList<>(),
-                new ArrayList<>());
+        ConstraintChecks constraints = new ConstraintChecks(scene, problems, known, index);
         List<SpringDescription> springs = constraints.checkSprings();
-        constraints.check();
+        ConstraintDescription rigid = constraints.check();
         checkEffects(scene, problems);
         OutsideCheck.check(rules.rules(), index, problems);
         rules.check(!springs.isEmpty() || index.getShapes().stream().anyMatch(shape -> shape.springCount() > 0));
@@ -67,7 +66,7 @@ public final class SceneChecks {
         }
         return Optional.of(new SceneDescription(scene,
                 new SolverDescription(scene.get(SceneFormat.SOLVER).get(SolverFormat.NAME), tolerances),
-                new Contents(index, springs, constraints.describe(), List.copyOf(scene.get(SceneFormat.EFFECTS)),
+                new Contents(index, springs, rigid, List.copyOf(scene.get(SceneFormat.EFFECTS)),
                         List.copyOf(scene.get(SceneFormat.RULES))),
                 new Drawing(camera, LookCheck.of(scene, index)),
                 OutputDescription.of(scene.mapping(SceneFormat.OUTPUT))));

@@ -6,7 +6,6 @@ import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
 import particles.scene.parts.ConstraintDescription;
 import particles.scene.parts.ParticleDescription;
-import particles.scene.parts.RodDescription;
 import particles.scene.parts.RuleKind;
 import particles.scene.parts.ShapeKind;
 import particles.scene.parts.SpringDescription;
@@ -45,7 +44,7 @@ public final class SceneFormat {
             "Ropes, cloths and blocks: many particles and springs at once.");
     public static final Key<List<Values>> SPRINGS = ListType.of("a spring", SpringDescription.TYPE)
             .withDefault("springs", List.of(), "Springs between any two particles.");
-    public static final Key<List<Values>> RODS = ListType.of("a rod", RodDescription.TYPE)
+    public static final Key<List<Values>> RODS = ListType.of("a rod", ConstraintDescription.ROD)
             .withDefault("rods", List.of(),
             "Rigid rods between any two particles. The length of a rod is the initial distance of its particles.");
     public static final Key<List<Chosen<WireKind>>> WIRES = ListType.of("a wire", new KindType<>("wire", WireKind.ALL))

@@ -37,7 +37,7 @@ public final class SolverFormat {
             return Optional.empty();
         }
         String name = values.get(NAME);
-        if (SolverCatalog.names().contains(name) && !SolverCatalog.info(name).adaptive()) {
+        if (SolverCatalog.find(name).filter(solver -> !solver.adaptive()).isPresent()) {
             problems.add(values.place(values.isGiven(RELATIVE) ? RELATIVE : ABSOLUTE), "solver '" + name
                     + "' takes steps of deltaT and has no tolerances; solvers with"
                     + " tolerances: " + String.join(", ", SolverCatalog.names().stream()

@@ -21,13 +21,16 @@ import particles.spec.Values;
 /**
  * The rods and wires of a scene and how they are enforced.
  *
- * @param rods       the rods
- * @param wires      the wires, each with its bead
- * @param feedback   the rate at which errors decay (1/s)
- * @param projection whether particles are projected onto rods and wires after every step
+ * @param rods   the two ends of each rod, whose length is their initial distance
+ * @param wires  the wires, each with its bead
+ * @param values how they are enforced
  */
-public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireKind>> wires, double feedback,
-        boolean projection) {
+public record ConstraintDescription(List<Values> rods, List<Chosen<WireKind>> wires, Values values) {
+    public static final Key<String> FROM = SpringDescription.ANY_ID.required("from",
+            "The particle where the rod begins.");
+    public static final Key<String> TO = SpringDescription.ANY_ID.required("to", "The particle where it ends.");
+    public static final MappingType ROD = MappingType.of("a rod", FROM, TO);
+
     public static final Key<Double> FEEDBACK = NumberType.notNegative("1/s").withDefault("feedback",
             RigidConstraints.USUAL_FEEDBACK,
             "The rate at which errors of length decay (1/s); values far above 0.1/deltaT make the run less accurate.");
@@ -36,12 +39,6 @@ public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireK
             + " on their wires.");
     public static final MappingType TYPE = MappingType.of("'constraints'", FEEDBACK, PROJECTION);
 
-    /** @return the rods and wires with these values */
-    public static ConstraintDescription of(List<RodDescription> rods, List<Chosen<WireKind>> wires, Values values) {
-        return new ConstraintDescription(List.copyOf(rods), List.copyOf(wires), values.get(FEEDBACK),
-                values.get(PROJECTION));
-    }
-
     /** Adds the scene's rods, wires and collisions of balls, if there are any; they are solved with these contacts. */
     public void build(Simulation simulation, ParticleIndex index, SceneAssembly assembly,
             Optional<RestingContacts> contacts) {
@@ -49,10 +46,12 @@ public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireK
         if (rods.isEmpty() && wires.isEmpty() && assembly.getBalls().isEmpty()) {
             return;
         }
-        RigidConstraints constraints = new RigidConstraints(system, feedback);
-        for (RodDescription rod : rods) {
-            constraints.addRod(index.find(rod.from()).orElseThrow(), index.find(rod.to()).orElseThrow(),
-                    index.way(rod.from(), rod.to()).length());
+        RigidConstraints constraints = new RigidConstraints(system, values.get(FEEDBACK));
+        for (Values rod : rods) {
+            String from = rod.get(FROM);
+            String to = rod.get(TO);
+            constraints.addRod(index.find(from).orElseThrow(), index.find(to).orElseThrow(),
+                    index.way(from, to).length());
         }
         for (Chosen<WireKind> wire : wires) {
             String bead = wire.values().get(WireKind.BEAD);
@@ -69,7 +68,7 @@ public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireK
         }
         system.addReaction(constraints);
         constraints.project(system.getOwnState(), system.getTime());        // positions in files have few digits
-        if (projection) {
+        if (values.get(PROJECTION)) {
             simulation.addRule(new ConstraintProjection(constraints));
         }
     }

@@ -134,8 +134,11 @@ public final class SceneAssembly implements EffectContext {
 
     /** @return everything to draw, with the given surfaces */
     public Scenery scenery(List<Surface> surfaces) {
-        return new Scenery(surfaces, solids.stream().filter(Plane.class::isInstance).map(Plane.class::cast).toList(),
-                solids.stream().filter(Sphere.class::isInstance).map(Sphere.class::cast).toList(), wires);
+        return new Scenery(surfaces, solids(Plane.class), solids(Sphere.class), wires);
+    }
+
+    private <T> List<T> solids(Class<T> type) {
+        return solids.stream().filter(type::isInstance).map(type::cast).toList();
     }
 
     /** @return the surfaces of contact rules */
