@@ -1,9 +1,9 @@
 package particles.energy;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleUnaryOperator;
+import java.util.stream.Collectors;
 import particles.ParticleSystem;
 import particles.law.Effect;
 import particles.view.ChartData;
@@ -27,13 +27,30 @@ public final class EnergyHistory extends StridedRecorder {
     private final MinMaxThinning kinetic = new MinMaxThinning(BUCKETS);
     private final MinMaxThinning total = new MinMaxThinning(BUCKETS);
     private final MinMaxThinning potential = new MinMaxThinning(BUCKETS);
-    private final List<Effect> effects = new ArrayList<>();
-    private final List<MinMaxThinning> stored = new ArrayList<>();
+    private final List<Part> parts = new ArrayList<>();
     private double internal;                            // kinetic plus stored energy, latest
     private double largestInternal = Double.NEGATIVE_INFINITY;
-    private double[] lowest = {};                       // the lowest energy of each effect's bonds, 0 or less
-    private double lowestInternal;                      // their sum
+    private double lowestInternal;                      // the sum of the lowest energies of bonds
     private double restScale;
+
+    /** What one effect stores. */
+    private static final class Part {
+        private final Effect effect;
+        private final MinMaxThinning stored = new MinMaxThinning(BUCKETS);
+        private double lowest;                          // of its bonds, 0 or less
+
+        Part(Effect effect) {
+            this.effect = effect;
+        }
+
+        /**
+         * A uniform field such as gravity has its zero at its lowest value in the run, so that the choice of the origin
+         * does not matter. An attraction has its own zero, far away: an orbit that cannot escape has a negative energy.
+         */
+        double zero() {
+            return Effect.Trait.isUniform(effect) ? stored.smallest() : 0;
+        }
+    }
 
     /** Creates a history that records every step. */
     public EnergyHistory() {
@@ -50,9 +67,7 @@ public final class EnergyHistory extends StridedRecorder {
 
     @Override
     public void started(ParticleSystem system) {
-        effects.addAll(system.getEffects());
-        effects.forEach(effect -> stored.add(new MinMaxThinning(BUCKETS)));
-        lowest = new double[effects.size()];
+        system.getEffects().forEach(effect -> parts.add(new Part(effect)));
         restScale = RestScale.of(system);
         super.started(system);
         restScale -= lowestInternal;
@@ -63,20 +78,20 @@ public final class EnergyHistory extends StridedRecorder {
         double motion = system.getKineticEnergy(state);
         double sum = 0;
         internal = motion;
-        for (int e = 0; e < lowest.length; e++) {
-            Effect effect = effects.get(e);
-            double energy = effect.getPotentialEnergy(state, time);
+        lowestInternal = 0;
+        for (Part part : parts) {
+            double energy = part.effect.getPotentialEnergy(state, time);
             sum += energy;
-            if (effect.getTraits().contains(Effect.Trait.INTERNAL)) {
+            if (part.effect.getTraits().contains(Effect.Trait.INTERNAL)) {
                 internal += energy;
-                lowest[e] = Math.min(lowest[e], energy);
+                part.lowest = Math.min(part.lowest, energy);
+                lowestInternal += part.lowest;
             }
-            stored.get(e).add(time, energy);
+            part.stored.add(time, energy);
         }
         kinetic.add(time, motion);
         potential.add(time, sum);
         total.add(time, motion + sum);
-        lowestInternal = Arrays.stream(lowest).sum();
         largestInternal = Math.max(largestInternal, internal);
     }
 
@@ -90,21 +105,9 @@ public final class EnergyHistory extends StridedRecorder {
         return total.getLast() - zero();
     }
 
-    /** The sum of all zeros that {@link #lowest} subtracts. */
+    /** The sum of the zeros of all parts. */
     private double zero() {
-        double sum = 0;
-        for (int e = 0; e < effects.size(); e++) {
-            sum += lowest(e);
-        }
-        return sum;
-    }
-
-    /**
-     * A uniform field such as gravity has its zero at its lowest value in the run, so that the choice of the origin
-     * does not matter. An attraction has its own zero, far away: an orbit that cannot escape has a negative energy.
-     */
-    private double lowest(int effect) {
-        return Effect.Trait.isUniform(effects.get(effect)) ? stored.get(effect).smallest() : 0;
+        return parts.stream().mapToDouble(Part::zero).reduce(0, (sum, zero) -> sum + zero);
     }
 
     /** @return the largest |E(t) - E(0)| of the run (J) */
@@ -158,27 +161,17 @@ public final class EnergyHistory extends StridedRecorder {
         List<Series> series = new ArrayList<>();
         double zero = zero();
         boolean log = hasGrown();
-        List<Series> parts = new ArrayList<>();
-        List<String> shifted = new ArrayList<>();
-        for (int e = 0; e < effects.size(); e++) {
-            MinMaxThinning energy = stored.get(e);
-            if (energy.smallest() == 0 && energy.largest() == 0) {
-                continue;
-            }
-            double lowest = lowest(e);
-            if (lowest != 0) {
-                shifted.add(effects.get(e).getName());
-            }
-            parts.add(energy.line("potential: " + effects.get(e).getName(), from(lowest, log)));
-        }
+        List<Part> acting = parts.stream().filter(part -> part.stored.largestSize() != 0).toList();
         series.add(total.line("total", from(zero, log)));
         series.add(kinetic.line("kinetic", from(0, log)));
-        if (parts.size() > 1) {
+        if (acting.size() > 1) {
             series.add(potential.line("potential", from(zero, log)));
         }
-        series.addAll(parts);
-        String axis = "energy (J)" + (shifted.isEmpty() ? ""
-                : "; " + String.join(" and ", shifted) + " is 0 at its lowest");
+        acting.forEach(part -> series.add(part.stored.line("potential: " + part.effect.getName(),
+                from(part.zero(), log))));
+        String shifted = acting.stream().filter(part -> part.zero() != 0).map(part -> part.effect.getName())
+                .collect(Collectors.joining(" and "));
+        String axis = "energy (J)" + (shifted.isEmpty() ? "" : "; " + shifted + " is 0 at its lowest");
         return new ChartData(title, "time (s)", axis, false, log, List.copyOf(series));
     }
 

@@ -5,6 +5,7 @@ import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.law.Particles;
+import particles.law.Vector3;
 
 /**
  * Tells whether the steps of a run resolve its fastest visible vibration, which takes {@value #STEPS} steps per period.
@@ -98,12 +99,12 @@ public final class Resolution implements Observer {
         }
         system.addUpEffects(before, motion.getStartTime(), first);
         system.addUpEffects(moved, motion.getStartTime(), second);
-        for (int v = 3; v < moved.length; v += v % Particles.STRIDE == 5 ? 4 : 1) {
-            int i = v / Particles.STRIDE;
+        for (int i = 0; i < unbroken.length; i++) {
             if (!system.getParticles().isFixed(i)) {
-                double displacement = moved[v - 3] - before[v - 3];
-                pull -= (second[v] - first[v]) * displacement;
-                inertia += system.getParticles().mass(i) * displacement * displacement / (h * h);
+                int x = Particles.STRIDE * i;
+                Vector3 displacement = Vector3.at(moved, x).minus(Vector3.at(before, x));
+                pull -= Vector3.at(second, x + 3).minus(Vector3.at(first, x + 3)).dot(displacement);
+                inertia += system.getParticles().mass(i) * displacement.dot(displacement) / (h * h);
             }
         }
     }

@@ -10,6 +10,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.stream.IntStream;
 import particles.SimulationException;
 import particles.app.cli.ChartOptions;
 import particles.app.cli.ExitCode;
@@ -150,8 +151,8 @@ public final class RunCommand extends ResultsCommand {
         String[] sides = size.split("x");
         int width = Integer.parseInt(sides[0]);
         int height = Integer.parseInt(sides[1]);
-        requireWithin("size", Math.min(width, height), OutputDescription.LEAST_SIDE, OutputDescription.MOST_SIDE);
-        requireWithin("size", Math.max(width, height), OutputDescription.LEAST_SIDE, OutputDescription.MOST_SIDE);
+        IntStream.of(width, height).sorted().forEach(side ->
+                requireWithin("size", side, OutputDescription.LEAST_SIDE, OutputDescription.MOST_SIDE));
         return output.sized(width, height);
     }
 
