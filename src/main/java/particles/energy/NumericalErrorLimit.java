@@ -105,10 +105,6 @@ public final class NumericalErrorLimit implements Observer {
 
     /** All work that brought energy into the run (J). */
     private double putIn() {
-        double sum = 0;
-        for (double work : books.getWork().values()) {
-            sum += Math.max(0, work);
-        }
-        return sum;
+        return books.getWork().values().stream().mapToDouble(work -> Math.max(0, work)).sum();
     }
 }

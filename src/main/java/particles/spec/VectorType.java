@@ -2,6 +2,7 @@ package particles.spec;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
 import particles.law.Vector3;
@@ -44,14 +45,10 @@ public record VectorType(NumberType component, boolean zeroAllowed) implements T
             return in.problem(node, what + " has " + nodes.size() + (nodes.size() == 1 ? " entry" : " entries")
                     + "; it has to be " + describe());
         }
-        double[] values = new double[3];
-        boolean right = true;
-        for (int i = 0; i < 3; i++) {
-            Optional<Double> value = component.read(nodes.get(i), "xyz".charAt(i) + " of " + what, in);
-            right &= value.isPresent();
-            values[i] = value.orElse(0.0);
-        }
-        if (!right) {
+        double[] values = IntStream.range(0, 3).mapToObj(i ->
+                component.read(nodes.get(i), "xyz".charAt(i) + " of " + what, in))
+                .flatMap(Optional::stream).mapToDouble(Double::doubleValue).toArray();
+        if (values.length < 3) {
             return Optional.empty();
         }
         Vector3 vector = Vector3.at(values, 0);

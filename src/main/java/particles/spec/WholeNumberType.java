@@ -12,12 +12,8 @@ import org.snakeyaml.engine.v2.nodes.Node;
 public record WholeNumberType(int least, int most) implements Type<Integer> {
     @Override
     public Optional<Integer> read(Node node, String what, Reading in) {
-        Optional<Double> number = NumberType.parse(node);
-        if (number.isEmpty() || number.get() != StrictMath.rint(number.get()) || !(number.get() >= least)
-                || !(number.get() <= most)) {
-            return wrong(node, what, in);
-        }
-        return Optional.of((int) (double) number.get());
+        return NumberType.parse(node).filter(number -> number == StrictMath.rint(number) && number >= least
+                && number <= most).map(Double::intValue).or(() -> wrong(node, what, in));
     }
 
     @Override

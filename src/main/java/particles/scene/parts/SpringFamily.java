@@ -3,6 +3,7 @@ package particles.scene.parts;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import particles.spec.Key;
 import particles.spec.MappingType;
 import particles.spec.NumberType;
@@ -77,15 +78,9 @@ public record SpringFamily(Sort sort, double stiffness, double damping) {
 
     /** @return the number of springs of this sort in a lattice */
     long count(Lattice lattice) {
-        long count = 0;
-        for (int[] offset : sort.offsets(lattice.counts().size())) {
-            long pairs = 1;
-            for (int d = 0; d < offset.length; d++) {
-                pairs *= Math.max(0, lattice.counts().get(d) - Math.abs(offset[d]));
-            }
-            count += pairs;
-        }
-        return count;
+        return sort.offsets(lattice.counts().size()).stream().mapToLong(offset -> IntStream.range(0, offset.length)
+                .mapToLong(d -> Math.max(0, lattice.counts().get(d) - Math.abs(offset[d])))
+                .reduce(1, (a, b) -> a * b)).sum();
     }
 
     /** Passes every spring to a sink, with the lattice's own particle numbers. */
