@@ -4,8 +4,10 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.awt.Shape;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
+import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -73,33 +75,38 @@ final class EndLabels {
 
     /** @param area the rectangle of the chart's points */
     void draw(Graphics2D g, Rectangle2D area) {
-        double line = g.getFontMetrics(ChartStyle.LABEL).getHeight() - 1;
-        List<Integer> outside = new ArrayList<>();
-        List<Rectangle2D> taken = new ArrayList<>();
         g.setFont(ChartStyle.LABEL);
+        double line = g.getFontMetrics().getHeight() - 1;
+        List<Shape> taken = new ArrayList<>();
+        List<Integer> outside = new ArrayList<>();
         for (int k : labelled) {
-            double width = g.getFontMetrics().stringWidth(data.name(k));
-            if (endX(k, area) > area.getMaxX() - EDGE * area.getWidth()
-                    || endX(k, area) + 3 * GAP + width > area.getMaxX()) {
+            Point2D end = end(k, area);
+            taken.add(new Rectangle2D.Double(end.getX() - GAP, end.getY() - GAP, 2 * GAP, 2 * GAP));
+            if (end.getX() > area.getMaxX() - EDGE * area.getWidth()
+                    || end.getX() + 3 * GAP + g.getFontMetrics().stringWidth(data.name(k)) > area.getMaxX()) {
                 outside.add(k);
-            } else {
-                drawInside(g, k, area, line, taken);
             }
         }
-        outside.sort(Comparator.comparingDouble(k -> endY(k, area)));
-        double[] wanted = outside.stream().mapToDouble(k -> endY(k, area)).toArray();
+        outside.sort(Comparator.comparingDouble(k -> end(k, area).getY()));
+        double[] wanted = outside.stream().mapToDouble(k -> end(k, area).getY()).toArray();
         double[] places = spread(wanted, line, area.getMinY() + line / 2, area.getMaxY() - line / 2);
         for (int n = 0; n < places.length; n++) {
-            drawOutside(g, outside.get(n), area, places[n]);
+            taken.add(drawOutside(g, outside.get(n), area, places[n]));
         }
+        labelled.stream().filter(k -> !outside.contains(k)).forEach(k -> drawInside(g, k, area, line, taken));
     }
 
-    /** Draws a name beside the chart, with a thin line from the end of the series. */
-    private void drawOutside(Graphics2D g, int k, Rectangle2D area, double place) {
+    /**
+     * Draws a name beside the chart, with a thin line from the end of the series.
+     *
+     * @return the thin line
+     */
+    private Line2D drawOutside(Graphics2D g, int k, Rectangle2D area, double place) {
         double x = area.getMaxX();
+        Line2D leader = new Line2D.Double(end(k, area), new Point2D.Double(x + LEADER - 1, place));
         g.setPaint(ChartStyle.FIELD);                   // a coloured one would look like more of the curve
         g.setStroke(THIN);
-        g.draw(new Line2D.Double(endX(k, area), endY(k, area), x + LEADER - 1, place));
+        g.draw(leader);
         g.setPaint(renderer.lookupSeriesFillPaint(k).equals(Color.WHITE) ? renderer.lookupSeriesPaint(k)
                 : renderer.lookupSeriesFillPaint(k));
         g.setStroke(renderer.lookupSeriesStroke(k));
@@ -110,15 +117,17 @@ final class EndLabels {
         }
         g.setPaint(ChartStyle.TEXT);
         g.drawString(data.name(k), (float) (x + LEADER + SAMPLE + GAP), (float) (place + middle(g)));
+        return leader;
     }
 
-    /** Draws a name beside the end of a line, or above or below it if another name is there. */
-    private void drawInside(Graphics2D g, int k, Rectangle2D area, double line, List<Rectangle2D> taken) {
+    /** Draws a name beside the end of a line, or above or below it if a name, an end or a thin line is there. */
+    private void drawInside(Graphics2D g, int k, Rectangle2D area, double line, List<Shape> taken) {
         double width = g.getFontMetrics().stringWidth(data.name(k));
-        double x = endX(k, area) + 2 * GAP;
+        Point2D end = end(k, area);
+        double x = end.getX() + 2 * GAP;
         DoubleFunction<Rectangle2D> at = y -> new Rectangle2D.Double(x - 2, y - line / 2, width + 4, line);
-        Rectangle2D box = at.apply(nearestFree(endY(k, area), line, area.getMinY() + line / 2,
-                area.getMaxY() - line / 2, y -> taken.stream().noneMatch(at.apply(y)::intersects)));
+        Rectangle2D box = at.apply(nearestFree(end.getY(), line, area.getMinY() + line / 2,
+                area.getMaxY() - line / 2, y -> taken.stream().noneMatch(shape -> shape.intersects(at.apply(y)))));
         taken.add(box);
         g.setPaint(HALO);
         g.fill(box);
@@ -151,12 +160,11 @@ final class EndLabels {
         return (g.getFontMetrics().getAscent() - g.getFontMetrics().getDescent()) / 2.0;
     }
 
-    private double endX(int k, Rectangle2D area) {
-        return inside(plot.getDomainAxis(), data.getXValue(k, data.last(k)), area, RectangleEdge.BOTTOM);
-    }
-
-    private double endY(int k, Rectangle2D area) {
-        return inside(plot.getRangeAxis(), data.getYValue(k, data.last(k)), area, RectangleEdge.LEFT);
+    /** The end of a line, or where it leaves the chart. */
+    private Point2D end(int k, Rectangle2D area) {
+        int last = data.last(k);
+        return new Point2D.Double(inside(plot.getDomainAxis(), data.getXValue(k, last), area, RectangleEdge.BOTTOM),
+                inside(plot.getRangeAxis(), data.getYValue(k, last), area, RectangleEdge.LEFT));
     }
 
     private static double inside(ValueAxis axis, double value, Rectangle2D area, RectangleEdge edge) {

@@ -1,12 +1,12 @@
 package particles.output.charts;
 
+import deSolvers.text.Digits;
 import java.awt.Graphics2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import org.jfree.chart.ChartRenderingInfo;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.NumberAxis;
@@ -153,8 +153,8 @@ final class FittedChart extends JFreeChart {
             if (tellsUnits) {
                 double metres = x.getLength() / inside.getWidth();
                 double speeds = y.getLength() / inside.getHeight();
-                units.setText(String.format(Locale.ROOT, "1 %s is drawn as long as %.2g %s",
-                        unit(plot.getDomainAxis()), speeds / metres, unit(plot.getRangeAxis())));
+                units.setText("1 " + unit(plot.getDomainAxis()) + " is drawn as long as "
+                        + Digits.few(speeds / metres, 2) + " " + unit(plot.getRangeAxis()));
                 return;
             }
             if (trial == 0) {

@@ -101,6 +101,20 @@ class ChartLayoutTest {
         assertEquals(List.of(), Layout.faults(ChartPage.of(panel, SLIDE), List.of(panel), SLIDE));
     }
 
+    /** The name "rk4" would cover the end of adams, and "bulirsch-stoer" the line from dormand-prince to its name. */
+    @ParameterizedTest
+    @CsvSource(textBlock = """
+            rk4, adams, 0.62
+            bulirsch-stoer, dormand-prince, 0.80
+            """)
+    void namesLeaveEndsOfCurvesAndLinesToNamesFree(String left, String right, double end) {
+        Panel panel = Panel.chart(new ChartData(left + " falls", "work", "error", false, false, List.of(
+                new Series(left, Mark.LINE_AND_POINTS, new double[] {0, 0.55}, new double[] {1, 0.4}),
+                new Series(right, Mark.LINE_AND_POINTS, new double[] {0, end}, new double[] {0.8, 0.4}),
+                new Series("euler", Mark.LINE_AND_POINTS, new double[] {0, 1}, new double[] {1, 0.9}))));
+        assertEquals(List.of(), Layout.faults(ChartPage.of(panel, SLIDE), List.of(panel), SLIDE));
+    }
+
     @Test
     void panelsThatAreComparedHaveEqualFrames() {
         List<Panel> two = List.of(LINE, LINE);

@@ -25,6 +25,8 @@ import org.jfree.chart.plot.XYPlot;
 import org.jfree.data.Range;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.w3c.dom.Document;
 import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
@@ -95,10 +97,11 @@ class FittedChartTest {
         }
     }
 
-    /** An orbit at omega = 5 fills its picture, which says by how much it is out of scale. */
-    @Test
-    void otherOrbitsSayTheirScale() {
-        FittedChart chart = Charts.of(Panel.phase(ellipse(5), Optional.empty()));
+    /** An orbit at omega = 5 or 380 fills its picture, which says by how much it is out of scale. */
+    @ParameterizedTest
+    @ValueSource(doubles = {5, 380})
+    void otherOrbitsSayTheirScale(double omega) {
+        FittedChart chart = Charts.of(Panel.phase(ellipse(omega), Optional.empty()));
         assertTrue(aspect(chart, 900, 560) > 4, "stretched");
         String key = chart.getSubtitles().stream().filter(org.jfree.chart.title.TextTitle.class::isInstance)
                 .map(title -> ((org.jfree.chart.title.TextTitle) title).getText()).findFirst().orElse("");

@@ -17,15 +17,18 @@ public final class Layout {
     private static final double EQUAL = 0.01;
     /** The labels of an axis are this near to its panel. */
     private static final double NEAR = 14;
+    /** Half the size of the point at the end of a curve. */
+    private static final double END = 4;
 
     private final ChartPage page;
     private final List<Text> texts;
     private final List<Rectangle2D> panels;
+    private final PageRecorder recorder;
     private final List<String> faults = new ArrayList<>();
 
     private Layout(ChartPage page) {
         this.page = page;
-        PageRecorder recorder = new PageRecorder(page);
+        recorder = new PageRecorder(page);
         texts = recorder.texts();
         panels = recorder.panels();
     }
@@ -76,6 +79,13 @@ public final class Layout {
                 if (overlap(box, panel) && !grown(panel).contains(box)) {
                     faults.add(say(texts.get(k)) + " crosses the frame of a panel");
                 }
+            }
+            if (panels.stream().anyMatch(panel -> recorder.ends().stream().anyMatch(end -> panel.contains(end)
+                    && box.intersects(end.getX() - END, end.getY() - END, 2 * END, 2 * END)))) {
+                faults.add(say(texts.get(k)) + " covers the end of a curve");
+            }
+            if (recorder.leaders().stream().anyMatch(line -> line.intersects(box))) {
+                faults.add(say(texts.get(k)) + " covers the line to a name");
             }
         }
         for (int k = 0; k < panels.size(); k++) {

@@ -9,6 +9,10 @@ import java.awt.GraphicsConfiguration;
 import java.awt.Image;
 import java.awt.Shape;
 import java.awt.geom.AffineTransform;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.PathIterator;
+import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.awt.image.ImageObserver;
@@ -25,6 +29,8 @@ public final class PageRecorder extends AbstractGraphics2D {
     private final Graphics2D measure;
     private final List<Text> texts;
     private final List<Rectangle2D> panels;
+    private final List<Point2D> ends;
+    private final List<Line2D> leaders;
 
     /**
      * A text on a page.
@@ -47,6 +53,8 @@ public final class PageRecorder extends AbstractGraphics2D {
         measure = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
         texts = new ArrayList<>();
         panels = new ArrayList<>();
+        ends = new ArrayList<>();
+        leaders = new ArrayList<>();
         page.drawing().accept(this);
     }
 
@@ -55,6 +63,8 @@ public final class PageRecorder extends AbstractGraphics2D {
         measure = other.measure;
         texts = other.texts;
         panels = other.panels;
+        ends = other.ends;
+        leaders = other.leaders;
     }
 
     /** @return the texts, in the order of drawing */
@@ -78,12 +88,39 @@ public final class PageRecorder extends AbstractGraphics2D {
         }
     }
 
+    /** @return the ends of curves, also outside of the panels */
+    public List<Point2D> ends() {
+        return ends;
+    }
+
+    /** @return the thin lines from ends of curves to their names */
+    public List<Line2D> leaders() {
+        return leaders;
+    }
+
     @Override
     public void draw(Shape shape) {
+        if (shape instanceof Path2D path && path.getCurrentPoint() != null && !isClosed(path)
+                && !ChartStyle.BAR.equals(getStroke())) {             // a bar of quartiles is no curve
+            ends.add(getTransform().transform(path.getCurrentPoint(), null));
+        }
+        if (shape instanceof Line2D line && ChartStyle.FIELD.equals(getPaint())) {
+            leaders.add(new Line2D.Double(getTransform().transform(line.getP1(), null),
+                    getTransform().transform(line.getP2(), null)));
+        }
         if (shape instanceof Rectangle2D frame && ChartStyle.AXIS.equals(getPaint()) && frame.getHeight() > 1
                 && frame.getWidth() > 1) {
             panels.add(getTransform().createTransformedShape(frame).getBounds2D());
         }
+    }
+
+    /** An outline of a point is closed, a curve is not. */
+    private static boolean isClosed(Path2D path) {
+        boolean closed = false;
+        for (PathIterator part = path.getPathIterator(null); !part.isDone(); part.next()) {
+            closed |= part.currentSegment(new double[6]) == PathIterator.SEG_CLOSE;
+        }
+        return closed;
     }
 
     @Override
