@@ -8,6 +8,7 @@ import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.law.Particles;
+import particles.law.Vector3;
 import particles.output.raster.CameraProjection;
 import particles.view.Camera;
 
@@ -87,7 +88,7 @@ public final class LastSteps implements Observer {
 
     private boolean isAnyInPicture(Particles particles, double[] state) {
         for (int i = 0, x = 0; i < particles.count(); i++, x += Particles.STRIDE) {
-            if (!particles.isFixed(i) && view.isInPicture(state[x], state[x + 1], state[x + 2])) {
+            if (!particles.isFixed(i) && view.isInPicture(Vector3.at(state, x))) {
                 return true;
             }
         }

@@ -5,6 +5,7 @@ import java.util.List;
 import particles.law.Vector3;
 import particles.output.raster.CameraProjection;
 import particles.output.raster.CameraProjection.Place;
+import particles.output.raster.Capsule;
 import particles.output.raster.Colours;
 import particles.output.raster.Foreground;
 
@@ -60,39 +61,19 @@ public final class TrailPainter {
     }
 
     private void line(Place a, Place b, double opacityA, double opacityB, int rgb, Foreground foreground) {
-        double dx = b.x() - a.x();
-        double dy = b.y() - a.y();
-        double square = dx * dx + dy * dy;
-        boolean near = square < 1e10 && Math.abs(a.x()) < 1e6 && Math.abs(a.y()) < 1e6;      // false for NaN
-        if (!near || !a.visible() || !b.visible()) {
-            return;
-        }
         double reach = half + 0.5;
-        int x0 = (int) Math.max(0, Math.floor(Math.min(a.x(), b.x()) - reach));
-        int x1 = (int) Math.min(view.width - 1, Math.ceil(Math.max(a.x(), b.x()) + reach));
-        int y0 = (int) Math.max(0, Math.floor(Math.min(a.y(), b.y()) - reach));
-        int y1 = (int) Math.min(view.height - 1, Math.ceil(Math.max(a.y(), b.y()) + reach));
-        for (int y = y0; y <= y1; y++) {
-            for (int x = x0; x <= x1; x++) {
-                double px = x + 0.5 - a.x();
-                double py = y + 0.5 - a.y();
-                double along = square > 1e-12 ? Math.max(0, Math.min(1, (px * dx + py * dy) / square)) : 0;
-                double ox = px - along * dx;
-                double oy = py - along * dy;
-                double offSquare = ox * ox + oy * oy;
-                if (offSquare >= reach * reach) {
-                    continue;
-                }
-                // sqrt is enough for pixels and ten times faster than hypot
-                double off = Math.sqrt(offSquare);
-                float covered = (float) (Math.min(1, reach - off) * (opacityA + along * (opacityB - opacityA)));
-                int p = y * view.width + x;
-                double nearness = a.near() + along * (b.near() - a.near());
-                if (covered > cover[p] && foreground.shows(nearness, x, y)) {
-                    cover[p] = covered;
-                    colours[p] = rgb;
-                }
+        Capsule line = new Capsule(a, b, reach);
+        line.draw(view.width, view.height, (x, y, along, dx, dy) -> {
+            // sqrt is enough for pixels and ten times faster than hypot
+            double off = Math.sqrt(dx * dx + dy * dy);
+            float covered = (float) (Math.min(1, reach - off) * (opacityA + along * (opacityB - opacityA)));
+            int p = y * view.width + x;
+            boolean strongest = covered > cover[p] && foreground.shows(line.near(along), x, y);
+            if (strongest) {
+                cover[p] = covered;
+                colours[p] = rgb;
             }
-        }
+            return strongest;
+        });
     }
 }

@@ -46,11 +46,6 @@ public final class CameraProjection {
         nearest = NEAREST * distance;
     }
 
-    /** The depth of the point: its distance from the camera along the viewing direction (m). */
-    private double depth(double x, double y, double z) {
-        return -((x - eye.x()) * back.x() + (y - eye.y()) * back.y() + (z - eye.z()) * back.z());
-    }
-
     /** Whether a point at this depth can be drawn. */
     boolean isInFront(double depth) {
         return !perspective || depth > nearest;
@@ -80,18 +75,12 @@ public final class CameraProjection {
     }
 
     /** @return where the camera sees a point, in front of it or not */
-    public Place place(double x, double y, double z) {
-        double depth = depth(x, y, z);
-        double scale = scale(depth);
-        return new Place(width / 2.0
-                + scale * ((x - eye.x()) * right.x() + (y - eye.y()) * right.y() + (z - eye.z()) * right.z()),
-                height / 2.0 - scale * ((x - eye.x()) * up.x() + (y - eye.y()) * up.y() + (z - eye.z()) * up.z()),
-                depth, scale, nearness(depth), isInFront(depth));
-    }
-
-    /** @return where the camera sees a point */
     public Place place(Vector3 point) {
-        return place(point.x(), point.y(), point.z());
+        Vector3 from = point.minus(eye);
+        double depth = -from.dot(back);
+        double scale = scale(depth);
+        return new Place(width / 2.0 + scale * from.dot(right), height / 2.0 - scale * from.dot(up), depth, scale,
+                nearness(depth), isInFront(depth));
     }
 
     /**
@@ -100,8 +89,7 @@ public final class CameraProjection {
      * @return where the camera sees each of them
      */
     public Place[] places(double[] points, int count) {
-        return IntStream.range(0, count).mapToObj(i -> place(points[3 * i], points[3 * i + 1], points[3 * i + 2]))
-                .toArray(Place[]::new);
+        return IntStream.range(0, count).mapToObj(i -> place(Vector3.at(points, 3 * i))).toArray(Place[]::new);
     }
 
     /** @return a direction in space as the camera sees it */
@@ -110,8 +98,8 @@ public final class CameraProjection {
     }
 
     /** @return whether the point is inside the picture */
-    public boolean isInPicture(double x, double y, double z) {
-        Place place = place(x, y, z);
+    public boolean isInPicture(Vector3 point) {
+        Place place = place(point);
         return place.visible && Math.abs(place.x - width / 2.0) <= width / 2.0
                 && Math.abs(place.y - height / 2.0) <= height / 2.0;
     }

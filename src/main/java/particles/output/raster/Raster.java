@@ -67,12 +67,12 @@ public final class Raster {
         bottom = 0;
     }
 
-    /** Extends the rectangle drawn on by the samples from (x0, y0) up to, not including, (x1, y1). */
-    void touch(int x0, int y0, int x1, int y1) {
-        left = Math.min(left, x0);
-        top = Math.min(top, y0);
-        right = Math.max(right, x1);
-        bottom = Math.max(bottom, y1);
+    /** Extends the rectangle drawn on by the samples within a distance of a place. */
+    void touch(Place at, double distance) {
+        left = Math.min(left, first(at.x() - distance, 0));
+        top = Math.min(top, first(at.y() - distance, 0));
+        right = Math.max(right, 1 + last(at.x() + distance, width - 1));
+        bottom = Math.max(bottom, 1 + last(at.y() + distance, height - 1));
     }
 
     /** @return the first column of pixels that may have been drawn on */
@@ -120,7 +120,9 @@ public final class Raster {
         if (!visible || y0 > y1 || x0 > x1 || area == 0 || !Double.isFinite(area)) {
             return;
         }
-        touch(x0, y0, x1 + 1, y1 + 1);
+        touch(a, 0);
+        touch(b, 0);
+        touch(c, 0);
         int rgbA = rgb[corners[offset]];
         int rgbB = rgb[corners[offset + 1]];
         int rgbC = rgb[corners[offset + 2]];

@@ -12,6 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.app.student.StudentClasses;
 import particles.law.Particles;
+import particles.law.Vector3;
 import particles.output.raster.CameraProjection;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
@@ -38,7 +39,7 @@ class CameraFinderTest {
     }
 
     private static double y(CameraProjection view, double[] state, int x) {
-        return view.place(state[x], state[x + 1], state[x + 2]).y();
+        return view.place(Vector3.at(state, x)).y();
     }
 
     /** Ten pixels, when the camera was fitted to all that was seen until the energy was out of bounds. */
@@ -77,7 +78,7 @@ class CameraFinderTest {
         scene.simulation().addObserver(onMove(motion -> {
             double[] state = motion.getEndState();
             for (int x = 0; x < state.length; x += Particles.STRIDE) {
-                assertTrue(view.isInPicture(state[x], state[x + 1], state[x + 2]), "t = " + motion.getEndTime());
+                assertTrue(view.isInPicture(Vector3.at(state, x)), "t = " + motion.getEndTime());
             }
         }));
         scene.simulation().run();
@@ -110,7 +111,7 @@ class CameraFinderTest {
     /** A push of t N does 1,250 J of work on each mass of 1 kg in 10 s; at the start nothing promises 0.1 J. */
     @Test
     void whatOwnForcesDoIsNoBlowUp() {
-        assertTrue(viewOfPushed(t -> t, "rk4", 10).isInPicture(166, 0, 0), "x = t^3/6");
+        assertTrue(viewOfPushed(t -> t, "rk4", 10).isInPicture(new Vector3(166, 0, 0)), "x = t^3/6");
     }
 
     /**

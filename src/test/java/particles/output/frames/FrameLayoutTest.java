@@ -140,7 +140,7 @@ class FrameLayoutTest {
         }
 
         private double[] place(double[] p, int i) {
-            CameraProjection.Place place = view.place(p[3 * i], p[3 * i + 1], p[3 * i + 2]);
+            CameraProjection.Place place = view.place(Vector3.at(p, 3 * i));
             return new double[] {place.x(), place.y(), place.scale()};
         }
 

@@ -14,7 +14,7 @@ class CameraProjectionTest {
     private static final Vector3 UP = new Vector3(0, 1, 0);
 
     private static double[] project(CameraProjection view, Vector3 p) {
-        CameraProjection.Place place = view.place(p.x(), p.y(), p.z());
+        CameraProjection.Place place = view.place(p);
         return new double[] {place.x(), place.y(), place.depth()};
     }
 
@@ -63,9 +63,9 @@ class CameraProjectionTest {
     @Test
     void pointsBehindTheCameraAreNotDrawn() {
         CameraProjection view = new CameraProjection(camera(true), 100, 100);
-        assertTrue(view.place(0, 0, 0).visible());
-        assertFalse(view.place(0, 0, 4).visible());
-        assertFalse(view.place(0, 0, 5).visible());
+        assertTrue(view.place(Vector3.ZERO).visible());
+        assertFalse(view.place(new Vector3(0, 0, 4)).visible());
+        assertFalse(view.place(new Vector3(0, 0, 5)).visible());
         assertTrue(view.nearness(1) > view.nearness(2));
         CameraProjection flat = new CameraProjection(camera(false), 100, 100);
         assertTrue(flat.nearness(1) > flat.nearness(2));
