@@ -381,11 +381,11 @@ class RunCommandTest {
                 .replaceAll("(columns|rows|layers): 6", "$1: 7").replaceAll("stiffness: \\d+", "stiffness: 6000"));
         assertEquals(ExitCode.STOPPED, run("--scene=" + jelly, "--solver=implicit-midpoint", "--deltaT=0.0166666667",
                 "--frames=false"));
-        assertMatches(screen.err(), "from t = [\\d.]+ s on the motion by implicit-midpoint is wrong: the"
-                + " numerical error of \\d+ J is larger than the energy scale and the work put in, \\d+ J\\R"
-                + "implicit-midpoint has no stability limit, but it adds energy where springs buckle or"
-                + " turn\\Rtry -Psolver=linearised-euler, which solves one linear system per step and damps what is too"
-                + " fast for it");
+        assertMatches(screen.err(), "from t = [\\d.]+ s on the motion by implicit-midpoint is wrong: the numerical"
+                + " error of \\d+ J is larger than the energy scale and the work put in, \\d+ J\\R"
+                + "implicit-midpoint has no stability limit, but it adds energy where springs buckle or turn\\R"
+                + "try -Psolver=linearised-euler, which solves one linear system per step and damps"
+                + " what is too fast for it");
         assertFalse(screen.out().contains("warning"), "the lines above say it");
     }
 
