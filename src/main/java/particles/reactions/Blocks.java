@@ -89,7 +89,8 @@ final class Blocks {
         return joined;
     }
 
-    private Block block(int[] members, int... movable) {
+    /** A block of some rows and particles. */
+    Block block(int[] members, int... movable) {
         return new Block(members, movable, rows, particles, contacts, usuallyHeld, activeSet);
     }
 

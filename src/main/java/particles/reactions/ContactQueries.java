@@ -2,8 +2,10 @@ package particles.reactions;
 
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.law.Vector3;
@@ -16,7 +18,7 @@ final class ContactQueries {
     private final RestingContacts contacts;
     private final ContactModes modes;
     private final Blocks blocks;
-    private final Blocks singles;                  // each particle under a known force
+    private final Blocks singles;                       // each particle under a known force
     private Optional<Block> asked = Optional.empty();   // the last question, of which the rest is kept
     private Optional<String> failure = Optional.empty();
     private Optional<StaticFriction> atRest = Optional.empty();
@@ -90,6 +92,14 @@ final class ContactQueries {
         singles.putRight(alone, force);
         alone.solve(Block.NONE, true);
         return alone;
+    }
+
+    /** The rows of a block that act on no other particles than these, which may all move, without their contacts. */
+    Block linksBetween(Block block, int[] held) {
+        RestingContacts none = new RestingContacts(system, List.of());
+        int[] between = IntStream.range(0, block.rows.count).filter(block::isIdle).map(r -> block.rows.number[r])
+                .toArray();
+        return new Blocks(system, blocks.getRows(), 0, none, i -> false).block(between, held);
     }
 
     /** Whether a moving anchor drives a rod, so that friction cannot hold its other end; -1 for any end. */

@@ -106,9 +106,14 @@ final class SlidingFriction {
 
     /** Whether a particle on a surface does not move along it. */
     private static boolean isAtRest(Rows rows, int r, double[] state) {
-        Vector3 velocity = Vector3.at(state, Particles.STRIDE * rows.first[r] + 3);
-        Vector3 along = velocity.minus(Vector3.at(rows.gradient, 6 * r).times(rows.rate[r]));
-        return along.norm1() <= ROUNDING * velocity.norm1();
+        double speed = 0;
+        double along = 0;
+        for (int c = 0; c < 3; c++) {
+            double v = state[Particles.STRIDE * rows.first[r] + 3 + c];
+            speed += Math.abs(v);
+            along += Math.abs(v - rows.rate[r] * rows.gradient[6 * r + c]);
+        }
+        return along <= ROUNDING * speed;
     }
 
     /**

@@ -10,13 +10,14 @@ import particles.law.Vector3;
 /**
  * Decides whether static friction can hold the particles of a linkage that is statically indeterminate. The loads of
  * rods and balls between held particles are not unique, but the motion does not depend on them: friction holds if some
- * loads and some contact forces in the friction cones balance all forces. They are found by projected Gauss-Seidel:
- * each contact force and each load in turn becomes the one that leaves the smallest force unbalanced. As all sets of
- * allowed forces are convex, what is left over falls to 0, or to the least possible. (M. Jean, "The non-smooth contact
- * dynamics method", 1999.)
+ * loads and some contact forces in the friction cones balance all forces. They are found in turns: each contact force
+ * becomes the one that leaves the smallest force on its particle, then all loads together become those that leave the
+ * smallest accelerations, as if nothing touched a surface. As all sets of allowed forces are convex, what is left over
+ * falls to 0, or to the least possible; what then still moves is not held. (Alternating minimisation; compare M. Jean,
+ * "The non-smooth contact dynamics method", 1999.)
  */
 final class StaticFriction {
-    private static final int MOST_SWEEPS = 5_000;
+    private static final int MOST_SWEEPS = 1_000;
     /** What may be left of the force on a particle, relative to all forces. */
     private static final double ENOUGH = 1e-6;
     /** A sweep that takes less than this fraction of what is left is the last one. */
@@ -26,16 +27,20 @@ final class StaticFriction {
     private final Block block;
     private final double[] state;
     private final double[] total;
-    private final double[] left;                        // of the forces, balanced by the cones
+    private final double[] balanced;                    // the forces without loads, balanced by the cones
+    private final double[] left;                        // the same with loads
     private double size;                                // of all forces; 0 if no search was needed
 
     /** The contact force of a particle on a surface; all forces begin at an index. */
     private record Cone(int place, Vector3 normal, double friction, double[] force) {
         /** Balances what is left of the force on its particle, as far as it can. */
-        void balance(double[] left) {
-            Vector3 rest = Vector3.at(left, place).minus(Vector3.at(force, 0));
-            nearest(rest.times(-1)).put(force, 0);
-            rest.plus(Vector3.at(force, 0)).put(left, place);
+        void balance(double[] left, double[] balanced) {
+            Vector3 before = Vector3.at(force, 0);
+            Vector3 now = nearest(before.minus(Vector3.at(left, place)));
+            now.put(force, 0);
+            for (double[] sum : new double[][] {left, balanced}) {
+                Vector3.at(sum, place).minus(before).plus(now).put(sum, place);
+            }
         }
 
         private Vector3 nearest(Vector3 wanted) {
@@ -59,6 +64,7 @@ final class StaticFriction {
         this.block = block;
         this.state = state;
         this.total = total;
+        balanced = total.clone();
         left = total.clone();
         if (!held().allMatch(i -> queries.marginAlone(i, state, total) > 0)) {
             search();
@@ -79,43 +85,40 @@ final class StaticFriction {
                         new double[3]));
             }
         });
-        double[] loads = new double[block.rows.count];
+        int[] all = held().toArray();
+        Block links = queries.linksBetween(block, all);
+        links.take(state, Block.ALL);
         double before = Double.POSITIVE_INFINITY;
         for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
-            cones.forEach(cone -> cone.balance(left));
+            cones.forEach(cone -> cone.balance(left, balanced));
+            putLoads(links);
             double now = 0;                             // falls in each sweep
-            for (int i : held().toArray()) {
+            for (int i : all) {
                 now += block.weight(i) * Rows.dot(left, place(i), left, place(i));
             }
             if (now > (1 - PROGRESS) * before || held().allMatch(i -> margin(i) > ENOUGH / 2 * size)) {
-                return;
+                break;
             }
             before = now;
-            for (int r = 0; r < loads.length; r++) {
-                if (block.isIdle(r)) {
-                    addLoad(r, loads);
+        }
+        links.addForces(total);
+    }
+
+    /** Finds the loads that leave the smallest accelerations of held particles, J W (F + J<sup>T</sup> load) = 0. */
+    private void putLoads(Block links) {
+        System.arraycopy(balanced, 0, left, 0, left.length);
+        Rows rows = links.rows;
+        for (int r = 0; r < rows.count; r++) {
+            links.right[r] = 0;
+            for (int k = 0; k < 2; k++) {
+                int i = (k == 0 ? rows.first : rows.second)[r];
+                if (i >= 0 && block.held.get(i)) {
+                    links.right[r] -= block.weight(i) * Rows.dot(rows.gradient, 6 * r + 3 * k, left, place(i));
                 }
             }
         }
-    }
-
-    /** Adds the load of a row that leaves the smallest forces on its ends, weighted by 1/m. */
-    private void addLoad(int r, double[] loads) {
-        Rows rows = block.rows;
-        double rate = 0;
-        double mobility = 0;
-        for (int k = 0; k < 2; k++) {
-            int i = (k == 0 ? rows.first : rows.second)[r];
-            if (i >= 0 && block.held.get(i)) {
-                rate += block.weight(i) * Rows.dot(rows.gradient, 6 * r + 3 * k, left, place(i));
-                mobility += block.weight(i) * Rows.dot(rows.gradient, 6 * r + 3 * k, rows.gradient, 6 * r + 3 * k);
-            }
-        }
-        double more = mobility == 0 ? 0 : -rate / mobility;
-        more = rows.kind[r] == Rows.Kind.BALLS ? Math.max(more, -loads[r]) : more;
-        loads[r] += more;
-        rows.addForce(r, more, total);
-        rows.addForce(r, more, left);
+        links.solve(Block.NONE, true);
+        links.addForces(left);
     }
 
     private static int place(int particle) {
