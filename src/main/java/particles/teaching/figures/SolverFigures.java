@@ -90,7 +90,7 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
     }
 
     /** Makes a step, unless the solver refuses it. */
-    private static boolean accepts(DESolver solver, StudentSource source, double deltaT) {
+    static boolean accepts(DESolver solver, StudentSource source, double deltaT) {
         try {
             source.step(solver, deltaT);
             return true;

@@ -22,6 +22,7 @@ import particles.experiments.stability.StabilityRegion;
 import particles.experiments.stability.StabilityRegion.Window;
 import particles.experiments.stability.StepTrial;
 import particles.teaching.Formula;
+import particles.teaching.sources.Springs;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
@@ -49,6 +50,8 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     private static final double FACTOR = 1.1;
     private static final double MARGIN = 0.15;
     private static final int CELLS = 80;
+    /** The square of the cells, times the evaluations of a step: a costly method has a coarser grid. */
+    private static final double EVALUATIONS = 25_600;
     /** For a method whose growth takes many steps to measure, at each point of the grid. */
     private static final int FEW_CELLS = 24;
     private static final String REAL = "real limit: largest stable deltaT |lambda|";
@@ -100,7 +103,11 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         rows.addAll(springs ? List.of(undamped, damped) : List.of(damped, undamped));
         String title = "Stable in the grey region: " + most(damping)
                 + (springs ? " for critical damping, " : " for damping, ") + most(spring) + " for undamped springs";
-        return new StabilityFigures(rows, Optional.of(chart(title, name, own, nearest, others.get(nearest))),
+        Springs once = new Springs();
+        SolverFigures.accepts(maker.get(), once, 1);
+        double cells = own.manySteps() ? FEW_CELLS
+                : Math.max(FEW_CELLS, Math.min(CELLS, Math.sqrt(EVALUATIONS / once.getEvaluations())));
+        return new StabilityFigures(rows, Optional.of(chart(title, name, own, nearest, others.get(nearest), cells)),
                 Optional.of(table(name, own, nearest, others)));
     }
 
@@ -138,8 +145,8 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     }
 
     private static ChartData chart(String title, String name, Amplification own, String nearest,
-            Amplification other) {
-        Window window = window(List.of(own, other));
+            Amplification other, double cells) {
+        Window window = window(List.of(own, other), cells);
         StabilityMap map = new StabilityMap(own::at, window, true);
         Series beside = new StabilityMap(other::at, window, true).outline(nearest);
         // pale and wide, so that a line along which it runs is seen
@@ -148,7 +155,7 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     }
 
     /** Looks from 0 in all directions for places where stable and unstable meet, and shows all of them. */
-    private static Window window(List<Amplification> solvers) {
+    private static Window window(List<Amplification> solvers, double cells) {
         double left = 0;
         double right = 0;
         double top = 0;
@@ -176,7 +183,7 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         left -= 2 * margin;
         right = Math.max(right, left + 2 * margin + size / 2) + margin;
         top = Math.max(top, size / 2) + margin;
-        return new Window(left, right, top, size / (solvers.get(0).manySteps() ? FEW_CELLS : CELLS));
+        return new Window(left, right, top, size / cells);
     }
 
     private static DataTable table(String name, Amplification own, String nearest,
