@@ -62,7 +62,10 @@ public final class StudentLoader extends ClassLoader {
                 : Map.of();
     }
 
-    /** @return the text of each class in this folder; links are not followed, so that they show no other file */
+    /**
+     * @return the text of each class in this folder; links are not followed, so that they show no other file, and a
+     *         name that is no class's, as one with letters that the locale lacks, is left out
+     */
     public static Map<String, String> sources(Path folder) {
         Map<String, String> sources = new TreeMap<>();
         if (!Files.isDirectory(folder)) {
@@ -70,9 +73,10 @@ public final class StudentLoader extends ClassLoader {
         }
         try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, "*" + JAVA)) {
             for (Path file : files) {
-                if (Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS) && Files.size(file) <= LARGEST) {
-                    sources.put(file.getFileName().toString().replace(JAVA, ""),
-                            new String(Files.readAllBytes(file), StandardCharsets.UTF_8));
+                String name = file.getFileName().toString().replace(JAVA, "");
+                if (name.chars().allMatch(Character::isJavaIdentifierPart) && Files.isRegularFile(file,
+                        LinkOption.NOFOLLOW_LINKS) && Files.size(file) <= LARGEST) {
+                    sources.put(name, new String(Files.readAllBytes(file), StandardCharsets.UTF_8));
                 }
             }
             return sources;

@@ -116,4 +116,13 @@ class StudentLoaderTest {
         assertThrows(ClassNotFoundException.class, () -> loader.loadClass("exercises.Mine$Outer"));
         assertThrows(ClassNotFoundException.class, () -> loader.loadClass("Mine"));
     }
+
+    /** So Java reads a letter that the locale lacks, and no path can be made of it. */
+    @Test
+    void aFileWhoseNameCannotBeReadIsNoNeighbour() throws Exception {
+        for (String name : List.of("Good", "L\uFFFDser", "My Solver")) {
+            Files.writeString(folder.resolve(name + ".java"), "");
+        }
+        assertEquals(Map.of("Good", ""), StudentLoader.sources(folder));
+    }
 }
