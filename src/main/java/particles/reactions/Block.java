@@ -106,8 +106,11 @@ final class Block {
     int takeForImpact(int surface, int particle, double[] state) {
         struckSurface = surface;
         struckParticle = particle;
-        take(state, i -> false, NONE);
-        struckParticle = NONE;
+        try {
+            take(state, i -> false, NONE);
+        } finally {
+            struckParticle = NONE;
+        }
         return find(Kind.SURFACE, surface, particle);
     }
 

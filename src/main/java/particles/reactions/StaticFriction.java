@@ -18,7 +18,7 @@ import particles.law.Vector3;
  */
 final class StaticFriction {
     private static final int MOST_SWEEPS = 1_000;
-    /** What may be left of the force on a particle, relative to all forces. */
+    /** What may be left of the force on a particle, relative to all forces on it. */
     private static final double ENOUGH = 1e-6;
     /** A sweep that takes less than this fraction of what is left is the last one. */
     private static final double PROGRESS = 1e-5;
@@ -96,7 +96,7 @@ final class StaticFriction {
             for (int i : all) {
                 now += block.weight(i) * Rows.dot(left, place(i), left, place(i));
             }
-            if (now > (1 - PROGRESS) * before || held().allMatch(i -> margin(i) > ENOUGH / 2 * size)) {
+            if (!(now < (1 - PROGRESS) * before) || held().allMatch(i -> margin(i) >= allowed(i) / 2)) {
                 break;
             }
             before = now;
@@ -130,9 +130,16 @@ final class StaticFriction {
         return total;
     }
 
-    /** As {@link RestingContacts#holdMargin}. */
+    /** As {@link RestingContacts#holdMargin}; after a search, what may be left of the force less what is. */
     double margin(int particle) {
         return size == 0 ? queries.marginAlone(particle, state, total)
-                : ENOUGH * size - Vector3.at(left, place(particle)).length();
+                : allowed(particle) - Vector3.at(left, place(particle)).length();
+    }
+
+    private double allowed(int particle) {
+        Vector3 given = Vector3.at(total, place(particle));
+        Vector3 withCones = Vector3.at(balanced, place(particle));
+        Vector3 loads = Vector3.at(left, place(particle)).minus(withCones);
+        return ENOUGH * (given.norm1() + withCones.minus(given).norm1() + loads.norm1());
     }
 }
