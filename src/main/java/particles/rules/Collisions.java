@@ -2,6 +2,7 @@ package particles.rules;
 
 import deSolvers.text.Digits;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.ToDoubleFunction;
@@ -200,15 +201,15 @@ public final class Collisions implements EventRule {
             r = findImpact(state);
         }
         touching.stop(state, true);
+        BitSet parted = new BitSet();
         for (r = touching.end() - 1; r >= touching.begin(); r--) {
             if (separation(r, state) > slow(r, state)) {
-                int i = touching.first(r);
-                int j = touching.second(r);
+                parted.set(touching.first(r));
+                parted.set(touching.second(r));
                 touching.part(r);
-                impacts.contacts.settle(i, false, state);           // on the surfaces that they still touch
-                impacts.contacts.settle(j, false, state);
             }
         }
+        parted.stream().forEach(i -> impacts.contacts.settle(i, false, state));     // on surfaces they still touch
         touching.stop(state, false);
         release(system);
         impacts.stickOthers(system);
