@@ -9,6 +9,8 @@ final class SpringKernel {
      * Squares of lengths from this bit pattern on have full precision; ORDINARY is how many patterns follow before
      * overflow.
      */
+    /** The force divided by a shorter length may overflow (m). */
+    private static final double NO_LENGTH = 1e-290;
     private static final long SMALLEST = Double.doubleToRawLongBits(1e-280);
     private static final long ORDINARY = Double.doubleToRawLongBits(1e280) - SMALLEST;
 
@@ -133,12 +135,12 @@ final class SpringKernel {
         return Long.compareUnsigned(Double.doubleToRawLongBits(square) - SMALLEST, ORDINARY) < 0;
     }
 
-    /** The force on the first particle of a spring, divided by |r|; 0 where r is 0. */
+    /** The force on the first particle of a spring, divided by |r|; 0 where r is 0 or too short to divide by. */
     private static double perLength(SpringTable table, int s, double[] state, double rx, double ry, double rz) {
         double square = Math.fma(rx, rx, Math.fma(ry, ry, rz * rz));
         if (!isOrdinary(square)) {
             double length = table.length(state, s);
-            return length == 0 ? 0 : (table.stiffness[s] * (length - table.restLength[s])
+            return length < NO_LENGTH ? 0 : (table.stiffness[s] * (length - table.restLength[s])
                     + table.damping[s] * table.lengthRate(state, s)) / length;
         }
         int v = table.from[s] + 3;

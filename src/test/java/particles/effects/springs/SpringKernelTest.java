@@ -110,6 +110,14 @@ class SpringKernelTest {
         assertLaw(star, state);
     }
 
+    /** Divided by such a length the force would overflow, and times 0 m it would be NaN. */
+    @Test
+    void endsTooCloseForADirectionFeelNoForce() {
+        double[] state = new double[STRIDE * PARTICLES];
+        state[STRIDE] = 1e-306;
+        assertArrayEquals(new double[state.length], byTheLoops(List.of(new Spring(0, 1, 1000, 1, 0)), state));
+    }
+
     /** The bound between the two loops: two springs a particle. */
     @Test
     void twoSpringsAParticleAreEvaluatedTogether() {
