@@ -1,6 +1,7 @@
 package particles.spec;
 
 import java.util.Optional;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
@@ -40,7 +41,13 @@ public record TextType(String describe, Pattern pattern, boolean alsoNumbers) im
     }
 
     boolean matches(String text) {
-        return text.codePointCount(0, text.length()) <= LONGEST && pattern.matcher(text).find();
+        return text.codePointCount(0, text.length()) <= LONGEST && isFound(text);
+    }
+
+    /** In Java a $ also stands before an end of line that ends the text. */
+    private boolean isFound(String text) {
+        Matcher matcher = pattern.matcher(text);
+        return matcher.find() && (matcher.end() == text.length() || !pattern.pattern().endsWith("$"));
     }
 
     @Override

@@ -141,6 +141,10 @@ class BrokenScenesTest {
             x.yaml:8:10: 'id' is the text 'bU+202EoU+200Bb'; it has to be a name of at most 60 characters without \
             spaces, brackets, commas, quotes and invisible characters
 
+              - {id: "bob\\n", position: [1, 2, 3]}
+            x.yaml:8:10: 'id' is the text 'bob '; it has to be a name of at most 60 characters without spaces, \
+            brackets, commas, quotes and invisible characters
+
               - {id: thisnameisfartoolongforanybodytotypeandevenlongerthanthatandmore, position: [1, 2, 3]}
             x.yaml:8:10: 'id' is the text 'thisnameisfartoolongforanybodytotypea...'; it has to be a name of at most \
             60 characters without spaces, brackets, commas, quotes and invisible characters
