@@ -177,9 +177,9 @@ public enum Phrase {
                 derivative has to enter the new state whatever it is, or an exception has to say that it is no number
             # style
             style DRAG: its order is %s, and %s where the acceleration depends on the velocity, as with drag: there \
-                the velocity of the closing kick has to be iterated
+                the velocity in each kick has to be iterated
             method DRAG_DIVERGES: where the acceleration depends on the velocity, as with drag, the error does not go \
-                to 0 with deltaT (order %s): each round of the closing kick has to begin with the velocity half way
+                to 0 with deltaT (order %s): each round of a kick has to begin with the velocity before it
             style UNUSED: an evaluation of the step enters nothing, and could be left out
             style FOR_PARTICLES: it works on systems of positions and velocities only, such as particles, and refuses \
                 others

@@ -31,7 +31,7 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
     /** An order: SdirkTwo is one of order 2. Before these words it is the number of them, as in TwoStageSdirk. */
     private static final Pattern NUMBER = Pattern.compile(
             "(?<=[A-Za-z])(Two|Three|Four|Five)(?!Stage|Step|Phase|Point|Eighth)");
-    private static final String ORDINAL = ".*(%2$s|%1$s(rd|th)?)order.*|.*order%1$s.*";
+    private static final String ORDINAL = ".*(%2$s|%1$s(rd|th)?)order.*|.*order%1$s(?!d).*";
     private static final Pattern EXTRAPOLATES = Pattern.compile("richardson|extrapol");
     private static final Pattern ADAPTS = Pattern.compile("adapt|stepdoubling|stepsizecontrol|variablestep");
 
@@ -48,7 +48,8 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
             the midpoint method | 2 | explicit-midpoint | the midpoint method |
             the implicit midpoint method | 2 | implicit-midpoint newton-midpoint \
             | the implicit midpoint method | implicit
-            a Runge-Kutta method of order 2 | 2 | rk2 rungekutta2 second-rungekutta 2nd-rungekutta two-rungekutta | |
+            a Runge-Kutta method of order 2 | 2 | rk2 rungekutta2 second-rungekutta 2nd-rungekutta two-rungekutta \
+            order2-rungekutta | |
             Heun's method | 2 | heun | Heun's method; Ralston's method; Heun's method of order 3 |
             Heun's method or the midpoint method | 2 | modified-euler improved-euler | Heun's method; \
             the midpoint method; Ralston's method |
@@ -58,8 +59,8 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
             Ralston's method | 2 | ralston | Ralston's method; Ralston's method of order 3; \
             Ralston's method of order 4 (its eight printed digits) |
             a Runge-Kutta method of order 3 | 3 | rk3 rungekutta3 third-rungekutta 3rd-rungekutta kutta3 heun3 \
-            ralston3 bogackishampine ssprk3 ssp3 | |
-            a strong-stability-preserving method | 2 | ssp ssprk shuosher | |
+            ralston3 bogackishampine ssprk3 ssprk43 ssp3 order3-rungekutta | |
+            a strong-stability-preserving method | 2 | ssp ssprk ssprk42 shuosher | |
             a Runge-Kutta method of order 4 | 4 | rk4 rungekutta4 rungekutta classicalrk ralston4 ralstonrk4 \
             ssprk4 ssprk54 ssprk104 | |
             a Runge-Kutta method of order 6 | 6 | rk6 rungekutta6 butcher6 | |
@@ -77,9 +78,10 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
             velocity Verlet | 2 | leapfrogkdk | velocity Verlet (leapfrog: kick, drift, kick) |
             position Verlet | 2 | leapfrogdkd | position Verlet (drift, kick, drift) |
             Ruth's method of order 3 | 3 | ruth ruth3 | |
-            a symplectic method of order 4 | 4 | yoshida forestruth ruth4 candyrozmus pefrl suzuki | |
+            a symplectic method of order 4 | 4 | yoshida forestruth ruth4 candyrozmus pefrl suzuki4 suzukitrotter4 \
+            suzukifractal | |
             a symplectic method of order 6 | 6 | yoshida6 suzuki6 kahanli | |
-            a symmetric splitting | 2 | strang suzukitrotter2 trotter2 | |
+            a symmetric splitting | 2 | strang suzukitrotter trotter2 | |
             an Adams method of order 2 | 2 | ab2 adamsbashforth2 adams2 | | earlier
             an Adams method of order 3 | 3 | ab3 adamsbashforth3 adams3 abm3 | | earlier
             an Adams method of order 4 | 4 | ab4 adamsbashforth4 adams4 abm4 | | earlier
@@ -173,7 +175,7 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
     boolean allows(String method, int itsOrder) {
         boolean high = itsOrder >= order;
         return methods.contains(method) && (high || itsOrder == 0) || high && (methods.isEmpty()
-                || changed) || method.equals(IMPLICIT_MIDPOINT)
+                || changed) || method.equals(IMPLICIT_MIDPOINT) && order <= 2
                 && says.matches("a (Gauss|diagonally implicit) method( of order 2)?");
     }
 

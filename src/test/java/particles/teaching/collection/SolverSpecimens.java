@@ -107,6 +107,8 @@ final class SolverSpecimens {
                 MySolver | Kutta of order 3 | | rk 1/2; -1 2 -> 1/6 2/3 1/6
                 SSPRK3Solver | Shu and Osher | | rk 1; 1/4 1/4 -> 1/6 1/6 2/3
                 SSPRK2 | Shu and Osher, two stages | | rk HEUN
+                SSPRK43Solver | order 3 in four stages | | rk 1/2; 1/2 1/2; 1/6 1/6 1/6 -> 1/6 1/6 1/6 1/2
+                RungeKuttaOrder3Solver | Kutta | | rk 1/2; -1 2 -> 1/6 2/3 1/6
                 RK4Solver | RK4 | | rk RK4 SIXTHS
                 RungeKutta38Solver | the 3/8 rule | | rk THREE_EIGHTHS EIGHTHS
                 RungeKutta4 | the 3/8 rule as order 4 | | rk THREE_EIGHTHS EIGHTHS
@@ -456,7 +458,7 @@ final class SolverSpecimens {
                 GaussLegendre | weights of the stages exchanged, simple iteration | at another clock than their states \
                 | irk 1/4 0.5386751345948129; -0.03867513459481287 1/4 -> 1/2 1/2 \
                 @ 0.21132486540518713 0.7886751345948129 SIMPLE
-                SuzukiTrotter | the piece backwards comes last | measured order is .* symplectic method of order 4 \
+                SuzukiTrotter4 | the piece backwards comes last | measured order is .* symplectic method of order 4 \
                 | irk 0.20724538589718786; 0.4144907717943757 0.20724538589718786; \
                 0.4144907717943757 0.4144907717943757 0.20724538589718786; \
                 0.4144907717943757 0.4144907717943757 0.4144907717943757 0.20724538589718786; \
