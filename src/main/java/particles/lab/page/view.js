@@ -65,6 +65,11 @@ class View {
     this.camera.open(facts, structure, state);
     this.ball = this.radiusOfBalls(structure);
     this.grounds = facts.planes.map(plane => new Ground(plane, this.reach(structure)));
+    this.lamp?.dispose();
+    this.lamp = new THREE.DirectionalLight(0xffffff, 2.2);
+    this.lamp.castShadow = facts.planes.length > 0;
+    this.lamp.shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
+    this.scene.add(this.lamp, this.lamp.target);
     this.shine();
     this.springs = new Springs();
     this.trails = new Trails();
@@ -93,20 +98,15 @@ class View {
 
   /** The lamp is where the frames have it: above, in front and to the left of where the scene is first seen from. */
   shine() {
-    const {camera, target, viewHeight} = this.camera, lamp = new THREE.DirectionalLight(0xffffff, 2.2);
+    const {camera, target, viewHeight} = this.camera, lamp = this.lamp;
     const [right, , back] = [0, 1, 2].map(k => new THREE.Vector3().setFromMatrixColumn(camera.matrixWorld, k));
     const way = camera.up.clone().addScaledVector(right, -0.35).addScaledVector(back, 0.75).normalize();
     const half = SHADOWS * viewHeight / 2;
     lamp.target.position.copy(target);
     lamp.position.copy(target).addScaledVector(way, 2 * half);
-    lamp.castShadow = this.facts.planes.length > 0;
-    lamp.shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
-    Object.assign(lamp.shadow.camera, {left: -half, right: half, bottom: -half, top: half, far: 4 * half});
-    this.lamp && this.scene.remove(this.lamp, this.lamp.target);
-    this.lamp?.dispose();
-    this.lamp = lamp;
+    Object.assign(lamp.shadow.camera, {left: -half, right: half, bottom: -half, top: half, near: 0, far: 4 * half});
+    lamp.shadow.camera.updateProjectionMatrix();
     this.litHeight = viewHeight;
-    this.scene.add(lamp, lamp.target);
     this.grounds.forEach(ground => ground.place(target, viewHeight));
   }
 
@@ -140,6 +140,7 @@ class View {
 
   setStructure(structure) {
     this.structure = structure;
+    this.ball = this.radiusOfBalls(structure);
     const count = structure.ids.length, pairs = structure.springs, look = this.facts.look;
     const inSurface = new Set(this.facts.surfaces.flatMap(surface => surface.triangles));
     this.isShown = structure.ids.map((id, i) => look.particles === 'always'
