@@ -205,7 +205,7 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
                 column("student", item -> result.student()), column("exercise", Item::name),
                 column("points", item -> ClassTables.number(item.points())),
                 column("of", item -> ClassTables.number(item.weight())),
-                column("what there is to say", item -> paragraph(item.lines()).replace(folder + "/", "")));
+                column("what there is to say", item -> paragraph(item.lines()).replace(": " + folder + "/", ": ")));
         List<String> names = List.of(PAGE + ".md", "marks.csv", Result.FILE, "TEST-" + PAGE + ".xml");
         clear(folder, names);
         try (OutputFolder files = OutputFolder.open(folder, names.toArray(new String[0]))) {
