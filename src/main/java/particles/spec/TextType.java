@@ -18,11 +18,14 @@ public record TextType(String describe, Pattern pattern, boolean alsoNumbers) im
     static final int LONGEST = 2000;
     /** All but tabs and ends of lines. */
     private static final String CONTROL = "\\x00-\\x08\\x0b\\x0c\\x0e-\\x1f\\x7f-\\x9f";
+    private static final Pattern FORBIDDEN = Pattern.compile("[" + CONTROL + "]");
+    private static final Pattern VISIBLE = Pattern.compile("\\S");
+    private static final TextType PROSE = new TextType("a text that is not empty, without control characters",
+            Pattern.compile("^[^" + CONTROL + "]*[^\\s" + CONTROL + "][^" + CONTROL + "]*$"), false);
 
     /** @return the type of any text that is not empty; control characters would make files unreadable */
     public static TextType prose() {
-        return new TextType("a text that is not empty, without control characters",
-                Pattern.compile("^[^" + CONTROL + "]*[^\\s" + CONTROL + "][^" + CONTROL + "]*$"), false);
+        return PROSE;
     }
 
     /**
@@ -40,8 +43,10 @@ public record TextType(String describe, Pattern pattern, boolean alsoNumbers) im
         return new TextType(description, Pattern.compile(""), true);
     }
 
+    /** In the page a pattern of a long text takes the stack for each character: prose is searched in two ways. */
     boolean matches(String text) {
-        return text.codePointCount(0, text.length()) <= LONGEST && isFound(text);
+        return text.codePointCount(0, text.length()) <= LONGEST && (this == PROSE
+                ? VISIBLE.matcher(text).find() && !FORBIDDEN.matcher(text).find() : isFound(text));
     }
 
     /** In Java a $ also stands before an end of line that ends the text. */
