@@ -113,7 +113,7 @@ class ArchitectureTest {
                                            particles.spec particles.spec.documents particles.spec.messages
                                            particles.view
             particles.lab.browser:         deSolvers particles.effects particles.lab particles.spec org.teavm
-            particles.lab.compile:         particles.javac particles.lab org.teavm java.awt javax.imageio
+            particles.lab.compile:         particles.javac particles.lab org.teavm
             particles.law:                 deSolvers
             particles.messages:            deSolvers deSolvers.catalog deSolvers.text particles particles.effects
                                            particles.effects.springs particles.law particles.reactions

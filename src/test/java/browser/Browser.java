@@ -18,6 +18,7 @@ import org.openqa.selenium.WebElement;
 import org.openqa.selenium.chrome.ChromeDriver;
 import org.openqa.selenium.chrome.ChromeDriverService;
 import org.openqa.selenium.chrome.ChromeOptions;
+import particles.app.run.LabCommand;
 import particles.lab.LabBuilder;
 import particles.scene.SceneFiles;
 
@@ -125,10 +126,10 @@ final class Browser implements AutoCloseable {
                 Files.writeString(exercises.resolve("Lift.java"), LIFT);
                 LabBuilder builder = Class.forName("particles.lab.compile.PageBuilder").asSubclass(LabBuilder.class)
                         .getConstructor().newInstance();
-                Path scenes = Path.of("scenes");
-                String page = builder.build(new LabBuilder.Contents(SceneFiles.list(scenes),
-                        SceneFiles.find(scenes, "2"), Optional.empty(), List.of(SOLVER, UNFINISHED), List.of(EFFECT),
-                        exercises));
+                List<Path> scenes = SceneFiles.list(Path.of("scenes"));
+                String page = builder.build(new LabBuilder.Contents(scenes, LabCommand.pictures(scenes),
+                        SceneFiles.find(Path.of("scenes"), "2"), Optional.empty(), List.of(SOLVER, UNFINISHED),
+                        List.of(EFFECT), exercises));
                 return Files.writeString(folder.resolve("index.html"), page);
             } catch (IOException e) {
                 throw new UncheckedIOException(e);

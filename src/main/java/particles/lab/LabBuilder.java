@@ -3,6 +3,7 @@ package particles.lab;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /** Builds the lab's page. The implementation needs a compiler that only {@code gradle lab} downloads. */
@@ -12,14 +13,15 @@ public interface LabBuilder {
      * The content of the page.
      *
      * @param scenes    its scenes
+     * @param pictures  small pictures of scenes, as PNG files
      * @param first     the one that it opens with
      * @param solver    the solver that it opens with, if it is not the scene's
      * @param solvers   the full names of students' solvers
      * @param effects   the full names of students' effects
      * @param exercises the folder of students' classes
      */
-    record Contents(List<Path> scenes, Path first, Optional<String> solver, List<String> solvers, List<String> effects,
-                    Path exercises) {
+    record Contents(List<Path> scenes, Map<Path, byte[]> pictures, Path first, Optional<String> solver,
+                    List<String> solvers, List<String> effects, Path exercises) {
     }
 
     /**

@@ -6,7 +6,9 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.Set;
@@ -14,6 +16,7 @@ import java.util.TreeSet;
 import particles.app.cli.ProgramCommand;
 import particles.app.student.StudentClasses;
 import particles.lab.LabBuilder;
+import particles.output.animation.Shrinker;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
@@ -66,11 +69,30 @@ public final class LabCommand extends ProgramCommand {
             description.contents().effects().stream().map(effect -> effect.kind().getName())
                     .filter(name -> name.contains(".")).forEach(effects::add);
         }
-        String page = builder().build(new LabBuilder.Contents(scenes, first, Optional.ofNullable(solver),
-                List.copyOf(solvers), List.copyOf(effects), exercises));
+        String page = builder().build(new LabBuilder.Contents(scenes, pictures(scenes), first,
+                Optional.ofNullable(solver), List.copyOf(solvers), List.copyOf(effects), exercises));
         Files.createDirectories(PAGE.getParent());
         Files.writeString(PAGE, page);
         out.println(PAGE + ": " + Math.round(Files.size(PAGE) / 1e4) / 100.0 + " MB; open it in a browser");
+    }
+
+    /**
+     * Makes the gallery's pictures small: in full size they would be half of the page.
+     *
+     * @param scenes files of scenes
+     * @return a PNG file for each scene that has a picture
+     * @throws IOException if one cannot be read
+     */
+    public static Map<Path, byte[]> pictures(List<Path> scenes) throws IOException {
+        Map<Path, byte[]> pictures = new HashMap<>();
+        for (Path file : scenes) {
+            String name = file.getFileName().toString().replace(".yaml", ".png");
+            Path drawn = file.resolveSibling("pictures").resolve(name);
+            if (Files.exists(drawn)) {
+                pictures.put(file, Shrinker.png(drawn, 2));
+            }
+        }
+        return pictures;
     }
 
     private boolean isClass(String name) {

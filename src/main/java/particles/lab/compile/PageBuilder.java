@@ -1,8 +1,5 @@
 package particles.lab.compile;
 
-import java.awt.Image;
-import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.URL;
@@ -14,15 +11,11 @@ import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
-import javax.imageio.ImageIO;
 import particles.lab.LabBuilder;
 import particles.lab.PageParts;
 
 /** Builds the lab's page: compiles the classes, and adds the scenes with their pictures. */
 public final class PageBuilder implements LabBuilder {
-    private static final int WIDTH = 320;
-    private static final int HEIGHT = 180;
-
     /** Made without parameters, by its name. */
     public PageBuilder() {
     }
@@ -48,22 +41,11 @@ public final class PageBuilder implements LabBuilder {
             String first = file.equals(contents.first())
                     ? " data-first=\"" + PageParts.escaped(contents.solver().orElse("")) + '"' : "";
             String name = file.getFileName().toString();
-            Path drawn = file.resolveSibling("pictures").resolve(name.replace(".yaml", ".png"));
-            String picture = Files.exists(drawn)
-                    ? " data-picture=\"" + Base64.getEncoder().encodeToString(small(drawn)) + '"' : "";
+            String picture = contents.pictures().containsKey(file) ? " data-picture=\""
+                    + Base64.getEncoder().encodeToString(contents.pictures().get(file)) + '"' : "";
             all.append(PageParts.scene(name, Files.readString(file), first + picture));
         }
         return all + PageParts.students(contents.solvers());
-    }
-
-    /** A picture as large as the page shows it: all of them in full size would be half of the page. */
-    private static byte[] small(Path file) throws IOException {
-        BufferedImage small = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
-        Image picture = ImageIO.read(file.toFile()).getScaledInstance(WIDTH, HEIGHT, Image.SCALE_AREA_AVERAGING);
-        small.createGraphics().drawImage(picture, 0, 0, null);
-        ByteArrayOutputStream png = new ByteArrayOutputStream();
-        ImageIO.write(small, "png", png);
-        return png.toByteArray();
     }
 
     /** The text of the Apache License, from the first library that contains it. */

@@ -1,7 +1,13 @@
 package particles.output.animation;
 
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import particles.output.files.PngEncoder;
+
 /** Makes pictures smaller by a whole number: each pixel is the mean of a square of them. */
-final class Shrinker {
+public final class Shrinker {
     final int width;
     final int height;
     private final int fullWidth;
@@ -12,6 +18,22 @@ final class Shrinker {
         this.factor = Math.min(factor, Math.min(fullWidth, fullHeight));
         width = fullWidth / this.factor;
         height = fullHeight / this.factor;
+    }
+
+    /**
+     * Makes a file's picture smaller.
+     *
+     * @param picture a PNG file
+     * @param factor  by how much
+     * @return the smaller picture as a PNG file
+     * @throws IOException if it cannot be read
+     */
+    public static byte[] png(Path picture, int factor) throws IOException {
+        BufferedImage image = ImageIO.read(picture.toFile());
+        int width = image.getWidth();
+        Shrinker shrinker = new Shrinker(width, image.getHeight(), factor);
+        return PngEncoder.file(shrinker.width, shrinker.height, shrinker.shrink(image.getRGB(0, 0, width,
+                image.getHeight(), null, 0, width)));
     }
 
     /**
