@@ -80,7 +80,7 @@ class EnergyScaleTest {
     void aDropAndAGasRunToTheirEnd(String solver) {
         for (double size : new double[] {1.3, 0.5}) {
             EnergyScaleTest one = new EnergyScaleTest();
-            one.run(solver, 0.002, 1, """
+            one.run(solver, 0.004, 1, """
                     shapes:
                       - jelly: {id: drop, centre: [0, 0, 0], size: [%s, %1$s, %1$s], columns: 3, rows: 3, layers: 3,
                           totalMass: 2.7, surface: false}

@@ -111,14 +111,14 @@ class CollisionsTest {
                 new double[] {run.at(3), run.at(4), run.at(9), run.at(10)}, 2e-15);
     }
 
-    /** Measured over 10,000 impacts of 8 balls: momentum 7e-15 kg m/s, energy 6e-15 of it. */
+    /** Measured over 2,716 impacts of 8 balls: momentum 4.4e-15 kg m/s, energy 3.6e-15 of it. */
     @Test
     void impactsKeepMomentumAndEnergy() {
-        ShortRun run = gas("euler exact 0.05 220", 8, 0.2, 1);
+        ShortRun run = gas("euler exact 0.05 55", 8, 0.2, 1);
         Watch watch = Watch.on(run);
-        assertTrue(watch.impacts > 10_000, watch.impacts + " impacts");
-        assertEquals(0, watch.worst, 7e-14);
-        assertEquals(0, run.worstEnergy(), 6e-14);
+        assertTrue(watch.impacts > 2_500, watch.impacts + " impacts");
+        assertEquals(0, watch.worst, 4e-14);
+        assertEquals(0, run.worstEnergy(), 3e-14);
     }
 
     /** Three balls meet pairwise, and come back if their velocities are reversed. */
@@ -151,7 +151,7 @@ class CollisionsTest {
      */
     @Test
     void aGasCoolsAsHaffSays() {
-        ShortRun run = gas("euler exact 0.05 20", 64, 0.07, 0.95);
+        ShortRun run = gas("euler exact 0.05 10", 64, 0.07, 0.95);
         double start = run.getScene().system().getEnergy(run.getScene().system().getOwnState(), 0);
         Watch watch = Watch.on(run);
         double end = run.getScene().system().getEnergy(run.getScene().system().getOwnState(), 0);

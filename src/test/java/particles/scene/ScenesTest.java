@@ -16,7 +16,7 @@ import particles.scene.format.SceneDescription;
 
 /** Every scene is loaded and run, long ones for their first steps. */
 class ScenesTest {
-    private static final int STEPS = 200;
+    private static final int STEPS = 100;
 
     @ParameterizedTest
     @MethodSource("particles.scene.TestScenes#files")
