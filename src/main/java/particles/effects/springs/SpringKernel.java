@@ -5,12 +5,12 @@ package particles.effects.springs;
  * SpringForce}; a cloth simulation spends most of its time here.
  */
 final class SpringKernel {
+    /** The force divided by a shorter length may overflow (m). */
+    private static final double NO_LENGTH = 1e-290;
     /**
      * Squares of lengths from this bit pattern on have full precision; ORDINARY is how many patterns follow before
      * overflow.
      */
-    /** The force divided by a shorter length may overflow (m). */
-    private static final double NO_LENGTH = 1e-290;
     private static final long SMALLEST = Double.doubleToRawLongBits(1e-280);
     private static final long ORDINARY = Double.doubleToRawLongBits(1e280) - SMALLEST;
 
