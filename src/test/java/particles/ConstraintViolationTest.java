@@ -38,7 +38,7 @@ class ConstraintViolationTest {
                 particles: [{id: nail, position: [0, 0, 0], fixed: true}, {id: bob, position: [1, 0, 0]}]
                 rods: [{from: nail, to: bob}]
                 constraints: {feedback: 0}
-                """).getScene().simulation();
+                """).getSimulation();
     }
 
     /** Euler's step along the tangent lengthens the rod by a fifth within 2 s; rk4's by 3e-10 of it. */
@@ -66,7 +66,7 @@ class ConstraintViolationTest {
                 rods: [{from: post, to: bob}%s]
                 effects: [gravity]
                 rules: [ground: {restitution: 0.3}, kill: {point: [1, 0, 0], normal: [-1, 0, 0]}]
-                """.formatted(rods)).getScene().simulation();
+                """.formatted(rods)).getSimulation();
         run.run();
         assertEquals(0, run.getViolation().part(), 1e-6);     // 9.9e-8 measured
     }
@@ -179,7 +179,7 @@ class ConstraintViolationTest {
                   - ground: {}
                   - emitter: {id: drop, position: [0, 0.05, 0], direction: [0, -1, 0], speed: 20, rate: 37, lifetime: 1}
                 """);
-        assertEquals(0, hose.getScene().simulation().getViolation().part(), 1e-15);
+        assertEquals(0, hose.getSimulation().getViolation().part(), 1e-15);
     }
 
     @Test

@@ -121,7 +121,7 @@ class EnergyLedgerTest {
         for (double[] run : new double[][] {{1e-3, 0.05}, {1e-4, 0.02}, {1e-6, 0.01}}) {
             ShortRun end = ShortRun.of("{'name':'%1$s','relativeTolerance':%2$s,'absoluteTolerance':%2$s} clamp %3$s 1"
                     .formatted(solver, run[0], run[1]), EVERYTHING);
-            double scale = end.getScene().system().getKineticEnergy(end.getScene().system().getOwnState());
+            double scale = end.getSystem().getKineticEnergy(end.getState());
             assertEquals(0, end.getLedger().getNumericalError(), 0.2 * run[0] * scale);
         }
     }
@@ -192,7 +192,7 @@ class EnergyLedgerTest {
 
     @Test
     void theLedgerDoesNotChangeTheTrajectory() {
-        ParticleSystem booked = ShortRun.of("symplectic-euler clamp 0.01 1", EVERYTHING).getScene().system();
+        ParticleSystem booked = ShortRun.of("symplectic-euler clamp 0.01 1", EVERYTHING).getSystem();
         Scene alone = new ShortRun("symplectic-euler clamp 0.01 1", EVERYTHING).getScene();
         Systems.run(alone.system(), new SymplecticEulerSolver(), 0.01, 1, alone.simulation().getRules()
                 .toArray(Rule[]::new));

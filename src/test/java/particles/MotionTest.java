@@ -45,7 +45,7 @@ class MotionTest {
                 rules: [ground: {restitution: 1}]
                 """);
         Pieces pieces = new Pieces();
-        run.getScene().simulation().addObserver(pieces);
+        run.getSimulation().addObserver(pieces);
         run.run();
         return pieces;
     }

@@ -95,7 +95,7 @@ class SimulationTest {
     @Test
     void interpolatedFramesLieOnTheParabola() {
         Simulation simulation = new ShortRun("rk4 clamp 0.25 1",
-                "particles: [{id: p, position: [1, 2, 3], velocity: [4, 5, 6]}]").getScene().simulation();
+                "particles: [{id: p, position: [1, 2, 3], velocity: [4, 5, 6]}]").getSimulation();
         simulation.addObserver(onMove(motion -> {
             double[] between = new double[6];
             for (double t = motion.getStartTime(); t <= motion.getEndTime(); t += 0.0625) {
@@ -154,7 +154,7 @@ class SimulationTest {
                 particles: [{id: a, position: [0, 0, 0], fixed: true}, {id: b, position: [1.1, 0, 0]}]
                 springs: [{from: a, to: b, stiffness: 9, restLength: 0}]
                 effects: []
-                """).getScene().simulation();
+                """).getSimulation();
         simulation.addRule(new EnergyLimit(1e5));
         SimulationException e = assertThrows(SimulationException.class, simulation::run);
         assertEquals(1, e.getParticle());

@@ -4,6 +4,7 @@ import deSolvers.DESolver;
 import deSolvers.RK4Solver;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import particles.energy.EnergyLedger;
 import particles.law.Vector3;
 
@@ -67,6 +68,21 @@ public final class Systems {
             @Override
             public void moved(Motion motion) {
                 look.accept(motion);
+            }
+        };
+    }
+
+    /** @return a rule that acts after each step, and says whether it changed anything */
+    public static Rule afterStep(Predicate<ParticleSystem> act) {
+        return new Rule() {
+            @Override
+            public String getName() {
+                return "test";
+            }
+
+            @Override
+            public boolean afterStep(ParticleSystem system, double deltaT) {
+                return act.test(system);
             }
         };
     }

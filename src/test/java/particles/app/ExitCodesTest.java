@@ -3,7 +3,6 @@ package particles.app;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,12 +18,11 @@ class ExitCodesTest {
 
     @ParameterizedTest
     @CsvSource(textBlock = """
-            0, out, --duration=0.1
-            3, out, --deltaT=10 --duration=1000
+            0, --duration=0.1
+            3, --deltaT=10 --duration=1000
             """)
-    void exitCodesReachTheSystem(int code, String out, String options) throws IOException, InterruptedException {
-        Files.writeString(top.resolve("file"), "mine");
-        String typed = "run --scene=2 --frames=false --out=" + top.resolve(out) + " " + options;
+    void exitCodesReachTheSystem(int code, String options) throws IOException, InterruptedException {
+        String typed = "run --scene=2 --frames=false --out=" + top.resolve("out") + " " + options;
         ChildProgram.End end = new ChildProgram(top.resolve("lines.txt")).run(typed.split(" "));
         assertEquals(code, end.code(), end.lines());
     }

@@ -6,16 +6,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.afterStep;
 
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
-import particles.ParticleSystem;
-import particles.Rule;
 import particles.Simulation;
 import particles.scene.ShortRun;
-import particles.view.ChartData;
 import particles.view.ChartData.Series;
+import particles.view.ChartData;
 
 /** The energy curves of motions whose energies are known. */
 class EnergyHistoryTest {
@@ -32,7 +31,7 @@ class EnergyHistoryTest {
     }
 
     private static Simulation simulation(String solver, double deltaT, double duration, String text) {
-        return new ShortRun(solver + " clamp " + deltaT + " " + duration, text).getScene().simulation();
+        return new ShortRun(solver + " clamp " + deltaT + " " + duration, text).getSimulation();
     }
 
     /**
@@ -42,21 +41,11 @@ class EnergyHistoryTest {
     private static Simulation falling(double height) {
         Simulation simulation = simulation("rk4", 0.125, 1,
                 "particles: [{id: ball, position: [0, " + height + ", 0], mass: 2}]");
-        simulation.addRule(new Rule() {
-            @Override
-            public String getName() {
-                return "bounce at 0.5 s";
-            }
-
-            @Override
-            public boolean afterStep(ParticleSystem system, double deltaT) {
-                if (system.getTime() != 0.5) {
-                    return false;
-                }
-                system.getOwnState()[4] *= -0.5;
-                return true;
-            }
-        });
+        simulation.addRule(afterStep(system -> {
+            boolean now = system.getTime() == 0.5;
+            system.getOwnState()[4] *= now ? -0.5 : 1;
+            return now;
+        }));
         return simulation;
     }
 

@@ -47,7 +47,7 @@ class NumericalErrorLimitTest {
                 particles: [{id: wall, position: [0, 0, 0], fixed: true}, {id: block, position: [1, 0, 0]}]
                 springs: [{from: wall, to: block, stiffness: 1, restLength: 0}]
                 effects: [drag: {coefficient: %s}]
-                """.formatted(drag)).getScene().simulation(), 0.5);
+                """.formatted(drag)).getSimulation(), 0.5);
     }
 
     private static SimulationException failure(String steps, double drag) {
@@ -82,7 +82,7 @@ class NumericalErrorLimitTest {
                 springs: [{from: wall, to: heavy, stiffness: 100, restLength: 0},
                           {from: wall, to: light, stiffness: 0.01, restLength: 0}]
                 """);
-        assertEquals(1, assertThrows(SimulationException.class, () -> run(run.getScene().simulation(), 50))
+        assertEquals(1, assertThrows(SimulationException.class, () -> run(run.getSimulation(), 50))
                 .getParticle());
     }
 
@@ -148,7 +148,7 @@ class NumericalErrorLimitTest {
                 particles: [{id: wall, position: [0, 0, 0], fixed: true}, {id: block, position: [1, 0, 0]}]
                 springs: [{from: wall, to: block, stiffness: 1, restLength: 0}]
                 effects: [drag: {coefficient: 0.1}]
-                """).getScene().system();
+                """).getSystem();
         DESolver wrong = new AdaptiveSolver(0, 1) {
             @Override
             protected void resize(int n) {
@@ -233,7 +233,7 @@ class NumericalErrorLimitTest {
                 particles: [{id: a, position: [0, 0.3, 0]}, {id: b, position: [1, %s, 0]}]
                 effects: [gravity: {acceleration: [0, -10, 0]}]
                 """.formatted(Math.nextUp(0.3)));
-        run(run.getScene().simulation(), 100);
+        run(run.getSimulation(), 100);
         assertEquals(-10, run.at(4), 1e-12);
     }
 }

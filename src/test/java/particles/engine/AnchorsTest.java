@@ -29,7 +29,7 @@ class AnchorsTest {
         ParticleSystem system = new ShortRun("rk4 clamp 1 1", """
                 particles: [{id: hand, position: [0, 0, 0], fixed: true}, {id: block, position: [0, -1, 0.1]}]
                 springs: [{from: hand, to: block, stiffness: 20, restLength: 0.8, damping: %s}]
-                """.formatted(damping)).getScene().system();
+                """.formatted(damping)).getSystem();
         system.moveAnchor(0, motion);
         return system;
     }

@@ -5,6 +5,7 @@ import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.hard.HardSystems.fastest;
+import static particles.hard.HardSystems.run;
 import static particles.hard.HardSystems.scene;
 
 import deSolvers.catalog.SolverCatalog;
@@ -103,9 +104,8 @@ class BetweenPlanesTest {
     @ParameterizedTest
     @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void aSlotMuchNarrowerThanAStepDoesNotLetItOut(String solver) {
-        Scene scene = scene(SLOT.formatted("clamp", "0.501"), solver, 1.0 / 30, 5);
-        scene.simulation().run();
-        double y = scene.system().getOwnState()[1];
+        ParticleSystem system = run(SLOT.formatted("clamp", "0.501"), solver, 1.0 / 30, 5);
+        double y = system.getOwnState()[1];
         assertTrue(y >= -1e-12 && y <= 0.501 + 1e-12, "y = " + y);
     }
 
@@ -131,12 +131,11 @@ class BetweenPlanesTest {
     @ParameterizedTest
     @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void withClampItComesToRestInTheGroove(String solver) {
-        Scene scene = scene(GROOVE.formatted("clamp"), solver, 1.0 / 512, 12);
-        scene.simulation().run();
+        ParticleSystem system = run(GROOVE.formatted("clamp"), solver, 1.0 / 512, 12);
         boolean euler = solver.equals("euler");
-        assertEquals(0, scene.system().getOwnState()[0], euler ? 1e-4 : 1e-15);
-        assertEquals(0, scene.system().getOwnState()[1], euler ? 1e-4 : 1e-15);
-        assertEquals(0, fastest(scene.system()), euler ? 2 * 9.81 / 512 : 0);
+        assertEquals(0, system.getOwnState()[0], euler ? 1e-4 : 1e-15);
+        assertEquals(0, system.getOwnState()[1], euler ? 1e-4 : 1e-15);
+        assertEquals(0, fastest(system), euler ? 2 * 9.81 / 512 : 0);
     }
 
     /**

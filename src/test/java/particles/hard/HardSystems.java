@@ -52,6 +52,13 @@ final class HardSystems {
                 .withDuration(duration));
     }
 
+    /** @return the system of such a scene at its end */
+    static ParticleSystem run(String yaml, String solver, double deltaT, double duration) {
+        Scene scene = scene(yaml, solver, deltaT, duration);
+        scene.simulation().run();
+        return scene.system();
+    }
+
     /** @return the largest speed of any particle (m/s) */
     static double fastest(ParticleSystem system) {
         double most = 0;

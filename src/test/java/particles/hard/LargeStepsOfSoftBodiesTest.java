@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.hard.HardSystems.assertFailsBefore;
 import static particles.hard.HardSystems.fastest;
+import static particles.hard.HardSystems.run;
 import static particles.hard.HardSystems.scene;
 
 import org.junit.jupiter.api.Tag;
@@ -13,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.scene.Scene;
+import particles.ParticleSystem;
 
 /**
  * A cloth let fall with the steps of a film, and a block of jelly that lies still for two minutes. Hard, because the
@@ -71,10 +72,10 @@ class LargeStepsOfSoftBodiesTest {
                   friction: {law: coulomb, coefficient: 0.6}
             """;
 
-    private static double extreme(Scene scene, int sign) {
+    private static double extreme(ParticleSystem system, int sign) {
         double most = Double.NEGATIVE_INFINITY;
-        for (int y = 1; y < scene.system().getStateSize(); y += 6) {
-            most = Math.max(most, sign * scene.system().getOwnState()[y]);
+        for (int y = 1; y < system.getStateSize(); y += 6) {
+            most = Math.max(most, sign * system.getOwnState()[y]);
         }
         return sign * most;
     }
@@ -95,10 +96,9 @@ class LargeStepsOfSoftBodiesTest {
     /** It swings, comes nearly to rest and hangs at most 2.02 m deep (measured): 2 m of cloth plus its stretching. */
     @Test
     void theClothFallsAndHangsWithBackwardEuler() {
-        Scene scene = scene(CLOTH, "backward-euler", FRAME, 10);
-        scene.simulation().run();
-        assertEquals(-2.02, extreme(scene, -1), 0.08);
-        assertBelow(1, fastest(scene.system()));
+        ParticleSystem system = run(CLOTH, "backward-euler", FRAME, 10);
+        assertEquals(-2.02, extreme(system, -1), 0.08);
+        assertBelow(1, fastest(system));
     }
 
     /**
@@ -108,18 +108,16 @@ class LargeStepsOfSoftBodiesTest {
      */
     @Test
     void theClothStaysWithinTheLimitWithImplicitMidpoint() {
-        Scene scene = scene(CLOTH, "implicit-midpoint", FRAME, 2);
-        scene.simulation().run();
-        assertAbove(-4, extreme(scene, -1), "the lowest particle");
+        ParticleSystem system = run(CLOTH, "implicit-midpoint", FRAME, 2);
+        assertAbove(-4, extreme(system, -1), "the lowest particle");
     }
 
     /** Adaptive solvers take the steps that the cloth needs; all four agree within a millimetre. */
     @ParameterizedTest
     @ValueSource(strings = {"step-doubling", "dormand-prince", "bulirsch-stoer"})
     void theClothIsFollowedByAdaptiveSolvers(String solver) {
-        Scene scene = scene(CLOTH, solver, FRAME, 1);
-        scene.simulation().run();
-        assertEquals(-1.297, extreme(scene, -1), 1e-3);
+        ParticleSystem system = run(CLOTH, solver, FRAME, 1);
+        assertEquals(-1.297, extreme(system, -1), 1e-3);
     }
 
     /**
@@ -131,12 +129,11 @@ class LargeStepsOfSoftBodiesTest {
         "adams, 256, 120", "symplectic-euler, 256, 120", "verlet, 256, 120", "dormand-prince, 60, 120",
         "step-doubling, 60, 120", "bulirsch-stoer, 60, 120", "yoshida4, 256, 20", "radau, 60, 10"})
     void theJellyLiesStillForTwoMinutes(String solver, double stepsASecond, double duration) {
-        Scene scene = scene(JELLY, solver, 1 / stepsASecond, duration);
-        scene.simulation().run();
-        assertEquals(0.796903, extreme(scene, 1), 1e-6);
-        assertEquals(0, extreme(scene, -1), 1e-15);
-        assertTrue(fastest(scene.system()) < (solver.equals("dormand-prince") ? 1e-7
-                : 5e-13), "speed " + fastest(scene.system()));
+        ParticleSystem system = run(JELLY, solver, 1 / stepsASecond, duration);
+        assertEquals(0.796903, extreme(system, 1), 1e-6);
+        assertEquals(0, extreme(system, -1), 1e-15);
+        assertTrue(fastest(system) < (solver.equals("dormand-prince") ? 1e-7
+                : 5e-13), "speed " + fastest(system));
     }
 
     /** Steps of 1/60 s wake it up: its fastest oscillation has 85 rad/s and is damped at 1,000 1/s and more. */

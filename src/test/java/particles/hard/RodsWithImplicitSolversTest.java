@@ -1,7 +1,7 @@
 package particles.hard;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static particles.hard.HardSystems.scene;
+import static particles.hard.HardSystems.run;
 
 import deSolvers.catalog.SolverCatalog;
 import java.util.List;
@@ -11,7 +11,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.scene.Scene;
 
 /**
  * Rods and wires under implicit solvers. Hard, because many velocities are zero but for round-off, across a wire or out
@@ -41,9 +40,7 @@ class RodsWithImplicitSolversTest {
             """;
 
     private static double[] end(String yaml, String solver, double deltaT, double duration) {
-        Scene scene = scene(yaml, solver, deltaT, duration);
-        scene.simulation().run();
-        return scene.system().getOwnState();
+        return run(yaml, solver, deltaT, duration).getOwnState();
     }
 
     /**

@@ -1,8 +1,6 @@
 package particles.output;
 
-import java.util.function.Predicate;
 import particles.ParticleSystem;
-import particles.Rule;
 import particles.effects.Gravity;
 import particles.law.Effect;
 import particles.law.Vector3;
@@ -37,20 +35,5 @@ public final class TestEffects {
     /** @return weight, m g downwards, for every particle of the system */
     public static Effect gravity(ParticleSystem system, double g) {
         return new Gravity(system.getParticles(), new Vector3(0, -g, 0));
-    }
-
-    /** @return a rule that acts after each step, and says whether it changed anything */
-    public static Rule rule(Predicate<ParticleSystem> act) {
-        return new Rule() {
-            @Override
-            public String getName() {
-                return "test";
-            }
-
-            @Override
-            public boolean afterStep(ParticleSystem system, double deltaT) {
-                return act.test(system);
-            }
-        };
     }
 }

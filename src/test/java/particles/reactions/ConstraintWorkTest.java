@@ -65,7 +65,7 @@ class ConstraintWorkTest {
                 rules: [sphere: {centre: [0, 0, 0], radius: 1, hollow: true}]
                 """.formatted(Math.sqrt(4.5 * 9.81)));
         ball.contacts().getModes().set(0, 0, ContactModes.Mode.SLIDING);
-        ParticleSystem system = ball.getScene().system();
+        ParticleSystem system = ball.getSystem();
         EnergyLedger ledger = run(system, "verlet", 0.01, 0.3);
         double change = ledger.getEnergy() - ledger.getStartEnergy();
         assertEquals(0.402, change, 0.01);

@@ -2,6 +2,7 @@ package particles.reactions;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.onMove;
 import static particles.scene.ShortRun.G;
 
 import deSolvers.problems.Steps;
@@ -9,8 +10,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.Motion;
-import particles.Observer;
 import particles.SimulationException;
 import particles.reactions.contact.ContactModes.Mode;
 import particles.scene.ShortRun;
@@ -103,19 +102,16 @@ class FallingRodsTest {
         ShortRun run = new ShortRun("rk4 clamp 0.005 " + duration,
                 shape + ground(name.equals("toppling") ? 0 : 0.3, 1e-2, mu, 1e-2));
         double[] worst = new double[2];
-        run.getScene().simulation().addObserver(new Observer() {
-            @Override
-            public void moved(Motion motion) {
-                for (int r = 0; r < run.rods().springCount(); r++) {
-                    double length = run.distance(run.rods().from(r), run.rods().to(r));
-                    worst[0] = Math.max(worst[0], Math.abs(length - run.rods().restLength(r)));
-                }
-                worst[1] = Math.max(worst[1], motion.getSystem().getEnergy(motion.getSystem().getOwnState(), 0)
-                        - run.getLedger().getStartEnergy());
+        run.getSimulation().addObserver(onMove(motion -> {
+            for (int r = 0; r < run.rods().springCount(); r++) {
+                double length = run.distance(run.rods().from(r), run.rods().to(r));
+                worst[0] = Math.max(worst[0], Math.abs(length - run.rods().restLength(r)));
             }
-        });
+            worst[1] = Math.max(worst[1], motion.getSystem().getEnergy(motion.getSystem().getOwnState(), 0)
+                    - run.getLedger().getStartEnergy());
+        }));
         run.run();
-        for (int i = 0; i < run.getScene().system().getParticles().count(); i++) {
+        for (int i = 0; i < run.getSystem().getParticles().count(); i++) {
             assertTrue(run.isHeld(i), "particle " + i + " at rest");
             assertEquals(0, run.at(6 * i + 1), 1e-12, "on the ground");
             assertEquals(0, Math.hypot(Math.hypot(run.at(6 * i + 3), run.at(6 * i + 4)), run.at(6 * i + 5)), 1e-12);
@@ -144,7 +140,7 @@ class FallingRodsTest {
         assertEquals(-1, trestle.at(0), 1e-8, "measured: 3.4e-9, what the feedback leaves of the rods' lengths");
         assertEquals(0, trestle.at(7), 1e-8);
         assertEquals(1, trestle.at(12), 1e-8);
-        double[] state = trestle.getScene().system().getOwnState();
+        double[] state = trestle.getState();
         RestingContacts contacts = trestle.contacts();
         assertEquals(mu * G, contacts.holdMargin(0, state, trestle.effects()), 1e-9);
         contacts.getModes().set(0, 0, Mode.SLIDING);
@@ -171,7 +167,7 @@ class FallingRodsTest {
         double length = Math.hypot(0.7, 0.2) + Math.hypot(0.6, 0.3);
         double reach = pendulum.getStates().stream().mapToDouble(state -> state[12]).min().orElseThrow();
         assertEquals(-Math.sqrt(length * length - 1), reach, 1e-8);
-        long events = pendulum.getScene().simulation().getEvents();
+        long events = pendulum.getSimulation().getEvents();
         assertTrue(events <= 10, "events: " + events);
     }
 

@@ -46,7 +46,7 @@ class JointContactsTest {
         assertEquals(-0.5, rod.at(0), 1e-7, "measured: 2e-8 of a turn's phase");
         assertEquals(0, rod.at(1), 1e-15);
         assertEquals(1, rod.distance(0, 1), 2e-7, "measured: 4e-8");
-        double[] state = rod.getScene().system().getOwnState();
+        double[] state = rod.getState();
         double[] force = rod.effects();
         assertEquals(G, rod.contacts().pressure(0, 0, state, force), 1e-9);
         rod.rods().addForces(state, 0, force);
@@ -145,7 +145,7 @@ class JointContactsTest {
                 rods: [{from: a, to: b}]
                 rules:
                 """ + plane(1, 1, 0) + plane(-1, 1, 0));
-        double[] state = groove.getScene().system().getOwnState();
+        double[] state = groove.getState();
         for (int wall = 0; wall < 2; wall++) {
             assertEquals(2 * G * Math.sqrt(0.5), groove.contacts().pressure(wall, 0, state, groove.effects()), 1e-9);
         }
@@ -175,6 +175,6 @@ class JointContactsTest {
                 rules:
                 """ + plane(1, 1, 0.3) + plane(-1, 1, 0.3));
         assertArrayEquals(new double[] {0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0},
-                groove.getScene().system().getOwnState(), 1e-15);
+                groove.getState(), 1e-15);
     }
 }

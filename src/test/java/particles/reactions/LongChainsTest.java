@@ -36,7 +36,7 @@ class LongChainsTest {
             """;
 
     private static long evaluations(String solver, String scene) {
-        return ShortRun.of(solver + " clamp 0.002 0.8", scene).getScene().system().getEvaluations();
+        return ShortRun.of(solver + " clamp 0.002 0.8", scene).getSystem().getEvaluations();
     }
 
     /**

@@ -4,9 +4,7 @@ import static particles.Systems.GRAVITY;
 
 import deSolvers.DESolver;
 import deSolvers.RK4Solver;
-import java.util.function.Consumer;
 import particles.ParticleSystem;
-import particles.Rule;
 import particles.effects.Gravity;
 import particles.law.Particles;
 import particles.law.Vector3;
@@ -68,20 +66,6 @@ final class Pendulums {
         for (int k = 0; k < 6; k++) {
             double[] state = system.getOwnState();
             solver.stepState(system, (value - state[6]) / state[9]);
-        }
-    }
-
-    /** A rule that calls a function after every step. */
-    record AfterStep(Consumer<ParticleSystem> look) implements Rule {
-        @Override
-        public String getName() {
-            return "look";
-        }
-
-        @Override
-        public boolean afterStep(ParticleSystem system, double deltaT) {
-            look.accept(system);
-            return false;
         }
     }
 }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.afterStep;
 import static particles.reactions.Pendulums.chain;
 import static particles.reactions.Pendulums.constraints;
 import static particles.reactions.Pendulums.distance;
@@ -46,7 +47,10 @@ class RodsTest {
         Simulation simulation = new Simulation(system, RK4Solver::new, 0.01, 600);
         simulation.addRule(new ConstraintProjection(constraints(system)));
         double[] worst = {0};
-        simulation.addRule(new Pendulums.AfterStep(s -> worst[0] = Math.max(worst[0], Pendulums.lengthError(s))));
+        simulation.addRule(afterStep(s -> {
+            worst[0] = Math.max(worst[0], Pendulums.lengthError(s));
+            return false;
+        }));
         simulation.run();
         assertEquals(60_000, simulation.getSteps());
         assertTrue(worst[0] <= 4e-15, "length off by " + worst[0]);

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Systems.GRAVITY;
+import static particles.Systems.afterStep;
 import static particles.Systems.oneParticle;
 
 import deSolvers.RK4Solver;
@@ -138,8 +139,11 @@ class WiresTest {
                     constraints: {projection: %s}
                     """.formatted(0.3 * Math.sin(0.6 * Math.PI), projection));
             double[] worst = {0};
-            run.getScene().simulation().addRule(new Pendulums.AfterStep(s -> worst[0] = Math.max(worst[0],
-                    Math.abs(s.getOwnState()[1] - 0.3 * Math.sin(Math.PI * s.getOwnState()[0])))));
+            run.getSimulation().addRule(afterStep(s -> {
+                worst[0] = Math.max(worst[0],
+                        Math.abs(s.getOwnState()[1] - 0.3 * Math.sin(Math.PI * s.getOwnState()[0])));
+                return false;
+            }));
             run.run();
             assertTrue(worst[0] <= (projection ? 3e-15 : 1e-6), "off by " + worst[0]);
         }

@@ -45,7 +45,7 @@ class BirthAndDeathTest {
     @ValueSource(strings = {"0.25", "0.01", "0.001"})
     void particlesAreBornAtTheirTimesInTheCone(String deltaT) {
         ShortRun run = jet("clamp " + deltaT + " 1.005", 70, 9, 1, "").run();
-        Particles particles = run.getScene().system().getParticles();
+        Particles particles = run.getSystem().getParticles();
         assertEquals(71, particles.count());
         for (int i = 1; i <= 70; i++) {
             assertEquals("drop[" + (i - 1) + "]", particles.id(i));
@@ -64,7 +64,7 @@ class BirthAndDeathTest {
     void theSameSeedGivesTheSameRun() {
         double[][] runs = new double[3][];
         for (int k = 0; k < 3; k++) {
-            ParticleSystem system = jet("clamp 0.01 1", 50, 0.3, k / 2, "").run().getScene().system();
+            ParticleSystem system = jet("clamp 0.01 1", 50, 0.3, k / 2, "").run().getSystem();
             runs[k] = Arrays.copyOf(system.getOwnState(), system.getStateSize());
         }
         assertArrayEquals(runs[0], runs[1]);
@@ -79,7 +79,7 @@ class BirthAndDeathTest {
         Set<String> seen = new HashSet<>();
         Set<String> before = new HashSet<>();
         ShortRun run = jet("clamp 0.01 3", 200, 0.5, 1, "gravity", "  - kill: {point: [0, 0.5, 0]}");
-        run.getScene().simulation().addObserver(new Observer() {
+        run.getSimulation().addObserver(new Observer() {
             @Override
             public void changed(ParticleSystem s, Rule rule) {
                 Set<String> now = new HashSet<>();
@@ -95,7 +95,7 @@ class BirthAndDeathTest {
         });
         run.run();
         assertEquals(601, seen.size());
-        int alive = run.getScene().system().getParticles().count();
+        int alive = run.getSystem().getParticles().count();
         assertTrue(alive <= 102 && alive > 41, "rate times lifetime, one at the edge and one fixed: " + alive);
     }
 
@@ -144,7 +144,7 @@ class BirthAndDeathTest {
                 effects: []
                 rules: [samples: {id: s, farthest: 6, closest: 0.4166666666666667, lightest: 9}]
                 """);
-        Particles particles = run.getScene().system().getParticles();
+        Particles particles = run.getSystem().getParticles();
         assertEquals(1, particles.count());
         assertEquals("s[0]", particles.id(0));
         assertEquals(4, particles.mass(0));
@@ -166,9 +166,9 @@ class BirthAndDeathTest {
                 effects: [drag: {coefficient: 0.5}, turbulence: {strength: 1, eddySize: 0.8, seed: 9}]
                 rules: [samples: {farthest: 0.2, closest: 0.3, lightest: 0.0625, seed: 3}]
                 """);
-        ParticleSystem system = run.getScene().system();
+        ParticleSystem system = run.getSystem();
         double[] before = new double[3];
-        run.getScene().simulation().addObserver(new Observer() {
+        run.getSimulation().addObserver(new Observer() {
             @Override
             public void moved(particles.Motion motion) {
                 System.arraycopy(momentum(system), 0, before, 0, 3);

@@ -36,7 +36,7 @@ class CarriedByWiresTest {
     }
 
     private static double[] end(String solver, String impact, String wire, String rule) {
-        return bead(solver, impact, wire, "rules: [" + rule + "]").run().getScene().system().getOwnState();
+        return bead(solver, impact, wire, "rules: [" + rule + "]").run().getState();
     }
 
     /** On rough ground, a bead moves bit for bit as 1 m above it; on the line that is x = t&sup2;/2. */

@@ -2,14 +2,13 @@ package particles.rules;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.onMove;
 import static particles.scene.ShortRun.G;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.Motion;
-import particles.Observer;
 import particles.reactions.contact.ContactModes.Mode;
 import particles.scene.ShortRun;
 
@@ -106,7 +105,7 @@ class ClampedImpactsTest {
                 particles: [{id: p, position: [0, 0, 0], velocity: [0, 5, 0]}]
                 rules: [ground: {}]
                 """);
-        born.getScene().system().getOwnState()[1] = -0.02;
+        born.getState()[1] = -0.02;
         born.run();
         assertEquals(0, born.at(1), 1e-16);
         assertEquals(Math.sqrt(25 - 2 * G * 0.02), born.at(4), 1e-13);
@@ -150,20 +149,17 @@ class ClampedImpactsTest {
                 particles: [{id: p, position: [0, 0, 0], velocity: [1.2, 0, 1.6]}]
                 rules: [ground: {friction: {law: coulomb, coefficient: 0.3, static: 0.4, threshold: 0}}]
                 """);
-        run.getScene().simulation().addObserver(new Observer() {
-            @Override
-            public void moved(Motion motion) {
-                double[] s = motion.getEndState();
-                double[] force = new double[6];
-                motion.getSystem().addUpEffects(s, motion.getEndTime(), force);
-                assertEquals(motion.getEndTime() < end ? -0.3 * G * Math.hypot(s[3], s[5]) : 0,
-                        run.contacts().getPower(s, motion.getEndTime(), force), 1e-12);
-            }
-        });
+        run.getSimulation().addObserver(onMove(motion -> {
+            double[] s = motion.getEndState();
+            double[] force = new double[6];
+            motion.getSystem().addUpEffects(s, motion.getEndTime(), force);
+            assertEquals(motion.getEndTime() < end ? -0.3 * G * Math.hypot(s[3], s[5]) : 0,
+                    run.contacts().getPower(s, motion.getEndTime(), force), 1e-12);
+        }));
         run.run();
         assertEquals(0, Math.hypot(run.at(3), run.at(5)));
         assertEquals(4 / (2 * 0.3 * G), Math.hypot(run.at(0), run.at(2)), 0.3 * G * 1e-6);
-        assertEquals(1000, run.getScene().simulation().getSteps());
+        assertEquals(1000, run.getSimulation().getSteps());
     }
 
     /** tan 20 = 0.364: held by 0.4, not by 0.3; then it slides with g (sin a - mu cos a). */

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.afterStep;
+import static particles.Systems.onMove;
 
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
@@ -56,14 +58,14 @@ class CollisionsTest {
 
     /** Counts impacts, adds up the impulse on the walls, and finds the largest change of momentum in an impact. */
     private static final class Watch implements Observer {
-        private final Vector3[] before = new Vector3[1];
+        private Vector3 before;
         private int impacts;
         private double onWalls;
         private double worst;
 
         static Watch on(ShortRun run) {
             Watch watch = new Watch();
-            run.getScene().simulation().addObserver(watch);
+            run.getSimulation().addObserver(watch);
             run.run();
             return watch;
         }
@@ -78,12 +80,12 @@ class CollisionsTest {
 
         @Override
         public void moved(Motion motion) {
-            before[0] = momentum(motion.getSystem(), motion.getEndState());
+            before = momentum(motion.getSystem(), motion.getEndState());
         }
 
         @Override
         public void changed(ParticleSystem system, Rule rule) {
-            double change = momentum(system, system.getOwnState()).minus(before[0]).norm1();
+            double change = momentum(system, system.getOwnState()).minus(before).norm1();
             boolean ofBalls = rule instanceof Collisions;
             impacts += ofBalls ? 1 : 0;
             worst = ofBalls ? Math.max(worst, change) : worst;
@@ -135,7 +137,7 @@ class CollisionsTest {
                 """;
         Object[] begin = {-1.0, 0.1, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.05, 0.0, 0.0, 0.0, 0.3, 0.8, 0.0, 0.0, -0.8, 0.02};
         ShortRun there = ShortRun.of("rk4 exact 0.01 2", text.formatted(begin));
-        assertTrue(there.getScene().simulation().getEvents() >= 2, "each meets another");
+        assertTrue(there.getSimulation().getEvents() >= 2, "each meets another");
         Object[] turned = IntStream.range(0, 18).mapToObj(k -> k % 6 < 3 ? there.at(k) : -there.at(k)).toArray();
         ShortRun back = ShortRun.of("rk4 exact 0.01 2", text.formatted(turned));
         double worst = 0;
@@ -152,10 +154,9 @@ class CollisionsTest {
     @Test
     void aGasCoolsAsHaffSays() {
         ShortRun run = gas("euler exact 0.05 10", 64, 0.07, 0.95);
-        double start = run.getScene().system().getEnergy(run.getScene().system().getOwnState(), 0);
         Watch watch = Watch.on(run);
-        double end = run.getScene().system().getEnergy(run.getScene().system().getOwnState(), 0);
-        double ratio = Math.log(start / end) / (2.0 / 3 * (1 - 0.95 * 0.95) * watch.impacts / 64);
+        double ratio = Math.log(run.getLedger().getStartEnergy() / run.getLedger().getEnergy())
+                / (2.0 / 3 * (1 - 0.95 * 0.95) * watch.impacts / 64);
         assertEquals(1, ratio, 0.06);
     }
 
@@ -163,11 +164,10 @@ class CollisionsTest {
     @Test
     void aGasPressesOnItsWalls() {
         ShortRun run = gas("euler exact 0.05 20", 64, 0.04, 1);
-        double energy = run.getScene().system().getEnergy(run.getScene().system().getOwnState(), 0);
         Watch watch = Watch.on(run);
         double side = 1 - 2 * 0.04;
         double phi = 64 * 4.0 / 3 * Math.PI * Math.pow(0.04 / side, 3);
-        double ratio = watch.onWalls / 20 / 6 * side / (2.0 / 3 * energy * (1 + 4 * phi));
+        double ratio = watch.onWalls / 20 / 6 * side / (2.0 / 3 * run.getLedger().getStartEnergy() * (1 + 4 * phi));
         assertEquals(1, ratio, 0.06);
     }
 
@@ -232,22 +232,22 @@ class CollisionsTest {
                   - plane: {normal: [1, 1, 0], friction: {law: coulomb, coefficient: 0.6}}
                   - plane: {normal: [-1, 1, 0], friction: {law: coulomb, coefficient: 0.6}}
                 """);
-        run.getScene().simulation().start();
+        run.getSimulation().start();
         run.contacts().getModes().setWhereTouching(0, Mode.SLIDING);
-        double[] state = run.getScene().system().getOwnState();
+        double[] state = run.getState();
         new Vector3(0.02, -0.02, 0).put(state, 3);
-        run.contacts().beginStep(run.getScene().system());
+        run.contacts().beginStep(run.getSystem());
         new Vector3(-1.7e-18, -1.7e-18, 0).put(state, 3);
         assertArrayEquals(new double[] {Math.sqrt(2) * G, Math.sqrt(2) * G}, new double[] {pressure(run, 0, 0),
             pressure(run, 1, 0)}, 1e-13);
     }
 
     private static double pressure(ShortRun run, int surface, int particle) {
-        return run.contacts().pressure(surface, particle, run.getScene().system().getOwnState(), run.effects());
+        return run.contacts().pressure(surface, particle, run.getState(), run.effects());
     }
 
     private static double leastPush(ShortRun run) {
-        return run.rods().balls().leastPush(run.getScene().system().getOwnState(), 0, run.effects());
+        return run.rods().balls().leastPush(run.getState(), 0, run.effects());
     }
 
     /** A pyramid of four: the upper ball pushes each of the three below with m g/3 over the cosine of the slope. */
@@ -350,12 +350,9 @@ class CollisionsTest {
         ShortRun run = new ShortRun(solver.name() + " exact 0.005 1.5", text);
         double[] deepest = new double[1];
         RigidConstraints rods = run.rods();
-        run.getScene().simulation().addObserver(new Observer() {
-            @Override
-            public void moved(Motion motion) {
-                deepest[0] = Math.max(deepest[0], rods.getViolation(motion.getEndState(), 0).part());
-            }
-        });
+        run.getSimulation().addObserver(onMove(motion -> {
+            deepest[0] = Math.max(deepest[0], rods.getViolation(motion.getEndState(), 0).part());
+        }));
         run.run();
         double[] limits = {0, 0.03, 3e-4, 3e-4};        // by order; measured: 1.2e-2, 6e-5, 6e-5
         assertEquals(0, deepest[0], limits[Math.min(3, solver.order())]);
@@ -389,10 +386,10 @@ class CollisionsTest {
                 friction, half, law));
         double fastest = 0;
         for (int i = 0; i < side * side; i++) {
-            fastest = Math.max(fastest, Vector3.at(run.getScene().system().getOwnState(), 6 * i + 3).length());
+            fastest = Math.max(fastest, Vector3.at(run.getState(), 6 * i + 3).length());
         }
         assertEquals(0, fastest, 0.05);
-        assertEquals(0, run.getScene().simulation().getViolation().part(), 3e-5);   // measured: 2e-12, rough 3e-6
+        assertEquals(0, run.getSimulation().getViolation().part(), 3e-5);   // measured: 2e-12, rough 3e-6
     }
 
     /** A ball between a wall and a ball that glides towards it: no force, however large, keeps it out of both. */
@@ -441,18 +438,10 @@ class CollisionsTest {
                   - collisions: {radius: 0.1}
                 effects: []
                 """);
-        run.getScene().simulation().addRule(new Rule() {
-            @Override
-            public String getName() {
-                return "throw";
-            }
-
-            @Override
-            public boolean afterStep(ParticleSystem system, double deltaT) {
-                system.getOwnState()[0] = 0.85;
-                return true;
-            }
-        });
+        run.getSimulation().addRule(afterStep(system -> {
+            system.getOwnState()[0] = 0.85;
+            return true;
+        }));
         SimulationException e = assertThrows(SimulationException.class, run::run);
         assertTrue(e.getMessage().startsWith("'a' and 'b' overlap by 0.05 m"), e.getMessage());
     }

@@ -142,7 +142,7 @@ class CornersOfContactTest {
         ShortRun scene = run(solver, impact, h, duration, text);
         double off = Math.hypot(scene.at(0) - x, scene.at(1) - y);
         assertTrue(off <= (order(solver) == 1 ? 0.12 : 5e-4), impact + ": off by " + off);
-        long events = scene.getScene().simulation().getEvents();
+        long events = scene.getSimulation().getEvents();
         assertTrue(events <= 3, events + " events");
         ShortRun fine = run(solver, impact, h / 4, duration, text);
         double finer = Math.hypot(fine.at(0) - x, fine.at(1) - y);
@@ -165,7 +165,7 @@ class CornersOfContactTest {
                   - ground: {height: -0.5, restitution: 0, friction: {law: slide, coefficient: 0.46}}
                 """);
         assertEquals(-0.5, scene.at(1), 1e-10, "measured: 1.0e-11 (linearised-euler)");
-        assertEquals(1, scene.getScene().simulation().getEvents());
+        assertEquals(1, scene.getSimulation().getEvents());
     }
 
     /** Along a groove a particle stops after v&sup2; cos a/(2 mu g), as far as the threshold of 0.01 m/s lets it. */

@@ -51,7 +51,7 @@ class ExactImpactsTest {
         assertTrue(run.getLowest() >= -1e-12, "lowest place " + run.getLowest());
         assertEquals(0, run.at(4));
         assertEquals(0, run.at(1), 1e-15);
-        assertEquals(300, run.getScene().simulation().getSteps());
+        assertEquals(300, run.getSimulation().getSteps());
     }
 
     /** Restitutions 0.8 and 0.9 come to rest at their times, with steps far longer than the last bounces. */
@@ -74,7 +74,7 @@ class ExactImpactsTest {
                 particles: [{id: p, position: [0, 1, 0]}, {id: q, position: [5, 1, 0], mass: 3}]
                 rules: [ground: {restSpeed: 1e-6}]
                 """);
-        assertEquals(1, run.getScene().simulation().getSteps());
+        assertEquals(1, run.getSimulation().getSteps());
         assertEquals(6, run.getTimes().size(), "three bounces of each");
         double sinceThird = 1.2 - CONTACTS[2];
         double speed = Math.sqrt(2 * G) / 8;
@@ -168,7 +168,7 @@ class ExactImpactsTest {
         double place = turn / 2 - g * 0.8 * (0.4 - turn) * (0.4 - turn) / 2;
         assertEquals(place * root, run.at(0), 1e-12);
         assertEquals(-g * 0.8 * (0.4 - turn) * root, run.at(3), 1e-12);
-        assertEquals(events, run.getScene().simulation().getEvents());
+        assertEquals(events, run.getSimulation().getEvents());
     }
 
     /**
@@ -198,12 +198,12 @@ class ExactImpactsTest {
                 particles: [{id: p, position: [0, 0, 0], velocity: [1, %s, 0]}]
                 rules: [ground: {}]
                 """.formatted(speed));
-        run.getScene().system().getOwnState()[1] = -0.05;
+        run.getState()[1] = -0.05;
         run.run();
         assertEquals(leaving == 0 ? 0 : leaving * t - G / 2 * t * t, run.at(1), 1e-14);
         assertEquals(t, run.at(0), 1e-15);
         assertEquals(mode, run.mode());
-        assertEquals(1, run.getScene().simulation().getEvents());
+        assertEquals(1, run.getSimulation().getEvents());
     }
 
     /**

@@ -94,7 +94,7 @@ class FrictionOfEverySolverTest {
             return;
         }
         ShortRun run = ShortRun.of(solver + " clamp 0.002 0.8", ROPE);
-        assertEquals(0.8, run.getScene().system().getTime(), 1e-12);
+        assertEquals(0.8, run.getSystem().getTime(), 1e-12);
         if (SolverCatalog.info(solver).order() >= 3) {
             assertEquals(-0.07617, run.work("contact"), 1e-4);
             assertEquals(0, run.getLedger().getNumericalError(), 2e-4);          // measured: 0.75e-4 by yoshida4

@@ -1,6 +1,7 @@
 package particles.rules;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static particles.Systems.afterStep;
 import static particles.scene.ShortRun.G;
 
 import java.util.Map;
@@ -8,8 +9,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.ParticleSystem;
-import particles.Rule;
 import particles.reactions.contact.ContactModes.Mode;
 import particles.scene.ShortRun;
 
@@ -49,19 +48,11 @@ class LettingGoTest {
                 effects: [gravity: {acceleration: [0, -%s, 0]}]
                 rules: [ground: {restitution: 0, restSpeed: 1e-3}]
                 """.formatted(g));
-        run.getScene().simulation().addRule(new Rule() {
-            @Override
-            public String getName() {
-                return "correction";
-            }
-
-            @Override
-            public boolean afterStep(ParticleSystem corrected, double deltaT) {
-                boolean first = corrected.getTime() < 0.15;
-                corrected.getOwnState()[1] = first ? -1e-6 : corrected.getOwnState()[1];
-                return first;
-            }
-        });
+        run.getSimulation().addRule(afterStep(corrected -> {
+            boolean first = corrected.getTime() < 0.15;
+            corrected.getOwnState()[1] = first ? -1e-6 : corrected.getOwnState()[1];
+            return first;
+        }));
         run.run();
         assertEquals(speed, run.at(4), 1e-18);
         assertEquals(0.9 * speed, run.at(1), 1e-18);

@@ -31,7 +31,7 @@ class TearsTest {
     private ShortRun run(String steps, String text) {
         ShortRun run = new ShortRun("rk4 " + steps, text);
         SpringForce springs = springs(run);
-        run.getScene().simulation().addObserver(new Observer() {
+        run.getSimulation().addObserver(new Observer() {
             @Override
             public void moved(Motion motion) {
                 stored = springs.getPotentialEnergy(motion.getEndState(), motion.getEndTime());
@@ -52,7 +52,7 @@ class TearsTest {
     }
 
     private static SpringForce springs(ShortRun run) {
-        return (SpringForce) run.getScene().system().getEffects().stream().filter(SpringForce.class::isInstance)
+        return (SpringForce) run.getSystem().getEffects().stream().filter(SpringForce.class::isInstance)
                 .findFirst().orElseThrow();
     }
 
@@ -121,7 +121,7 @@ class TearsTest {
                 springs: [{from: nail, to: bob, stiffness: 80, restLength: 0.5, damping: %s}]
                 rules: [ground: {restitution: 0.1}, tear: {strain: 0.98}]
                 """.formatted(damping));
-        assertEquals(1, run.getScene().simulation().getSteps());
+        assertEquals(1, run.getSimulation().getSteps());
         assertEquals(List.of("impacts", "tear"), acted);
         assertTrue(torn > STIFFNESS / 2 * 0.49 * 0.49, "torn " + torn);
         double bounce = run.work("impacts");

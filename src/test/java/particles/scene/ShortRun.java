@@ -6,6 +6,7 @@ import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
+import particles.Simulation;
 import particles.energy.EnergyLedger;
 import particles.reactions.RestingContacts;
 import particles.reactions.RigidConstraints;
@@ -39,8 +40,8 @@ public final class ShortRun implements Observer {
                 %s
                 """.formatted(words[0], words[1], words[2], words[3],
                 text.contains("effects:") ? text : text + "\neffects: [gravity]"));
-        scene.simulation().addObserver(ledger);
-        scene.simulation().addObserver(this);
+        getSimulation().addObserver(ledger);
+        getSimulation().addObserver(this);
     }
 
     /** @return a scene that was run to its end */
@@ -50,7 +51,7 @@ public final class ShortRun implements Observer {
 
     /** Runs it to its end. */
     public ShortRun run() {
-        scene.simulation().run();
+        getSimulation().run();
         return this;
     }
 
@@ -74,7 +75,7 @@ public final class ShortRun implements Observer {
 
     /** @return entry k of the state: 0, 1, 2 position of the first particle, 3, 4, 5 its velocity */
     public double at(int k) {
-        return scene.system().getOwnState()[k];
+        return getState()[k];
     }
 
     /** @return the distance between two particles (m) */
@@ -96,20 +97,20 @@ public final class ShortRun implements Observer {
 
     /** @return the forces of contact */
     public RestingContacts contacts() {
-        return (RestingContacts) scene.system().getReactions().stream().filter(RestingContacts.class::isInstance)
+        return (RestingContacts) getSystem().getReactions().stream().filter(RestingContacts.class::isInstance)
                 .findFirst().orElseThrow();
     }
 
     /** @return the rods and wires */
     public RigidConstraints rods() {
-        return (RigidConstraints) scene.system().getReactions().stream().filter(RigidConstraints.class::isInstance)
+        return (RigidConstraints) getSystem().getReactions().stream().filter(RigidConstraints.class::isInstance)
                 .findFirst().orElseThrow();
     }
 
     /** @return the forces of all effects at the end, without reactions */
     public double[] effects() {
-        double[] force = new double[scene.system().getStateSize()];
-        scene.system().addUpEffects(scene.system().getOwnState(), scene.system().getTime(), force);
+        double[] force = new double[getSystem().getStateSize()];
+        getSystem().addUpEffects(getState(), getSystem().getTime(), force);
         return force;
     }
 
@@ -125,6 +126,19 @@ public final class ShortRun implements Observer {
 
     public Scene getScene() {
         return scene;
+    }
+
+    public Simulation getSimulation() {
+        return scene.simulation();
+    }
+
+    public ParticleSystem getSystem() {
+        return scene.system();
+    }
+
+    /** @return the system's own state */
+    public double[] getState() {
+        return scene.system().getOwnState();
     }
 
     public EnergyLedger getLedger() {

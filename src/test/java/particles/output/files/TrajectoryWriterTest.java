@@ -40,7 +40,7 @@ class TrajectoryWriterTest {
         Simulation simulation = rk4(system, 0.1, duration);
         if (jump) {
             int[] steps = new int[1];
-            simulation.addRule(TestEffects.rule(moved -> {
+            simulation.addRule(Systems.afterStep(moved -> {
                 boolean now = ++steps[0] == 3;
                 moved.getOwnState()[4] = now ? 5 : moved.getOwnState()[4];
                 return now;
@@ -70,7 +70,7 @@ class TrajectoryWriterTest {
     void theFileStaysBelowItsLimitWhenParticlesAreBorn() throws IOException {
         ParticleSystem system = Systems.oneParticle(Vector3.ZERO, new Vector3(1, 0, 0));
         Simulation simulation = rk4(system, 0.125, 125);
-        simulation.addRule(TestEffects.rule(grown -> {
+        simulation.addRule(Systems.afterStep(grown -> {
             grown.addParticle("p" + grown.getParticles().count(), 1, Vector3.ZERO, Vector3.ZERO, false);
             return true;
         }));

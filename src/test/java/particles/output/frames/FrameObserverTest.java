@@ -115,7 +115,7 @@ class FrameObserverTest {
         ParticleSystem system = Systems.oneParticle(new Vector3(-0.5, 3.24, 0), new Vector3(1, 0, 0));
         system.addEffect(TestEffects.gravity(system, 8));
         Simulation simulation = rk4(system, 0.1, 1);
-        simulation.addRule(TestEffects.rule(moved -> {
+        simulation.addRule(Systems.afterStep(moved -> {
             double[] s = moved.getOwnState();
             boolean below = s[1] < 1e-6 && s[4] < 0;
             s[4] = below ? -s[4] : s[4];
