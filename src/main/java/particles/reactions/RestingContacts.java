@@ -315,8 +315,8 @@ public final class RestingContacts implements Reaction {
      * @param particle its index
      * @param state    the particles' state
      * @param force    the total force of all effects (N)
-     * @return the largest static friction minus the tangential force (N); negative if friction cannot hold it or
-     *         nothing presses it on
+     * @return the largest static friction minus the tangential force (N); negative if friction cannot hold it, or if
+     *         nothing presses on it and no forces of rods and balls balance all others
      */
     public double holdMargin(int particle, double[] state, double[] force) {
         return queries.holdMargin(particle, state, force);

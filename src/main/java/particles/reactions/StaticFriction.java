@@ -20,7 +20,7 @@ final class StaticFriction {
     private static final int MOST_SWEEPS = 1_000;
     /** What may be left of the force on a particle, relative to all forces on it. */
     private static final double ENOUGH = 1e-6;
-    /** A sweep that takes less than this fraction of what is left is the last one. */
+    /** The search ends when what is left on each particle changes by less than this fraction of it, or is enough. */
     private static final double PROGRESS = 1e-5;
 
     private final ContactQueries queries;
@@ -85,23 +85,24 @@ final class StaticFriction {
                         new double[3]));
             }
         });
-        int[] all = held().toArray();
-        Block links = queries.linksBetween(block, all);
+        Block links = queries.linksBetween(block, held().toArray());
         links.take(state, Block.ALL);
-        double before = Double.POSITIVE_INFINITY;
+        double[] before = left.clone();
         for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
             cones.forEach(cone -> cone.balance(left, balanced));
             putLoads(links);
-            double now = 0;                             // falls in each sweep
-            for (int i : all) {
-                now += block.weight(i) * Rows.dot(left, place(i), left, place(i));
-            }
-            if (!(now < (1 - PROGRESS) * before) || held().allMatch(i -> margin(i) >= allowed(i) / 2)) {
+            if (held().noneMatch(i -> margin(i) < allowed(i) / 2 && hasChanged(i, before))) {
                 break;
             }
-            before = now;
+            System.arraycopy(left, 0, before, 0, left.length);
         }
         links.addForces(total);
+    }
+
+    /** Whether what is left of the force on a particle still changes from sweep to sweep. */
+    private boolean hasChanged(int i, double[] before) {
+        Vector3 now = Vector3.at(left, place(i));
+        return now.minus(Vector3.at(before, place(i))).length() > PROGRESS * now.length();
     }
 
     /** Finds the loads that leave the smallest accelerations of held particles, J W (F + J<sup>T</sup> load) = 0. */
@@ -130,7 +131,10 @@ final class StaticFriction {
         return total;
     }
 
-    /** As {@link RestingContacts#holdMargin}; after a search, what may be left of the force less what is. */
+    /**
+     * As {@link RestingContacts#holdMargin}; after a search, what may be left of the force less what is. Forces that
+     * others balance hold a particle even if nothing presses it on.
+     */
     double margin(int particle) {
         return size == 0 ? queries.marginAlone(particle, state, total)
                 : allowed(particle) - Vector3.at(left, place(particle)).length();
