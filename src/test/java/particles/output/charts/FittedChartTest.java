@@ -190,14 +190,4 @@ class FittedChartTest {
         assertEquals(List.of(1, 2, 3, 2, 3, 3, 3, 4, 3), IntStream.rangeClosed(1, 9).mapToObj(PanelGrid::columns)
                 .toList());
     }
-
-    @Test
-    void aNameBesideAPointNeverCoversTheAxes() {
-        assertEquals(95, EndLabels.nearestFree(99, 10, 5, 95, y -> true));
-        assertEquals(80, EndLabels.nearestFree(95, 10, 5, 95, y -> Math.abs(y - 90) >= 10), "below there is the axis");
-        assertEquals(15, EndLabels.nearestFree(0, 10, 5, 95, y -> y >= 15));
-        assertEquals(60, EndLabels.nearestFree(50, 10, 5, 95, y -> y >= 60));
-        assertEquals(40, EndLabels.nearestFree(50, 10, 5, 95, y -> Math.abs(y - 50) >= 10), "first above");
-        assertEquals(50, EndLabels.nearestFree(50, 10, 5, 95, y -> false), "where all are taken");
-    }
 }
