@@ -1,5 +1,8 @@
 package benchmarks;
 
+import static particles.Systems.addGravity;
+import static particles.Systems.springs;
+
 import deSolvers.ArrayStateSource;
 import deSolvers.DEStateSource;
 import deSolvers.problems.Oscillator;
@@ -9,8 +12,6 @@ import org.hipparchus.ode.OrdinaryDifferentialEquation;
 import org.hipparchus.ode.nonstiff.DormandPrince853Integrator;
 import particles.Cloth;
 import particles.ParticleSystem;
-import particles.Systems;
-import particles.effects.Gravity;
 import particles.effects.springs.SpringForce;
 import particles.law.Vector3;
 
@@ -56,15 +57,14 @@ record Workload(String name, DEStateSource source, LongSupplier counter, double 
     /** 100 particles of 10 g on springs of 10 cm, level and pulled a little, held at both ends. */
     private static ParticleSystem chain() {
         ParticleSystem system = new ParticleSystem();
-        SpringForce springs = new SpringForce(system.getParticles());
+        addGravity(system);
+        SpringForce springs = springs(system);
         for (int i = 0; i < 100; i++) {
             system.addParticle("c" + i, 0.01, new Vector3(0.11 * i, 0, 0), Vector3.ZERO, i == 0 || i == 99);
             if (i > 0) {
                 springs.addSpring(i - 1, i, 100, 0.1, 0);
             }
         }
-        system.addEffect(new Gravity(system.getParticles(), Systems.GRAVITY));
-        system.addEffect(springs);
         return system;
     }
 

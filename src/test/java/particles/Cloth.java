@@ -1,6 +1,8 @@
 package particles;
 
-import particles.effects.Gravity;
+import static particles.Systems.addGravity;
+import static particles.Systems.springs;
+
 import particles.effects.springs.SpringForce;
 import particles.law.Vector3;
 
@@ -32,7 +34,7 @@ public final class Cloth {
                 system.addParticle(row + "," + column, 0.01, place, Vector3.ZERO, corner);
             }
         }
-        system.addEffect(new Gravity(system.getParticles(), Systems.GRAVITY));
+        addGravity(system);
         addSprings(system, n, spacing, stiffness, damping);
         return system;
     }
@@ -45,7 +47,7 @@ public final class Cloth {
             system.addParticle("" + i, 0.6 / (n * n), new Vector3(spacing * (i % n), 0, spacing * (i / n)),
                     Vector3.ZERO, i == 0 || i == n - 1);
         }
-        system.addEffect(new Gravity(system.getParticles(), Systems.GRAVITY));
+        addGravity(system);
         addSprings(system, n, spacing, stiffness, 0);
         return system;
     }
@@ -64,20 +66,19 @@ public final class Cloth {
     /** A chain along the x axis that begins to fall from its first particle, on springs of the given spacing. */
     static ParticleSystem chain(int n, double mass, double spacing, double stiffness, double damping) {
         ParticleSystem system = new ParticleSystem();
-        SpringForce springs = new SpringForce(system.getParticles());
+        addGravity(system);
+        SpringForce springs = springs(system);
         for (int i = 0; i < n; i++) {
             system.addParticle("link" + i, mass, new Vector3(spacing * i, 0, 0), Vector3.ZERO, i == 0);
             if (i > 0) {
                 springs.addSpring(i - 1, i, stiffness, spacing, damping);
             }
         }
-        system.addEffect(new Gravity(system.getParticles(), Systems.GRAVITY));
-        system.addEffect(springs);
         return system;
     }
 
     private static void addSprings(ParticleSystem system, int n, double spacing, double stiffness, double damping) {
-        SpringForce springs = new SpringForce(system.getParticles());
+        SpringForce springs = springs(system);
         for (int row = 0; row < n; row++) {
             for (int column = 0; column < n; column++) {
                 for (int[] joint : JOINTS) {
@@ -90,6 +91,5 @@ public final class Cloth {
                 }
             }
         }
-        system.addEffect(springs);
     }
 }

@@ -3,6 +3,8 @@ package particles;
 import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static particles.Systems.addGravity;
+import static particles.Systems.springs;
 
 import deSolvers.DESolver;
 import deSolvers.EulerSolver;
@@ -24,7 +26,6 @@ import net.jqwik.api.Provide;
 import net.jqwik.api.ShrinkingMode;
 import particles.RandomSystem.Ball;
 import particles.RandomSystem.Spring;
-import particles.effects.Gravity;
 import particles.effects.LinearDrag;
 import particles.effects.Wind;
 import particles.effects.springs.SpringForce;
@@ -182,7 +183,7 @@ class LawsOnRandomSystemsTest {
 
     private static double energyError(RandomSystem any, double deltaT) {
         ParticleSystem system = any.build();
-        system.addEffect(new Gravity(system.getParticles(), Systems.GRAVITY));
+        addGravity(system);
         system.addEffect(new LinearDrag(system.getParticles(), 0.3, Wind.STILL));
         return Math.abs(Systems.ledger(system, new RK4Solver(), deltaT, DELTA_T * STEPS).getNumericalError());
     }

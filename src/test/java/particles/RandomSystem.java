@@ -74,7 +74,7 @@ record RandomSystem(List<Ball> balls, List<Spring> springs) {
             Ball ball = balls.get(i);
             system.addParticle("ball" + i, ball.mass(), ball.position(), ball.velocity(), false);
         }
-        SpringForce force = new SpringForce(system.getParticles());
+        SpringForce force = Systems.springs(system);
         for (Spring spring : springs) {
             int from = spring.from() % balls.size();
             int to = spring.to() % balls.size();
@@ -82,7 +82,6 @@ record RandomSystem(List<Ball> balls, List<Spring> springs) {
                 force.addSpring(from, to, spring.stiffness(), spring.restLength(), spring.damping());
             }
         }
-        system.addEffect(force);
         return system;
     }
 

@@ -5,6 +5,8 @@ import deSolvers.RK4Solver;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import particles.effects.Gravity;
+import particles.effects.springs.SpringForce;
 import particles.energy.EnergyLedger;
 import particles.law.Vector3;
 
@@ -30,6 +32,18 @@ public final class Systems {
             system.addParticle("p" + i, 1, new Vector3(i, 0, 0), Vector3.ZERO, false);
         }
         return system;
+    }
+
+    /** @return springs that act on the system's particles from now on */
+    public static SpringForce springs(ParticleSystem system) {
+        SpringForce springs = new SpringForce(system.getParticles());
+        system.addEffect(springs);
+        return springs;
+    }
+
+    /** Lets {@link #GRAVITY} act on the system's particles. */
+    public static void addGravity(ParticleSystem system) {
+        system.addEffect(new Gravity(system.getParticles(), GRAVITY));
     }
 
     /** Runs to the end without an energy limit; returns the energies booked. */

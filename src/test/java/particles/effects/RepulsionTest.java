@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static particles.Systems.GRAVITY;
+import static particles.Systems.addGravity;
 import static particles.Systems.entry;
 
 import deSolvers.RK4Solver;
@@ -125,7 +125,7 @@ class RepulsionTest {
         for (int i = 0; i < 5; i++) {
             system.addParticle("ball" + i, 2, new Vector3(0, 0.1 + 0.2 * i, 0), Vector3.ZERO, false);
         }
-        system.addEffect(new Gravity(system.getParticles(), GRAVITY));
+        addGravity(system);
         system.addEffect(new Penalty(system.getParticles(), Plane.ground(0.1), 4000, 0));
         system.addEffect(new Repulsion(system.getParticles(), 0.1, false, 4000, 150));
         Steps.make(10_000, new RK4Solver(), system, 0.002);

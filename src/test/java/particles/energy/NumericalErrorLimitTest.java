@@ -4,6 +4,7 @@ import static deSolvers.problems.Bounds.assertAbove;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.springs;
 import static particles.Texts.assertMatches;
 
 import deSolvers.DESolver;
@@ -192,7 +193,7 @@ class NumericalErrorLimitTest {
     void nothingAtRestFails(double stiffness) {
         ParticleSystem system = new ParticleSystem();
         Vector3[] corners = {new Vector3(0.1, 0.2, 0.3), new Vector3(1.3, 0.7, -0.4), new Vector3(0.6, 1.9, 0.8)};
-        SpringForce springs = new SpringForce(system.getParticles());
+        SpringForce springs = springs(system);
         for (int i = 0; i < corners.length; i++) {
             system.addParticle("p" + i, 1, corners[i], Vector3.ZERO, false);
         }
@@ -200,7 +201,6 @@ class NumericalErrorLimitTest {
             Vector3 edge = corners[(i + 1) % 3].minus(corners[i]);
             springs.addSpring(i, (i + 1) % 3, stiffness, Math.nextUp(edge.length()), 0);
         }
-        system.addEffect(springs);
         run(of(system, new EulerSolver(), 0.2, 30), 1);
         assertTrue(system.getKineticEnergy(system.getOwnState()) < 1e-20);
     }

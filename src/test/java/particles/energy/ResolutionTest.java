@@ -3,6 +3,8 @@ package particles.energy;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.addGravity;
+import static particles.Systems.springs;
 
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
@@ -15,7 +17,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.Systems;
-import particles.effects.Gravity;
 import particles.effects.springs.SpringForce;
 import particles.law.Vector3;
 
@@ -26,14 +27,13 @@ class ResolutionTest {
     /** Weights of 1 kg on springs of length 1 m from a hook, each pulled down by its amplitude. */
     private static ParticleSystem weights(double[] omega, double[] amplitude, double speed) {
         ParticleSystem system = new ParticleSystem();
-        SpringForce springs = new SpringForce(system.getParticles());
+        SpringForce springs = springs(system);
         system.addParticle("hook", 1, Vector3.ZERO, Vector3.ZERO, true);
         for (int i = 0; i < omega.length; i++) {
             system.addParticle("w" + i, 1, new Vector3(0, -1 - amplitude[i], 0),
                     new Vector3(0, speed, 0), false);
             springs.addSpring(0, i + 1, omega[i] * omega[i], 1, 0);
         }
-        system.addEffect(springs);
         return system;
     }
 
@@ -94,7 +94,7 @@ class ResolutionTest {
     void aFallIsResolved() {
         for (int steps : List.of(1, 2, 50)) {
             ParticleSystem system = Systems.row(1);
-            system.addEffect(new Gravity(system.getParticles(), Systems.GRAVITY));
+            addGravity(system);
             assertFalse(run(system, "rk4", 0.5, steps).isTooCoarse(SCALE), steps + " steps");
         }
     }

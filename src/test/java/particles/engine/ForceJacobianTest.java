@@ -4,6 +4,8 @@ import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.addGravity;
+import static particles.Systems.springs;
 
 import deSolvers.implicit.ForceJacobian;
 import deSolvers.linear.SolverWork;
@@ -17,7 +19,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import particles.ParticleSystem;
 import particles.Systems;
-import particles.effects.Gravity;
 import particles.effects.springs.SpringForce;
 import particles.law.Effect;
 import particles.law.Effect.Trait;
@@ -44,7 +45,7 @@ class ForceJacobianTest {
             Vector3 velocity = i == 0 ? Vector3.ZERO : vector(random, 3);
             system.addParticle("p" + i, 0.5 + random.nextDouble(), vector(random, 1), velocity, i == 0);
         }
-        system.addEffect(new Gravity(system.getParticles(), Systems.GRAVITY));
+        addGravity(system);
         return system;
     }
 
@@ -53,15 +54,13 @@ class ForceJacobianTest {
                 size * (2 * random.nextDouble() - 1));
     }
 
-    private static SpringForce springs(ParticleSystem system, Random random, double damping) {
-        SpringForce springs = new SpringForce(system.getParticles());
+    private static void addSprings(ParticleSystem system, Random random, double damping) {
+        SpringForce springs = springs(system);
         for (int i = 0; i < N; i++) {
             for (int j = 0; j < i; j++) {
                 springs.addSpring(i, j, 100 * random.nextDouble(), 2 * random.nextDouble(), damping);
             }
         }
-        system.addEffect(springs);
-        return springs;
     }
 
     private static RestingContacts contacts(ParticleSystem system, Friction friction, Mode mode, Obstacle one,
@@ -157,7 +156,7 @@ class ForceJacobianTest {
         for (int k = 0; k < 240; k++) {
             Random random = new Random(k / 8);
             ParticleSystem system = particles(random);
-            springs(system, random, k % 3 == 0 ? 20 : 0.5);
+            addSprings(system, random, k % 3 == 0 ? 20 : 0.5);
             contacts(system, new Friction(law, 0.3, 0.4, 1e-3), k % 2 == 0 ? Mode.SLIDING : Mode.STICKING,
                     pairs[k / 4 % 2][0], pairs[k / 4 % 2][1]).setHolding(k / 2 % 2 == 0);
             assertTrue(system.hasExactJacobian());
@@ -172,7 +171,7 @@ class ForceJacobianTest {
         for (int seed = 0; seed < 30; seed++) {
             Random random = new Random(seed);
             ParticleSystem system = particles(random);
-            springs(system, random, 0.5);
+            addSprings(system, random, 0.5);
             system.addEffect(new CubicDrag(system.getParticles()));
             assertFalse(system.hasExactJacobian());
             assertTrue(deviation(system, random) < 1e-5, "seed " + seed);       // measured 1.4e-6: half the digits
@@ -195,9 +194,8 @@ class ForceJacobianTest {
         for (double length : new double[] {0, 1e-300, 1e-139, 1e-100, 1, 1e100, 1e150, 1e300}) {
             ParticleSystem system = Systems.row(2);
             system.getOwnState()[6] = length;
-            SpringForce springs = new SpringForce(system.getParticles());
+            SpringForce springs = springs(system);
             springs.addSpring(0, 1, 3, 0, 0.5);
-            system.addEffect(springs);
             assertArrayEquals(new double[] {0, 0, 0, -3, 0, 0, 0, 0, 0, 3, 0, 0},
                     product(system, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), "length " + length);
             assertArrayEquals(new double[] {0, 0, 0, 0, 0, -3, 0, 0, 0, 0, 0, 3},

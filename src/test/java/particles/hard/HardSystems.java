@@ -8,7 +8,6 @@ import particles.EnergyLimit;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.SimulationException;
-import particles.effects.springs.SpringForce;
 import particles.law.Particles;
 import particles.law.Vector3;
 import particles.scene.Scene;
@@ -23,13 +22,6 @@ final class HardSystems {
     /** @return a particle at a place, at rest */
     static int add(ParticleSystem system, String id, double mass, double x, double y, boolean fixed) {
         return system.addParticle(id, mass, new Vector3(x, y, 0), Vector3.ZERO, fixed);
-    }
-
-    /** @return springs that act on the system's particles from now on */
-    static SpringForce springs(ParticleSystem system) {
-        SpringForce springs = new SpringForce(system.getParticles());
-        system.addEffect(springs);
-        return springs;
     }
 
     /** @return a run that fails if the kinetic energy passes the limit */

@@ -2,10 +2,10 @@ package particles.hard;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.springs;
 import static particles.hard.HardSystems.add;
 import static particles.hard.HardSystems.assertFailsBefore;
 import static particles.hard.HardSystems.simulation;
-import static particles.hard.HardSystems.springs;
 
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;

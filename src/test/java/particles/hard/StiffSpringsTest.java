@@ -2,10 +2,10 @@ package particles.hard;
 
 import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static particles.Systems.springs;
 import static particles.hard.HardSystems.add;
 import static particles.hard.HardSystems.assertFailsBefore;
 import static particles.hard.HardSystems.simulation;
-import static particles.hard.HardSystems.springs;
 
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;

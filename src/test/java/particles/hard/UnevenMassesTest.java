@@ -2,9 +2,9 @@ package particles.hard;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static particles.Systems.springs;
 import static particles.hard.HardSystems.add;
 import static particles.hard.HardSystems.simulation;
-import static particles.hard.HardSystems.springs;
 
 import deSolvers.catalog.SolverCatalog;
 import org.junit.jupiter.api.Tag;

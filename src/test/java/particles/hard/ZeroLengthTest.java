@@ -2,8 +2,8 @@ package particles.hard;
 
 import static deSolvers.problems.Bounds.assertAbove;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static particles.Systems.springs;
 import static particles.hard.HardSystems.simulation;
-import static particles.hard.HardSystems.springs;
 
 import deSolvers.catalog.SolverCatalog;
 import org.junit.jupiter.api.Tag;

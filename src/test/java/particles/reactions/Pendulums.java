@@ -1,11 +1,10 @@
 package particles.reactions;
 
-import static particles.Systems.GRAVITY;
+import static particles.Systems.addGravity;
 
 import deSolvers.DESolver;
 import deSolvers.RK4Solver;
 import particles.ParticleSystem;
-import particles.effects.Gravity;
 import particles.law.Particles;
 import particles.law.Vector3;
 
@@ -21,7 +20,7 @@ final class Pendulums {
         for (int i = 1; i <= rods; i++) {
             system.addParticle("bob" + i, 1, new Vector3(i * Math.sin(a), -i * Math.cos(a), 0), Vector3.ZERO, false);
         }
-        system.addEffect(new Gravity(system.getParticles(), GRAVITY));
+        addGravity(system);
         RigidConstraints constraints = new RigidConstraints(system, feedback);
         for (int i = 0; i < rods; i++) {
             constraints.addRod(i, i + 1, 1);

@@ -2,7 +2,8 @@ package particles.reactions;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static particles.Systems.GRAVITY;
+import static particles.Systems.addGravity;
+import static particles.Systems.springs;
 
 import deSolvers.RK4Solver;
 import java.lang.reflect.Proxy;
@@ -14,7 +15,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.ParticleSystem;
 import particles.Systems;
-import particles.effects.Gravity;
 import particles.law.Obstacle;
 import particles.law.Plane;
 import particles.law.Vector3;
@@ -42,7 +42,7 @@ class StaticFrictionTest {
                 constraints.addRod(i - 1, i, 0.5);
             }
         }
-        system.addEffect(new Gravity(system.getParticles(), GRAVITY));
+        addGravity(system);
         RestingContacts contacts = new RestingContacts(system, List.of(new ContactSurface("ground", ground, 0,
                 new Friction(Friction.Law.COULOMB, 0.5, 0.5, 0), 1e-6)));
         constraints.solveWith(contacts);

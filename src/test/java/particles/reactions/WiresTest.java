@@ -3,7 +3,7 @@ package particles.reactions;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static particles.Systems.GRAVITY;
+import static particles.Systems.addGravity;
 import static particles.Systems.afterStep;
 import static particles.Systems.oneParticle;
 
@@ -16,7 +16,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.ParticleSystem;
 import particles.SimulationException;
-import particles.effects.Gravity;
 import particles.law.Vector3;
 import particles.reactions.wires.CircularWire;
 import particles.reactions.wires.Curve;
@@ -32,7 +31,7 @@ class WiresTest {
 
     private static ParticleSystem bead(Vector3 position, Vector3 velocity, Curve wire) {
         ParticleSystem system = oneParticle(position, velocity);
-        system.addEffect(new Gravity(system.getParticles(), GRAVITY));
+        addGravity(system);
         RigidConstraints constraints = new RigidConstraints(system, 5);
         constraints.addBead(0, wire);
         system.addReaction(constraints);

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.springs;
 
 import deSolvers.RK4Solver;
 import java.util.Arrays;
@@ -229,10 +230,9 @@ class BirthAndDeathTest {
     @Test
     void springsKeepTheirParticlesWhenOthersDie() {
         ParticleSystem system = Systems.row(6);
-        SpringForce springs = new SpringForce(system.getParticles());
+        SpringForce springs = springs(system);
         springs.addSpring(0, 1, 10, 1, 0);
         springs.addSpring(4, 5, 20, 0.5, 0);
-        system.addEffect(springs);
         system.addEffect(new Cohesion(system.getParticles(), 2, 1.2, 1, 0));
         system.setLife(1, 0, 0.5);
         system.setLife(2, 0, 0.5);

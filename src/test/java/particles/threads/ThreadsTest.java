@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
+import static particles.Systems.addGravity;
+import static particles.Systems.springs;
 
 import deSolvers.RK4Solver;
 import deSolvers.problems.Steps;
@@ -21,8 +23,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.Cloth;
 import particles.ParticleSystem;
-import particles.Systems;
-import particles.effects.Gravity;
 import particles.effects.LinearDrag;
 import particles.effects.Wind;
 import particles.effects.springs.SpringForce;
@@ -55,14 +55,13 @@ class ThreadsTest {
                     i * 0.01),
                     Vector3.ZERO, i % 500 == 0);
         }
-        network.addEffect(new Gravity(network.getParticles(), Systems.GRAVITY));
-        SpringForce springs = new SpringForce(network.getParticles());
+        addGravity(network);
+        SpringForce springs = springs(network);
         for (int s = 0; s < count; s++) {
             int i = random.nextInt(n);
             int j = Math.floorMod(i + 1 + random.nextInt(reach), n);
             springs.addSpring(i, j, 10, 0.5, 0.1);
         }
-        network.addEffect(springs);
         return network;
     }
 
@@ -95,7 +94,7 @@ class ThreadsTest {
         double[][] ends = new double[2][];
         for (int k = 0; k < 2; k++) {
             ParticleSystem pairs = new ParticleSystem();
-            SpringForce springs = new SpringForce(pairs.getParticles());
+            SpringForce springs = springs(pairs);
             Random random = new Random(12);
             for (int i = 0; i < 1000; i++) {
                 pairs.addParticle("p" + i, 1, new Vector3(random.nextDouble(), random.nextDouble(), i), Vector3.ZERO,
@@ -108,7 +107,6 @@ class ThreadsTest {
                 springs.addSpring(998, s, random.nextDouble(), random.nextDouble(), 0.1);
                 springs.addSpring(998, 500 + s, random.nextDouble(), random.nextDouble(), 0.1);
             }
-            pairs.addEffect(springs);
             ends[k] = stateAfter(pairs, 1 + k, STEPS);
             assertEquals(4, springs.countBlocks());
             assertEquals(20_000, springs.getPartStart(5), "the last block and the joint of the first two end here");
@@ -130,7 +128,7 @@ class ThreadsTest {
                     return wind.minus(velocity).times(mass);
                 }
             });
-            cloth.addEffect(new Gravity(cloth.getParticles(), Systems.GRAVITY));
+            addGravity(cloth);
             ends[k] = stateAfter(cloth, 1 + k, STEPS);
         }
         assertArrayEquals(ends[0], ends[1], "two threads");
