@@ -77,7 +77,7 @@ class ArchitectureTest {
                                            particles.view picocli
             particles.app.student:         deSolvers deSolvers.catalog particles.app.cli particles.javac particles.law
                                            particles.output.charts particles.output.files particles.output.report
-                                           particles.output.text particles.scene particles.spec
+                                           particles.output.text particles.scene particles.scene.format particles.spec
                                            particles.spec.messages particles.teaching particles.teaching.effects
                                            particles.teaching.exercises particles.teaching.figures
                                            particles.teaching.marking particles.teaching.solvers particles.view

@@ -23,15 +23,31 @@ public final class GuardedRun {
     private static final long POLL_MILLIS = 20;
     /** So many looks at a thread that waits and computes nothing tell that it waits for ever; fewer below a second. */
     private static final int WAITS = 100;
-    /** The number of steps that came back in the run of this thread, or of the one that started it. */
-    private static final InheritableThreadLocal<AtomicLong> STEPS = new InheritableThreadLocal<>();
+    /** The run of this thread, or of the one that started it. */
+    private static final InheritableThreadLocal<GuardedRun> RUN = new InheritableThreadLocal<>();
 
     private final double seconds;
     private final AtomicReference<Thread> running = new AtomicReference<>();
+    /** The number of steps that came back. */
+    private final AtomicLong done = new AtomicLong();
 
     /** Tells, within a run, that a step came back. */
     public static void goesOn() {
-        Optional.ofNullable(STEPS.get()).ifPresent(AtomicLong::incrementAndGet);    // null outside of a run
+        Optional.ofNullable(RUN.get()).ifPresent(run -> run.done.incrementAndGet());    // null outside of a run
+    }
+
+    /** Starts another thread within a run and waits for it; until it ends, its CPU time counts and not this one's. */
+    public static void await(Thread other) {
+        AtomicReference<Thread> running = RUN.get().running;
+        Thread self = running.getAndSet(other);
+        other.setDaemon(true);
+        other.start();
+        try {
+            other.join();
+        } catch (InterruptedException e) {
+            self.interrupt();
+        }
+        running.set(self);
     }
 
     /** @param seconds the CPU time allowed to a step (s) */
@@ -57,9 +73,8 @@ public final class GuardedRun {
     public <T> Outcome<T> run(Callable<T> what) {
         AtomicReference<T> value = new AtomicReference<>();
         AtomicReference<Throwable> thrown = new AtomicReference<>();
-        AtomicLong done = new AtomicLong();
         Thread thread = new Thread(() -> {
-            STEPS.set(done);
+            RUN.set(this);
             try {
                 value.set(what.call());
             } catch (Throwable t) {
@@ -69,7 +84,7 @@ public final class GuardedRun {
         thread.setDaemon(true);
         running.set(thread);
         thread.start();
-        Optional<Finding> stuck = await(thread, done);
+        Optional<Finding> stuck = watch(thread);
         if (stuck.isPresent()) {
             return new Outcome<>(Optional.empty(), stuck);
         }
@@ -78,9 +93,10 @@ public final class GuardedRun {
                 : new Outcome<>(Optional.empty(), Optional.of(failure(thrown.get())));
     }
 
-    private Optional<Finding> await(Thread thread, AtomicLong done) {
+    private Optional<Finding> watch(Thread thread) {
         ThreadMXBean threads = ManagementFactory.getThreadMXBean();
         long start = System.nanoTime();
+        Thread last = thread;
         double before = 0;
         double begun = 0;
         long steps = 0;
@@ -94,16 +110,18 @@ public final class GuardedRun {
                 Thread.currentThread().interrupt();
                 return Optional.of(new Finding(Kind.UNDECIDED, "the check was interrupted"));
             }
-            double computed = threads.getThreadCpuTime(thread.getId()) / NANOS;     // negative once it has ended
-            waited = thread.getState() == Thread.State.RUNNABLE || computed != before ? 0 : waited + 1;
+            Thread now = running.get();
+            double computed = threads.getThreadCpuTime(now.getId()) / NANOS;        // negative once it has ended
+            waited = now.getState() == Thread.State.RUNNABLE || computed != before ? 0 : waited + 1;
             before = computed;
-            begun = done.get() == steps ? begun : computed;
+            begun = done.get() == steps && now == last ? begun : computed;
+            last = now;
             steps = done.get();
             double elapsed = (System.nanoTime() - start) / NANOS;
             if (thread.isAlive() && (computed - begun > seconds || waited > waits || computed > COSTLY * seconds
                     || elapsed > GIVE_UP * seconds)) {
-                String place = StudentFailure.place(thread.getStackTrace());
-                thread.interrupt();
+                String place = StudentFailure.place(now.getStackTrace());
+                now.interrupt();
                 boolean busy = computed - begun <= seconds && waited <= waits;
                 return Optional.of(new Finding(busy ? Kind.UNDECIDED : Kind.FAILURE, (busy ? Formula.text("%s s of CPU"
                         + " time in %s s were too little for all steps: make a step cheaper, or run it again on a"

@@ -63,6 +63,17 @@ class GuardedRunTest {
         assertTrue(steps.get() > 0);
     }
 
+    /** The thread that waits for it takes no CPU time, and is not taken for one that waits for ever. */
+    @Test
+    void anEndlessLoopInAnotherThreadIsStopped() {
+        AtomicLong steps = new AtomicLong();
+        assertTold("failure: it did not come back within 3/10 s of CPU time: an endless loop, in "
+                + "PlantedClasses.endlessLoop, line ", failure(() -> {
+                    GuardedRun.await(new Thread(() -> PlantedClasses.endlessLoop(steps)));
+                    return steps.get();
+                }));
+    }
+
     @Test
     void costlyStepsWithoutEndAreNotDecided() {
         String found = new GuardedRun(0.1).run(() -> {

@@ -83,7 +83,7 @@ public final class CheckSolverCommand extends CheckCommand {
         if (verdict.wrong().isEmpty() && PlainRuns.differ(run -> SolverCheck.check(() -> {
             run.run();
             throw new IllegalStateException("the check itself is not wanted");
-        }, name), () -> PlainRuns.end(full))) {
+        }, name), PlainRuns.ends(full))) {
             verdict = new SolverVerdict(verdict.identity(), List.of(new Finding(Kind.FAILURE,
                     "in a scene, or after many calls, its steps differ from those in this check")),
                     verdict.multistep());

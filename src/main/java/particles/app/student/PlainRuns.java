@@ -11,6 +11,7 @@ import particles.law.Particles;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
+import particles.scene.format.SceneDescription;
 import particles.teaching.GuardedRun;
 import particles.teaching.effects.EffectSample;
 
@@ -33,16 +34,19 @@ final class PlainRuns {
     private PlainRuns() {
     }
 
-    /** @return the state after 200 steps of a solver in a scene */
-    static double[] end(String solver) {
-        Scene scene = SceneBuilder.build(SceneReader.read("the check's scene", SCENE.formatted(solver)
-                .getBytes(StandardCharsets.UTF_8)));
-        scene.simulation().start();
-        while (!scene.simulation().isOver()) {
-            scene.simulation().advance();
-            GuardedRun.goesOn();
-        }
-        return scene.system().getOwnState();
+    /** @return computes the state after 200 steps of a solver in a scene */
+    static Supplier<double[]> ends(String solver) {
+        SceneDescription read = SceneReader.read("the check's scene", SCENE.formatted(solver)
+                .getBytes(StandardCharsets.UTF_8));
+        return () -> {
+            Scene scene = SceneBuilder.build(read);
+            scene.simulation().start();
+            while (!scene.simulation().isOver()) {
+                scene.simulation().advance();
+                GuardedRun.goesOn();
+            }
+            return scene.system().getOwnState();
+        };
     }
 
     /** @return the sum of an effect's forces at 200 times */
@@ -66,16 +70,11 @@ final class PlainRuns {
     static boolean differ(Consumer<Runnable> check, Supplier<double[]> run) {
         double[][] ends = new double[2][];
         check.accept(() -> ends[0] = run.get());
-        Thread plain = new Thread(() -> {
+        GuardedRun.await(new Thread(() -> {
             for (int more = new SecureRandom().nextInt(FEWEST, MOST); more > 0; more--) {
                 ends[1] = run.get();
             }
-        });
-        plain.setDaemon(true);
-        plain.start();
-        while (plain.isAlive()) {
-            Thread.onSpinWait();        // a thread that waits is taken for one that waits for ever
-        }
+        }));
         return !Arrays.equals(ends[0], ends[1]);
     }
 }
