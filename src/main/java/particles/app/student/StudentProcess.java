@@ -136,8 +136,8 @@ public final class StudentProcess {
 
     private static ProcessBuilder builder(List<String> args) {
         List<String> line = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-Xmx" + MEGABYTES + "m",
-                "-XX:TieredStopAtLevel=1", "-Djava.awt.headless=true", "-cp", System.getProperty("java.class.path")));
+                "-Xmx" + MEGABYTES + "m", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Djava.awt.headless=true",
+                "-cp", System.getProperty("java.class.path")));
         String startedBy = System.getProperty(OptionStyle.STARTED_BY);
         if (startedBy != null) {                        // null where it was not set
             line.add("-D" + OptionStyle.STARTED_BY + "=" + startedBy);
