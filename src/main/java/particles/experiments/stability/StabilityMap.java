@@ -4,7 +4,9 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Deque;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.DoubleBinaryOperator;
 import particles.experiments.stability.StabilityRegion.Window;
 import particles.view.ChartData.Mark;
@@ -23,6 +25,8 @@ public final class StabilityMap {
     private final Window window;
     private final boolean mirrored;
     private final boolean[][] grows;
+    /** An edge of the grid belongs to two squares. */
+    private final Map<List<Integer>, double[]> borders = new HashMap<>();
 
     /**
      * @param modulus  |R| at a point of the plane
@@ -99,6 +103,10 @@ public final class StabilityMap {
 
     /** Finds the point on the outline between a stable grid point and an unstable neighbour. */
     private double[] border(int c, int r, int growingC, int growingR) {
+        return borders.computeIfAbsent(List.of(c, r, growingC, growingR), edge -> bisected(c, r, growingC, growingR));
+    }
+
+    private double[] bisected(int c, int r, int growingC, int growingR) {
         double still = 0;
         double growing = 1;
         for (int halving = 0; halving < HALVINGS; halving++) {

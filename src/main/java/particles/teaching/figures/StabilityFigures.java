@@ -23,6 +23,8 @@ import particles.experiments.stability.StabilityRegion.Window;
 import particles.experiments.stability.StepTrial;
 import particles.teaching.Formula;
 import particles.teaching.sources.Springs;
+import particles.teaching.sources.StiffDecay;
+import particles.teaching.sources.StudentSource;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
@@ -47,13 +49,17 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     private static final int DIRECTIONS = 12;
     private static final double NEAREST = 0.05;
     private static final double FARTHEST = 20;
-    private static final double FACTOR = 1.1;
+    private static final double FINE = 1.1;
+    private static final double COARSE = 1.3;
     private static final double MARGIN = 0.15;
     private static final int CELLS = 80;
     /** The square of the cells, times the evaluations of a step: a costly method has a coarser grid. */
     private static final double EVALUATIONS = 25_600;
-    /** For a method whose growth takes many steps to measure, at each point of the grid. */
-    private static final int FEW_CELLS = 24;
+    /** The growth over many steps, measured at each point of the grid, counts as so many. */
+    private static final int MANY_STEPS = 44;
+    private static final int FEW_CELLS = 12;
+    /** An iteration needs more rounds the longer the step: up to 500 in some that are to end at 1e-15. */
+    private static final List<Double> LENGTHS = List.of(0.5, 1.0, 2.0, 4.0);
     private static final String REAL = "real limit: largest stable deltaT |lambda|";
     private static final String IMAGINARY = "imaginary limit: largest stable deltaT omega";
     private static final String DAMPED = "damped limit: largest stable deltaT omega";
@@ -103,12 +109,17 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         rows.addAll(springs ? List.of(undamped, damped) : List.of(damped, undamped));
         String title = "Stable in the grey region: " + most(damping)
                 + (springs ? " for critical damping, " : " for damping, ") + most(spring) + " for undamped springs";
-        Springs once = new Springs();
-        SolverFigures.accepts(maker.get(), once, 1);
-        double cells = own.manySteps() ? FEW_CELLS
-                : Math.max(FEW_CELLS, Math.min(CELLS, Math.sqrt(EVALUATIONS / once.getEvaluations())));
+        double cost = (own.manySteps() ? MANY_STEPS : 1) * LENGTHS.stream().mapToLong(deltaT -> Math.max(
+                evaluations(maker, new Springs(), deltaT), springs ? 0 : evaluations(maker, new StiffDecay(), deltaT
+                / StiffDecay.RATE))).average().orElseThrow();
+        double cells = Math.max(FEW_CELLS, Math.min(CELLS, Math.sqrt(EVALUATIONS / cost)));
         return new StabilityFigures(rows, Optional.of(chart(title, name, own, nearest, others.get(nearest), cells)),
                 Optional.of(table(name, own, nearest, others)));
+    }
+
+    private static long evaluations(Supplier<DESolver> maker, StudentSource source, double deltaT) {
+        SolverFigures.accepts(maker.get(), source, deltaT);
+        return source.getEvaluations();
     }
 
     private static String text(StabilityLimit limit) {
@@ -156,6 +167,7 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
 
     /** Looks from 0 in all directions for places where stable and unstable meet, and shows all of them. */
     private static Window window(List<Amplification> solvers, double cells) {
+        double factor = cells > FEW_CELLS ? FINE : COARSE;
         double left = 0;
         double right = 0;
         double top = 0;
@@ -164,7 +176,7 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
             double sin = StrictMath.sin(Math.PI * k / DIRECTIONS);
             for (Amplification one : solvers) {
                 boolean stable = one.at(NEAREST * cos, NEAREST * sin) <= STABLE;
-                for (double size = NEAREST; size < FARTHEST; size *= FACTOR) {
+                for (double size = NEAREST; size < FARTHEST; size *= factor) {
                     if (one.at(size * cos, size * sin) <= STABLE != stable) {
                         stable = !stable;
                         left = Math.min(left, size * cos);
