@@ -92,20 +92,17 @@ public final class ReportCommand extends ResultsCommand {
     public void run(PrintWriter lines) {
         List<ExperimentCommand> chosen = this.chosen.get();
         if (chosen.size() > FEW) {
-            int minutes = seconds(chosen) / 60 + 1;
+            int minutes = chosen.stream().mapToInt(ReportCommand::seconds).sum() / 60 + 1;
             lines.println("about " + minutes + (minutes == 1 ? " minute; " : " minutes; ")
                     + getStyle().option("experiments") + " with fewer names takes less");
             lines.flush();
         }
         long begin = System.nanoTime();
         PrintedProgress progress = new PrintedProgress(lines, System::nanoTime);
-        List<Section> sections = new ArrayList<>();
+        List<Section> sections;
         try (OutputFolder folder = OutputFolder.open(getFolder(), FILE)) {
-            for (ExperimentCommand experiment : chosen) {
-                ProgressListener named = (part, what) -> progress.reached(part, experiment.name() + ", " + what);
-                int done = sections.size();
-                sections.add(section(experiment, named.part(share(chosen, done), share(chosen, done + 1))));
-            }
+            sections = progress.parts(chosen, ReportCommand::seconds, (experiment, part) ->
+                    section(experiment, (done, what) -> part.reached(done, experiment.name() + ", " + what)));
             ReportWriter.write(folder, FILE, new Report(title(), text(), sections,
                     Digits.format("Made by gradle report of DESolver %s in %.0f s.", Version.CURRENT,
                     (System.nanoTime() - begin) * NANO)));
@@ -119,13 +116,8 @@ public final class ReportCommand extends ResultsCommand {
                 getFolder().resolve(FILE));
     }
 
-    private static int seconds(List<ExperimentCommand> experiments) {
-        return experiments.stream().mapToInt(experiment -> SECONDS.getOrDefault(experiment.name(), 1)).sum();
-    }
-
-    /** @return the share of the first experiments in the time that all take */
-    static double share(List<ExperimentCommand> experiments, int first) {
-        return (double) seconds(experiments.subList(0, first)) / seconds(experiments);
+    static int seconds(ExperimentCommand experiment) {
+        return SECONDS.getOrDefault(experiment.name(), 1);
     }
 
     private Optional<SceneDescription> readScene() {

@@ -3,7 +3,9 @@ package particles.experiments.runs;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BiFunction;
 import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
 
 /** Receives the progress of an experiment. */
 public interface ProgressListener {
@@ -28,10 +30,28 @@ public interface ProgressListener {
      * @return the results
      */
     default <T, R> List<R> each(List<T> items, Function<T, String> name, Function<T, R> task) {
+        return parts(items, item -> 1, (item, part) -> {
+            part.reached(0, name.apply(item));
+            return task.apply(item);
+        });
+    }
+
+    /**
+     * Does a task for each item, one after the other.
+     *
+     * @param items the items
+     * @param cost  the time that an item takes, in any unit
+     * @param task  the task, which receives the progress of its part
+     * @return the results
+     */
+    default <T, R> List<R> parts(List<T> items, ToDoubleFunction<T> cost, BiFunction<T, ProgressListener, R> task) {
+        double all = items.stream().mapToDouble(cost).sum();
         List<R> results = new ArrayList<>();
+        double done = 0;
         for (T item : items) {
-            reached((double) results.size() / items.size(), name.apply(item));
-            results.add(task.apply(item));
+            double end = done + cost.applyAsDouble(item) / all;
+            results.add(task.apply(item, part(done, end)));
+            done = end;
         }
         return results;
     }

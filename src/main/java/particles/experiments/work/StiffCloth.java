@@ -9,6 +9,7 @@ import deSolvers.implicit.LinearisedEulerSolver;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.ProgressListener;
@@ -29,6 +30,7 @@ public final class StiffCloth {
     static final double FRAME = 1.0 / 60;
     /** The numbers of RK4 steps for which stiffnesses are chosen. */
     public static final List<Long> SWEEP = List.of(1L, 3L, 10L, 30L, 100L, 300L, 1000L, 5000L);
+    private static final List<Long> WARM_UP = List.of(2L, 100L);
     private static final int EDGE = 64;
     /** Springs join neighbours, cross the squares, and join second neighbours against bending. */
     private static final String CLOTH = """
@@ -126,10 +128,9 @@ public final class StiffCloth {
      * @return the costs of each
      */
     public static List<Row> measure(List<Long> sweep, ProgressListener progress) {
-        progress.reached(0, "warm-up");
-        measure(2);
-        measure(100);
-        return progress.each(sweep, steps -> "rk4 with " + steps + " steps", StiffCloth::measure);
+        List<Long> warmed = Stream.concat(WARM_UP.stream(), sweep.stream()).toList();
+        return progress.each(warmed, steps -> "rk4 with " + steps + " steps", StiffCloth::measure)
+                .subList(WARM_UP.size(), warmed.size());
     }
 
     /**

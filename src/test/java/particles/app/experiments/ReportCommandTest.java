@@ -7,10 +7,15 @@ import static particles.Texts.assertHas;
 import static particles.Texts.assertStarts;
 
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -18,8 +23,10 @@ import particles.SimulationException;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Mistakes;
 import particles.app.cli.OptionStyle;
+import particles.app.cli.PrintedProgress;
 import particles.app.cli.Screen;
 import particles.experiments.runs.ProgressListener;
+import particles.experiments.work.WorkProblems;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.output.report.ResultPage;
@@ -32,6 +39,7 @@ class ReportCommandTest {
 
     @TempDir
     Path top;
+    private double elapsed;
 
     /** Shows which scene it was given. */
     @Command(name = "shows", description = "Shows.")
@@ -69,27 +77,40 @@ class ReportCommandTest {
     }
 
     /**
-     * The countdown, elapsed (1 - share)/share, is right within a factor of 1.5 wherever it is printed: from a tenth on
-     * and down to 10 s. Measured times (s) of a report of the course, and of one of scene 4.
+     * The countdown is right within a factor of 1.5 wherever it is printed, to the 5 s to which it is rounded. Measured
+     * times (s): of a report of the course, of one of scene 4, and of the problems of workPrecision by all solvers.
      */
     @Test
     void theCountdownIsNearlyRight() {
         requireCountdown(List.of(new LectureFiguresCommand(), new EnergyDriftCommand(), new PhasePlotsCommand(),
                 new RaceCommand(), new WorkPrecisionCommand(), new StiffGalleryCommand(), new StabilityCommand(),
-                new EffectCostCommand(), new StiffClothCommand()), 2, 2, 0.4, 3, 42, 5, 2, 4, 25);
+                new EffectCostCommand(), new StiffClothCommand()), ReportCommand::seconds,
+                2, 2, 0.4, 3, 42, 5, 2, 4, 25);
         requireCountdown(List.of(new EnergyDriftCommand(), new PhasePlotsCommand(), new RaceCommand(),
-                new StabilityCommand()), 12, 4, 31, 5);
+                new StabilityCommand()), ReportCommand::seconds, 12, 4, 31, 5);
+        requireCountdown(WorkProblems.NAMES, WorkPrecisionCommand.COSTS::get, 10.2, 9.8, 6.8, 13, 13.5, 18);
     }
 
-    private static void requireCountdown(List<ExperimentCommand> experiments, double... seconds) {
-        double elapsed = 0;
-        double left = Arrays.stream(seconds).sum();
-        for (int k = 0; k < seconds.length; k++) {
-            double share = ReportCommand.share(experiments, k);
-            double said = elapsed * (1 - share) / share;
-            assertTrue(share < 0.1 || said < 10 || said < 1.5 * left && left < 1.5 * said, said + " for " + left);
-            elapsed += seconds[k];
-            left -= seconds[k];
+    private <T> void requireCountdown(List<T> tasks, ToDoubleFunction<T> cost, double... seconds) {
+        StringWriter text = new StringWriter();
+        elapsed = 0;
+        PrintedProgress progress = new PrintedProgress(new PrintWriter(text), () -> (long) (1e9 * elapsed));
+        double all = Arrays.stream(seconds).sum();
+        progress.parts(tasks, cost, (task, part) -> {
+            double begin = elapsed;
+            for (int tenth = 1; tenth <= 10; tenth++) {
+                elapsed = begin + tenth * seconds[tasks.indexOf(task)] / 10;
+                part.reached(tenth / 10.0, "left: " + (all - elapsed));
+            }
+            return task;
+        });
+        List<MatchResult> said = Pattern.compile("about (\\d+) s left: left: (.*)").matcher(text.toString()).results()
+                .toList();
+        assertFalse(said.isEmpty());
+        for (MatchResult one : said) {
+            double about = Double.parseDouble(one.group(1));
+            double left = Double.parseDouble(one.group(2));
+            assertTrue(about < 1.5 * left + 2.5 && left < 1.5 * (about + 2.5), one.group());
         }
     }
 
