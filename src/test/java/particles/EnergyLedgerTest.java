@@ -100,7 +100,7 @@ class EnergyLedgerTest {
         double[] errors = new double[2];
         for (int k = 0; k < 2; k++) {
             errors[k] = Math.abs(ShortRun.of(solver + " clamp " + h / (1 + 3 * k) + " " + duration, text)
-                    .getLedger().getNumericalError());
+                    .getNumericalError());
         }
         return Math.log(errors[0] / errors[1]) / Math.log(4);
     }
@@ -122,7 +122,7 @@ class EnergyLedgerTest {
             ShortRun end = ShortRun.of("{'name':'%1$s','relativeTolerance':%2$s,'absoluteTolerance':%2$s} clamp %3$s 1"
                     .formatted(solver, run[0], run[1]), EVERYTHING);
             double scale = end.getSystem().getKineticEnergy(end.getState());
-            assertEquals(0, end.getLedger().getNumericalError(), 0.2 * run[0] * scale);
+            assertEquals(0, end.getNumericalError(), 0.2 * run[0] * scale);
         }
     }
 
@@ -179,7 +179,7 @@ class EnergyLedgerTest {
         assertEquals(-9.81, run.work("impacts"), 1e-9);
         assertEquals(-0.5, run.work("contact"), 1e-9, "friction stops the motion along the ground");
         assertEquals(0, run.getLedger().getEnergy(), 1e-12);
-        assertEquals(0, run.getLedger().getNumericalError(), 1e-9);
+        assertEquals(0, run.getNumericalError(), 1e-9);
     }
 
     /** In resonance the work of the shaken anchor is the whole energy, without numerical error. */
@@ -187,7 +187,7 @@ class EnergyLedgerTest {
     void aShakenAnchorsWorkIsBooked() {
         ShortRun run = ShortRun.of("rk4 clamp 0.001 3", EVERYTHING);
         assertTrue(Math.abs(run.work("moving anchors")) > 0.1, "" + run.getLedger().getWork());
-        assertEquals(0, run.getLedger().getNumericalError(), 1e-8);
+        assertEquals(0, run.getNumericalError(), 1e-8);
     }
 
     @Test

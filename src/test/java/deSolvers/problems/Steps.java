@@ -45,6 +45,13 @@ public final class Steps {
         return low;
     }
 
+    /** Requires an IllegalArgumentException of each. */
+    public static void assertRefused(Executable... calls) {
+        for (int k = 0; k < calls.length; k++) {
+            assertThrows(IllegalArgumentException.class, calls[k], "call " + k);
+        }
+    }
+
     /** Requires an exception whose message has a part, and returns it. */
     public static <T extends Throwable> T assertFails(Class<T> kind, String part, Executable call) {
         T e = assertThrows(kind, call);

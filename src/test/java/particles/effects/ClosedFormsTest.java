@@ -44,7 +44,7 @@ class ClosedFormsTest {
         assertEquals(-7.719868456438, run.at(4), 3e-10);
         assertEquals(-4.180263087124, run.at(1), 3e-10);
         assertEquals(-(G * 4.180263087124 - 7.719868456438 * 7.719868456438 / 2), run.work("drag (dissipated)"), 1e-9);
-        assertEquals(0, run.getLedger().getNumericalError(), 3e-10);
+        assertEquals(0, run.getNumericalError(), 3e-10);
         assertEquals(-19.62, atRest("rk4 clamp 0.01 61", "gravity, drag: {coefficient: 0.5}").at(4), 1e-10,
                 "terminal speed m g / c");
     }

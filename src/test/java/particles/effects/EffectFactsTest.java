@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import deSolvers.problems.Steps;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleFunction;
@@ -124,11 +125,9 @@ class EffectFactsTest {
         assertRange("eddies", l -> new TurbulentWind(Vector3.ZERO, 1, l, 1), MORE_THAN_ZERO, ZERO_OR_LESS);
         assertRange("a spring's damping", EffectFactsTest::twoSprings, ZERO_OR_MORE, LESS);
         Vector3 nowhere = new Vector3(0, NAN, 0);
-        assertThrows(IllegalArgumentException.class, () -> new Gravity(particles, nowhere));
-        assertThrows(IllegalArgumentException.class, () -> new PointAttraction(particles, nowhere, 1, 0));
-        assertThrows(IllegalArgumentException.class, () -> new GustyWind(nowhere, Vector3.ZERO, 1));
-        assertThrows(IllegalArgumentException.class, () -> new GustyWind(Vector3.ZERO, nowhere, 1));
-        assertThrows(IllegalArgumentException.class, () -> new TurbulentWind(nowhere, 1, 1, 1));
+        Steps.assertRefused(() -> new Gravity(particles, nowhere),
+                () -> new PointAttraction(particles, nowhere, 1, 0), () -> new GustyWind(nowhere, Vector3.ZERO, 1),
+                () -> new GustyWind(Vector3.ZERO, nowhere, 1), () -> new TurbulentWind(nowhere, 1, 1, 1));
     }
 
     /** At a surface, at the end of a range and at a centre the force is 0, not NaN. */

@@ -134,7 +134,7 @@ class JointContactsTest {
                   - plane: {point: [0, 0, 0], normal: [1, 0, 0]}
                   - glide: {particle: d, to: [0.9, 1.5, 0], duration: 6}
                 """.formatted(gravity));
-        assertEquals(0, rod.getLedger().getNumericalError(), error * 0.00186, "of the energy scale");
+        assertEquals(0, rod.getNumericalError(), error * 0.00186, "of the energy scale");
     }
 
     /** A particle in a groove of 90 degrees, and another above it on a rod: each wall carries (2 m g) / sqrt 2. */

@@ -64,7 +64,7 @@ class LongChainsTest {
         ShortRun rope = new ShortRun(solver + " clamp 0.005 3.5", chain(20, 0, 0, true));
         if (SolverCatalog.find(solver).orElseThrow().adaptive()) {
             rope.run();
-            assertEquals(0, rope.getLedger().getNumericalError(), 0.02, "measured: 0.0042 J (step-doubling)");
+            assertEquals(0, rope.getNumericalError(), 0.02, "measured: 0.0042 J (step-doubling)");
         } else {
             String message = assertThrows(SimulationException.class, rope::run).getMessage();
             assertTrue(message.matches("(?s).*(the rod from .* m too (long|short) .*: the motion is wrong"

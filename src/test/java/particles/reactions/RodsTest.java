@@ -2,7 +2,6 @@ package particles.reactions;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Systems.afterStep;
 import static particles.reactions.Pendulums.chain;
@@ -13,6 +12,7 @@ import static particles.reactions.Pendulums.worstLength;
 import deSolvers.DESolver;
 import deSolvers.RK4Solver;
 import deSolvers.catalog.SolverCatalog;
+import deSolvers.problems.Steps;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -199,10 +199,8 @@ class RodsTest {
     void invalidRodsAreRefused() {
         ParticleSystem system = chain(1, 0, 5);
         system.addParticle("nail", 1, new Vector3(1, 1, 1), Vector3.ZERO, true);
-        assertThrows(IllegalArgumentException.class, () -> constraints(system).addRod(0, 2, 1));
-        assertThrows(IllegalArgumentException.class, () -> constraints(system).addRod(1, 1, 1));
-        assertThrows(IllegalArgumentException.class, () -> constraints(system).addRod(0, 1, 0));
-        assertThrows(IllegalArgumentException.class, () -> new RigidConstraints(system, -1));
+        Steps.assertRefused(() -> constraints(system).addRod(0, 2, 1), () -> constraints(system).addRod(1, 1, 1),
+                () -> constraints(system).addRod(0, 1, 0), () -> new RigidConstraints(system, -1));
     }
 
     /**

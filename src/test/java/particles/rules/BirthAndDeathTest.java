@@ -107,7 +107,7 @@ class BirthAndDeathTest {
                 "  - kill: {point: [3, 0, 0], normal: [-1, 0, 0]}").run();
         assertTrue(run.work("emitter") > 2000 && run.work("age") < -100 && run.work("impacts") < -100
                 && run.work("kill") < -10, "" + run.getLedger().getWork());
-        assertEquals(0, run.getLedger().getNumericalError(), 1e-9 * run.work("emitter"));
+        assertEquals(0, run.getNumericalError(), 1e-9 * run.work("emitter"));
     }
 
     /** A slowly pulled spring tears at 1.5 times its length; the ledger books its k (l/2)&sup2;/2 = 12.5 J once. */
@@ -128,7 +128,7 @@ class BirthAndDeathTest {
         assertEquals(2, run.getScene().springs().springCount(), "the spring of rest length 0 never tears");
         assertEquals(-12.5, run.work("tear"), 0.05);
         assertEquals(-run.work("tear"), run.work("moving anchors"), 1e-6, "the hand did the work");
-        assertEquals(0, run.getLedger().getNumericalError(), 1e-6);
+        assertEquals(0, run.getNumericalError(), 1e-6);
         assertEquals(0, run.getLedger().getEnergy(), 1e-12);
     }
 
@@ -151,7 +151,7 @@ class BirthAndDeathTest {
         assertEquals(4, particles.mass(0));
         assertEquals(0, vector(run, 3).minus(new Vector3(-0.5, 1.5, 0)).length(), 1e-15);
         assertEquals(-0.5 * 0.75 * 8, run.work("samples"), 1e-13, "reduced mass times the square of the difference");
-        assertEquals(0, run.getLedger().getNumericalError(), 1e-13);
+        assertEquals(0, run.getNumericalError(), 1e-13);
     }
 
     /**

@@ -357,7 +357,7 @@ class CollisionsTest {
         double[] limits = {0, 0.03, 3e-4, 3e-4};        // by order; measured: 1.2e-2, 6e-5, 6e-5
         assertEquals(0, deepest[0], limits[Math.min(3, solver.order())]);
         double[] errors = {0, 5, 0.03, 5e-4};           // J of some 20 J; measured: 4, 2e-2, 2e-4
-        assertEquals(0, run.getLedger().getNumericalError(), errors[Math.min(3, solver.order())]);
+        assertEquals(0, run.getNumericalError(), errors[Math.min(3, solver.order())]);
         assertTrue(run.work("collisions") < 0 || text.contains("period") || text.contains("duration"), "a loss");
     }
 

@@ -140,7 +140,7 @@ class ExactImpactsTest {
         assertEquals(2 / (0.3 * G), run.getTimes().get(0), 1e-15);
         assertEquals(4 / (2 * 0.3 * G), Math.hypot(run.at(0), run.at(2)), 2e-15);
         assertEquals(0, Math.abs(run.at(3)) + Math.abs(run.at(5)));
-        assertTrue(run.contacts().getModes().isSticking(0));
+        assertTrue(run.isHeld(0));
     }
 
     /** The lecture's friction slows to the static threshold at ln(v0/v_eps)/(k_f g), after (v0 - v_eps)/(k_f g). */

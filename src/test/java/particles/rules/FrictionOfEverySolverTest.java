@@ -25,7 +25,7 @@ class FrictionOfEverySolverTest {
         ShortRun run = ShortRun.of(steps, BLOCK.formatted(velocity, "[0.6, 0.8, 0]", mu));
         assertEquals(0, 0.6 * run.at(0) + 0.8 * run.at(1), 1e-9, "on the plane");
         return new double[] {0.8 * run.at(0) - 0.6 * run.at(1), run.at(2), 0.8 * run.at(3) - 0.6 * run.at(4),
-            run.at(5), run.getLedger().getNumericalError()};
+            run.at(5), run.getNumericalError()};
     }
 
     @ParameterizedTest
@@ -97,11 +97,11 @@ class FrictionOfEverySolverTest {
         assertEquals(0.8, run.getSystem().getTime(), 1e-12);
         if (SolverCatalog.info(solver).order() >= 3) {
             assertEquals(-0.07617, run.work("contact"), 1e-4);
-            assertEquals(0, run.getLedger().getNumericalError(), 2e-4);          // measured: 0.75e-4 by yoshida4
+            assertEquals(0, run.getNumericalError(), 2e-4);          // measured: 0.75e-4 by yoshida4
         } else if (!solver.equals("backward-euler") && !solver.equals("linearised-euler")) {
             // these two damp the motion itself: backward Euler by 0.064 J
             assertEquals(-0.07617, run.work("contact"), 0.005);
-            assertEquals(0, run.getLedger().getNumericalError(), 0.01);          // measured: 0.0033 by midpoint
+            assertEquals(0, run.getNumericalError(), 0.01);          // measured: 0.0033 by midpoint
         }
     }
 

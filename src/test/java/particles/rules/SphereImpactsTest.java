@@ -77,7 +77,7 @@ class SphereImpactsTest {
         assertEquals((2 + 0.25 / G) / 3, run.getStates().get(0)[1], 3e-9);
         assertEquals(1, run.getStates().size());
         assertEquals(Mode.FREE, run.mode());
-        assertEquals(0, run.getLedger().getNumericalError(), 1e-7, "order 4 of the ledger's rule: measured 1.1e-8");
+        assertEquals(0, run.getNumericalError(), 1e-7, "order 4 of the ledger's rule: measured 1.1e-8");
         assertEquals(0, run.work("contact"), 1e-7, "a smooth ball does no work");
     }
 

@@ -145,6 +145,11 @@ public final class ShortRun implements Observer {
         return ledger;
     }
 
+    /** @return energy that no work explains (J) */
+    public double getNumericalError() {
+        return ledger.getNumericalError();
+    }
+
     /** @return when rules changed something (s) */
     public List<Double> getTimes() {
         return times;

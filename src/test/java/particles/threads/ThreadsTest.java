@@ -18,6 +18,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.IntFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -88,11 +89,17 @@ class ThreadsTest {
         assertArrayEquals(stateAfter(network(100, 40_000), 1, 5), stateAfter(network(100, 40_000), threads, 5));
     }
 
+    /** Compares ends with up to so many threads to that with one. */
+    private static void assertSameBits(int most, IntFunction<double[]> end) {
+        for (int threads = 2; threads <= most; threads++) {
+            assertArrayEquals(end.apply(1), end.apply(threads), threads + " threads");
+        }
+    }
+
     /** One particle has springs in the last block and in the two joints after it. */
     @Test
     void aParticleWithSpringsInABlockAndAfterItHasTheSameBits() {
-        double[][] ends = new double[2][];
-        for (int k = 0; k < 2; k++) {
+        assertSameBits(2, threads -> {
             ParticleSystem pairs = new ParticleSystem();
             SpringForce springs = springs(pairs);
             Random random = new Random(12);
@@ -107,19 +114,18 @@ class ThreadsTest {
                 springs.addSpring(998, s, random.nextDouble(), random.nextDouble(), 0.1);
                 springs.addSpring(998, 500 + s, random.nextDouble(), random.nextDouble(), 0.1);
             }
-            ends[k] = stateAfter(pairs, 1 + k, STEPS);
+            double[] end = stateAfter(pairs, threads, STEPS);
             assertEquals(4, springs.countBlocks());
             assertEquals(20_000, springs.getPartStart(5), "the last block and the joint of the first two end here");
             assertEquals(20_005, springs.getPartStart(6));
-        }
-        assertArrayEquals(ends[0], ends[1]);
+            return end;
+        });
     }
 
     /** A {@link ParticleForce}, and an effect without ranges, which one thread evaluates. */
     @Test
     void lawsWithoutRangesHaveTheSameBits() {
-        double[][] ends = new double[3][];
-        for (int k = 0; k < 3; k++) {
+        assertSameBits(3, threads -> {
             ParticleSystem cloth = cloth();
             Vector3 wind = new Vector3(1, 0.5, 0.25);
             cloth.addEffect(new ParticleForce(cloth.getParticles()) {
@@ -129,18 +135,15 @@ class ThreadsTest {
                 }
             });
             addGravity(cloth);
-            ends[k] = stateAfter(cloth, 1 + k, STEPS);
-        }
-        assertArrayEquals(ends[0], ends[1], "two threads");
-        assertArrayEquals(ends[0], ends[2], "three threads");
+            return stateAfter(cloth, threads, STEPS);
+        });
     }
 
     @Test
     void removingSpringsKeepsTheBits() {
-        double[][] ends = new double[2][];
-        for (int k = 0; k < 2; k++) {
+        assertSameBits(3, threads -> {
             ParticleSystem network = network(100);
-            stateAfter(network, 1 + 2 * k, STEPS);
+            stateAfter(network, threads, STEPS);
             SpringForce springs = (SpringForce) network.getEffects().get(1);
             boolean[] torn = new boolean[springs.springCount()];
             for (int s = 0; s < torn.length; s += 7) {
@@ -152,9 +155,8 @@ class ThreadsTest {
                 gone[i] = true;
             }
             network.removeParticles(gone);
-            ends[k] = stateAfter(network, 1 + 2 * k, STEPS);
-        }
-        assertArrayEquals(ends[0], ends[1]);
+            return stateAfter(network, threads, STEPS);
+        });
     }
 
     @Test

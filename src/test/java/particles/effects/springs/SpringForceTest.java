@@ -2,7 +2,6 @@ package particles.effects.springs;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import deSolvers.problems.Steps;
 import org.junit.jupiter.api.Test;
@@ -50,9 +49,8 @@ class SpringForceTest {
             Steps.assertFails(IllegalArgumentException.class, "there are 2",
                     () -> springs.addSpring(ends[0], ends[1], 1, 1, 0));
         }
-        assertThrows(IllegalArgumentException.class, () -> springs.addSpring(0, 1, -1, 1, 0));
-        assertThrows(IllegalArgumentException.class, () -> springs.addSpring(0, 1, 1, Double.NaN, 0));
-        assertThrows(IllegalArgumentException.class, () -> springs.addSpring(0, 1, 1, 1, Double.POSITIVE_INFINITY));
+        Steps.assertRefused(() -> springs.addSpring(0, 1, -1, 1, 0), () -> springs.addSpring(0, 1, 1, Double.NaN, 0),
+                () -> springs.addSpring(0, 1, 1, 1, Double.POSITIVE_INFINITY));
         assertEquals(0, springs.springCount());
     }
 }
