@@ -30,9 +30,8 @@ public record EnergyLimit(double joules) implements Rule {
         if (energy <= joules) {
             return false;
         }
-        int fastest = system.getParticles().fastest(state);
-        throw new SimulationException(End.ENERGY_LIMIT, system.getTime(), fastest, "the kinetic energy is "
-                + Digits.few(energy) + " J, above the limit of " + Digits.few(joules)
-                + " J; the fastest particle is '" + system.getParticles().id(fastest) + "'");
+        throw new SimulationException(End.ENERGY_LIMIT, system.getTime(), system.getParticles().fastest(state),
+                "the kinetic energy is " + Digits.few(energy) + " J, above the limit of " + Digits.few(joules)
+                + " J");
     }
 }

@@ -70,7 +70,7 @@ public final class BlowUpMessage {
         return solver + " stopped at t = " + Digits.few(end.getTime()) + " s" + particle + ": "
                 + singular.map(force -> "the force '" + force.getName() + "' is not finite there")
                         .or(() -> failure.map(DESolverException::getReason))
-                        .orElse(end.getEnd() == End.ENERGY_LIMIT ? energy() : end.getMessage());
+                        .orElse(end.getMessage());
     }
 
     /** A force that is not finite at the beginning of the failed step, as at the centre of an attraction. */
@@ -81,12 +81,6 @@ public final class BlowUpMessage {
             effect.addForces(system.getOwnState(), system.getTime(), force);
             return !Arrays.stream(force).allMatch(Double::isFinite);
         }).findFirst();
-    }
-
-    private String energy() {
-        double energy = scene.system().getKineticEnergy(scene.system().getOwnState());
-        return "the kinetic energy is " + Digits.few(energy) + " J, above the limit of "
-                + Digits.few(scene.energyLimit()) + " J";
     }
 
     /** The cause, if it is known, and the advice. */

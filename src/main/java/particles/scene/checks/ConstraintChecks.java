@@ -45,24 +45,15 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
 
     /** @return the springs without mistakes of their own */
     List<SpringDescription> checkSprings() {
-        List<SpringDescription> springs = new ArrayList<>();
-        for (Values values : withKnownEnds(SceneFormat.SPRINGS, SpringDescription.FROM, SpringDescription.TO)) {
-            SpringDescription spring = SpringDescription.of(values);
-            checkEnds("spring", spring.from(), spring.to(), values.place(SpringDescription.TO));
-            springs.add(spring);
-        }
-        return springs;
+        List<Values> springs = withKnownEnds(SceneFormat.SPRINGS);
+        springs.forEach(spring -> checkEnds("spring", spring));
+        return springs.stream().map(SpringDescription::of).toList();
     }
 
     /** @return the rods and wires without mistakes of their own */
     ConstraintDescription check() {
-        List<Values> rods = withKnownEnds(SceneFormat.RODS, ConstraintDescription.FROM, ConstraintDescription.TO);
-        for (Values rod : rods) {
-            Place place = rod.place(ConstraintDescription.TO);
-            if (checkEnds("rod", from(rod), to(rod), place)) {
-                checkMotion(from(rod), to(rod), place);
-            }
-        }
+        List<Values> rods = withKnownEnds(SceneFormat.RODS);
+        rods.stream().filter(rod -> checkEnds("rod", rod)).forEach(this::checkMotion);
         checkLines(rods);
         List<Chosen<WireKind>> wires = scene.list(SceneFormat.WIRES).stream().filter(wire ->
                 known.has(wire.values(), WireKind.BEAD) && wire.values().isSound()).toList();
@@ -75,20 +66,23 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
     }
 
     private static String from(Values rod) {
-        return rod.get(ConstraintDescription.FROM);
+        return rod.get(SpringDescription.FROM);
     }
 
     private static String to(Values rod) {
-        return rod.get(ConstraintDescription.TO);
+        return rod.get(SpringDescription.TO);
     }
 
-    private List<Values> withKnownEnds(Key<List<Values>> list, Key<String> from, Key<String> to) {
-        return scene.list(list).stream().filter(values -> known.has(values, from) & known.has(values, to)
-                && values.isSound()).toList();
+    private List<Values> withKnownEnds(Key<List<Values>> list) {
+        return scene.list(list).stream().filter(values -> known.has(values, SpringDescription.FROM)
+                & known.has(values, SpringDescription.TO) && values.isSound()).toList();
     }
 
     /** Whether a spring or rod has two ends at different places; if not, that is a problem. */
-    private boolean checkEnds(String what, String from, String to, Place place) {
+    private boolean checkEnds(String what, Values values) {
+        String from = from(values);
+        String to = to(values);
+        Place place = values.place(SpringDescription.TO);
         boolean apart = !index.way(from, to).isZero();
         if (from.equals(to)) {
             problems.add(place, "a " + what + " from " + Wording.quote(from)
@@ -100,7 +94,10 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
         return apart;
     }
 
-    private void checkMotion(String from, String to, Place place) {
+    private void checkMotion(Values rod) {
+        String from = from(rod);
+        String to = to(rod);
+        Place place = rod.place(SpringDescription.TO);
         Vector3 way = index.way(from, to);
         if (index.particle(from).fixed() && index.particle(to).fixed()) {
             problems.add(place, Wording.quote(from) + " and " + Wording.quote(to)

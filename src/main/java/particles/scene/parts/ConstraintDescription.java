@@ -26,10 +26,7 @@ import particles.spec.Values;
  * @param values how they are enforced
  */
 public record ConstraintDescription(List<Values> rods, List<Chosen<WireKind>> wires, Values values) {
-    public static final Key<String> FROM = SpringDescription.ANY_ID.required("from",
-            "The particle where the rod begins.");
-    public static final Key<String> TO = SpringDescription.ANY_ID.required("to", "The particle where it ends.");
-    public static final MappingType ROD = MappingType.of("a rod", FROM, TO);
+    public static final MappingType ROD = MappingType.of("a rod", SpringDescription.FROM, SpringDescription.TO);
 
     public static final Key<Double> FEEDBACK = NumberType.notNegative("1/s").withDefault("feedback",
             RigidConstraints.USUAL_FEEDBACK,
@@ -48,8 +45,8 @@ public record ConstraintDescription(List<Values> rods, List<Chosen<WireKind>> wi
         }
         RigidConstraints constraints = new RigidConstraints(system, values.get(FEEDBACK));
         for (Values rod : rods) {
-            String from = rod.get(FROM);
-            String to = rod.get(TO);
+            String from = rod.get(SpringDescription.FROM);
+            String to = rod.get(SpringDescription.TO);
             constraints.addRod(index.find(from).orElseThrow(), index.find(to).orElseThrow(),
                     index.way(from, to).length());
         }

@@ -24,7 +24,7 @@ public record SpringDescription(String from, String to, double stiffness, Option
     public static final TextType ANY_ID = TextType.of("the id of a particle, such as bob or cloth[3,4]",
             "^[^\\s\\[\\],\"'\\x00-\\x1f\\x7f]{1,60}(\\[[0-9]+(,[0-9]+)*\\])?$");
 
-    public static final Key<String> FROM = ANY_ID.required("from", "The particle where the spring begins.");
+    public static final Key<String> FROM = ANY_ID.required("from", "The particle where it begins.");
     public static final Key<String> TO = ANY_ID.required("to", "The particle where it ends.");
     static final Key<Double> STIFFNESS = NumberType.positive("N/m").required("stiffness",
             "k, the force per metre of stretch (N/m).");
