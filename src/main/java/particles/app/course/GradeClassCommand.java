@@ -54,6 +54,7 @@ public final class GradeClassCommand extends ResultsCommand {
     private final CourseOptions course = new CourseOptions();
 
     private final List<String> problems = new ArrayList<>();
+    private final Map<Path, String> digests = new TreeMap<>();
     private final AtomicBoolean stopped = new AtomicBoolean();
 
     @Override
@@ -117,6 +118,7 @@ public final class GradeClassCommand extends ResultsCommand {
                 problems.add(path.getFileName() + " cannot be read: " + e.getMessage());
                 continue;
             }
+            digests.put(path, read.digest());
             // of ann and mary-ann, hw1-mary-ann belongs to the longer one
             int longest = words.values().stream().mapToInt(read::longestOf).max().orElse(0);
             List<String> ids = words.keySet().stream().filter(id -> longest > 0
@@ -164,7 +166,20 @@ public final class GradeClassCommand extends ResultsCommand {
         }
         // once more: a class may have changed what was written
         results.forEach((where, result) -> write(where, result).ifPresent(problems::add));
+        List<Path> changed = digests.keySet().stream().filter(this::isChanged).map(Path::getFileName).toList();
+        if (!changed.isEmpty()) {
+            problems.add(changed.get(0) + (changed.size() == 1 ? "" : " and " + (changed.size() - 1) + " more")
+                    + " changed while classes ran; marked as before, but download again what is in " + folder);
+        }
         return new ArrayList<>(results.values());
+    }
+
+    private boolean isChanged(Path handIn) {
+        try {
+            return !Submission.read(handIn).digest().equals(digests.get(handIn));
+        } catch (IOException | RuntimeException gone) {
+            return true;
+        }
     }
 
     /** @return what went wrong, in a line */

@@ -4,7 +4,6 @@ import static particles.view.DataTable.column;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.LinkOption;
@@ -14,7 +13,6 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
@@ -74,10 +72,7 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
      */
     static Supplier<Result> begin(String student, Submission handIn, Assignment assignment, List<String> numbers,
             Path results, Path copy) throws IOException {
-        Map<String, String> files = new TreeMap<>();
-        handIn.files().forEach((name, bytes) -> files.put(name, digest(new String(bytes,
-                StandardCharsets.ISO_8859_1))));
-        String digest = digest(Version.CURRENT + '\0' + assignment + '\0' + numbers + files);
+        String digest = digest(Version.CURRENT + '\0' + assignment + '\0' + numbers + handIn.digest());
         Optional<Result> earlier = earlier(results.resolve(Result.FILE)).filter(result -> result.isDecided()
                 && result.digest().equals(digest) && result.student().equals(student));
         if (earlier.isPresent()) {

@@ -86,6 +86,14 @@ record Submission(String name, Map<String, byte[]> files, Instant newest) {
         return all;
     }
 
+    /** @return a short text that changes with each file */
+    String digest() {
+        Map<String, String> digests = new TreeMap<>();
+        files.forEach((path, bytes) -> digests.put(path, Marking.digest(new String(bytes,
+                StandardCharsets.ISO_8859_1))));
+        return Marking.digest(digests.toString());
+    }
+
     /** @return what was not read, in a line */
     List<String> problems() {
         return files.size() <= MOST_FILES ? List.of() : List.of("there are more than " + MOST_FILES

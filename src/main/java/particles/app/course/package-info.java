@@ -41,7 +41,7 @@
  * <li>A line of {@code answers.yaml} that cannot be read costs only its own answer. A scene is read only from the
  * folder of that file, and links are not followed.
  * <li>All classes are read before any of them runs, and are handed to the check's process through its input. A class
- * that rewrites another's file changes no mark.
+ * that rewrites another's file changes no mark, and {@code gradeClass} tells of it.
  * <li>Each class is checked in a process of its own, with limits on memory and CPU time. It may loop, print as much as
  * it likes or call {@code System.exit}. Only a verdict that is signed with a secret of this run counts; it is written
  * once, and the process ends at once. Control characters in messages are replaced.
@@ -56,8 +56,8 @@
  * not trust, use a container without network, after {@code gradle installDist}:
  *
  * <pre>
- * docker run --rm --network none --memory 2g -v "$PWD":/work -w /work eclipse-temurin:21 \
- *     build/install/desolver/bin/desolver gradeClass --folder=submissions
+ * docker run --rm --network none --memory 2g -v "$PWD":/work -v "$PWD/submissions":/work/submissions:ro \
+ *     -w /work eclipse-temurin:21 build/install/desolver/bin/desolver gradeClass --folder=submissions
  * </pre>
  */
 package particles.app.course;
