@@ -16,6 +16,7 @@ import particles.output.files.PngEncoder;
 import particles.output.frames.FrameRenderer;
 import particles.output.frames.FrameSetup;
 import particles.output.painters.FrameState;
+import particles.output.painters.FrameStructure;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.TestScenes;
@@ -34,7 +35,7 @@ public class FrameBenchmark {
     @Param({"05-hanging-chain", "08-cloth", "09-cloth-in-wind"})
     public String scene;
 
-    private final FrameState state = new FrameState();
+    private FrameState state;
     private FrameRenderer renderer;
 
     /** Runs the scene for a while, so that there are folds and shadows. */
@@ -46,8 +47,8 @@ public class FrameBenchmark {
         for (int n = 0; n < STEPS; n++) {
             solver.stepState(system, built.description().deltaT());
         }
-        state.take(system.getStateArray(), system.getParticles().count(), system.getTime(), false);
-        state.takeStructure(system, false, List.of());
+        state = new FrameState(system.getTime(), system.getStateArray(), FrameStructure.of(system, List.of()),
+                List.of(), List.of());
         Drawing drawing = built.description().drawing();
         renderer = new FrameRenderer(new FrameSetup(drawing.camera().orElseThrow(), drawing.look(), built.scenery(),
                 built.description().title(), ""), WIDTH, HEIGHT, 2);

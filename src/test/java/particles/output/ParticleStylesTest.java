@@ -18,6 +18,7 @@ import static particles.output.SmallPictures.scenery;
 import static particles.output.SmallPictures.state;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -30,6 +31,7 @@ import particles.law.Vector3;
 import particles.output.frames.FrameRenderer;
 import particles.output.frames.TrailRecorder;
 import particles.output.painters.FrameState;
+import particles.output.painters.FrameStructure;
 import particles.output.painters.TrailSample;
 import particles.view.Camera;
 import particles.view.ParticleStyle;
@@ -83,22 +85,20 @@ class ParticleStylesTest {
         int[] dark = renderer.render(state()).clone();
         double before = Double.POSITIVE_INFINITY;
         for (int k = 0; k <= 20; k++) {
-            FrameState state = state(0, 0, 0);
-            state.birth[0] = 3;
-            state.death[0] = 5;
-            state.time = 3 + 0.1 * k;
+            FrameState state = state(3 + 0.1 * k, List.of(), SpringList.NONE, 0, 0, 0);
+            state.structure().births()[0] = 3;
+            state.structure().deaths()[0] = 5;
             double light = light(renderer.render(state), dark);
             assertBelow(before, light, "age " + k);
             before = light;
         }
         assertEquals(0, before, "nothing is left at the end");
-        FrameState immortal = state(0, 0, 0);
-        immortal.time = 1e6;
-        immortal.death[0] = Double.POSITIVE_INFINITY;
+        FrameState immortal = state(1e6, List.of(), SpringList.NONE, 0, 0, 0);
+        immortal.structure().deaths()[0] = Double.POSITIVE_INFINITY;
         double one = light(renderer.render(immortal), dark);
         assertAbove(50_000, one, "who does not die of age does not fade");
         FrameState two = state(0, 0, 0, 0, 0, 1);
-        two.death = new double[] {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+        Arrays.fill(two.structure().deaths(), Double.POSITIVE_INFINITY);
         double both = light(renderer.render(two), dark);
         assertBetween(1.7 * one, 2 * one, both);       // measured 1.81: the film saturates
     }
@@ -122,8 +122,8 @@ class ParticleStylesTest {
         int[] alone = new int[2];
         for (int k = 0; k < 2; k++) {
             FrameState state = state(0, 0, 0, 0, 0, k == 0 ? -5 : 5);
-            state.fixed[0] = true;
-            state.death[1] = Double.POSITIVE_INFINITY;
+            state.structure().fixed()[0] = true;
+            state.structure().deaths()[1] = Double.POSITIVE_INFINITY;
             alone[k] = middle(renderer.render(state)) >> 16 & 255;
         }
         assertTrue(alone[0] < 45 && alone[1] > 95, alone[0] + " behind, " + alone[1] + " in front");
@@ -181,24 +181,23 @@ class ParticleStylesTest {
             system.addParticle("p" + k, 1, new Vector3(k, 0, 0), Vector3.ZERO, false);
         }
         TrailRecorder trails = new TrailRecorder(1, 25);
-        trails.take(system, system.getOwnState(), 3, 0, 1);
+        trails.take(0, system.getOwnState(), () -> FrameStructure.of(system, List.of()));
         system.removeParticles(new boolean[] {true, false, false});
         system.addParticle("new", 1, new Vector3(9, 0, 0), Vector3.ZERO, false);
-        trails.take(system, system.getOwnState(), 3, 0.01, 2);
-        trails.take(system, system.getOwnState(), 3, 0.02, 2);
-        FrameState state = new FrameState();
-        state.takeStructure(system, false, List.of());
-        state.trail = trails.samples();
+        FrameStructure structure = FrameStructure.of(system, List.of());
+        trails.take(0.01, system.getOwnState(), () -> structure);
+        trails.take(0.02, system.getOwnState(), () -> structure);
+        FrameState state = new FrameState(0.02, system.getOwnState(), structure, trails.samples(), List.of());
         Vector3 one = new Vector3(1, 0, 0);
         assertEquals(List.of(one, one, one), state.path(0), "p1");
         assertEquals(2, state.path(2).size(), "the new one");
         for (int k = 3; k < 400; k++) {
-            trails.take(system, system.getOwnState(), 3, 0.01 * k, 2);
+            trails.take(0.01 * k, system.getOwnState(), () -> structure);
         }
         int regular = trails.samples().size();
         assertTrue(trails.samples().get(regular - 1).time() <= 2.99 && regular < 110, "the old ones are forgotten");
         for (int k = 0; k < 1000; k++) {
-            trails.takeCorner(system, 2);
+            trails.takeCorner(3.99, system.getOwnState(), () -> structure);
         }
         assertEquals(125, trails.samples().size(), "of which " + regular + " are regular");
         assertEquals(Double.POSITIVE_INFINITY, new TrailRecorder(0, 25).getNextTime(),
@@ -211,14 +210,14 @@ class ParticleStylesTest {
     void extremeNumbersCanBeDrawnInEveryStyle() {
         double huge = 1e200;
         for (ParticleStyle.Kind kind : ParticleStyle.Kind.values()) {
-            FrameState state = state(huge, -huge, huge, Double.NaN, 0, 0, Double.MAX_VALUE, 0, 1e9, 0, 0, 0, 1e12, 0,
-                    -3);
-            state.ids = new String[] {"a", "b", "c", "d", "e"};
-            state.trail = List.of(new TrailSample(-0.5, new float[] {1e30f, Float.NaN, 0, 0, 0,
-                Float.POSITIVE_INFINITY, 1, 2, 3, 4, 5, 6, 7, 8, 9}, state.ids));
-            state.death = new double[] {0, Double.NaN, 1, Double.POSITIVE_INFINITY, 1};
-            state.springs = new SpringList(new int[] {0, 1, 2, 3}, new int[] {1, 2, 3, 4},
+            TrailSample before = new TrailSample(-0.5, new float[] {1e30f, Float.NaN, 0, 0, 0,
+                Float.POSITIVE_INFINITY, 1, 2, 3, 4, 5, 6, 7, 8, 9}, new String[] {"p0", "p1", "p2", "p3", "p4"});
+            SpringList springs = new SpringList(new int[] {0, 1, 2, 3}, new int[] {1, 2, 3, 4},
                     new double[] {1, 0, 1, 1}, new double[4]);
+            FrameState state = state(0, List.of(before), springs, huge, -huge, huge, Double.NaN, 0, 0,
+                    Double.MAX_VALUE, 0, 1e9, 0, 0, 0, 1e12, 0, -3);
+            System.arraycopy(new double[] {0, Double.NaN, 1, Double.POSITIVE_INFINITY, 1}, 0,
+                    state.structure().deaths(), 0, 5);
             for (boolean perspective : new boolean[] {true, false}) {
                 Camera camera = new Camera(new Vector3(0, 3, 9), Vector3.ZERO, new Vector3(0, 1, 0), perspective, 40,
                         9);

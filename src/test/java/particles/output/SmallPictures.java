@@ -7,6 +7,7 @@ import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.Simulation;
+import particles.law.Particles;
 import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;
@@ -15,8 +16,11 @@ import particles.output.frames.FrameRenderer;
 import particles.output.frames.FrameSetup;
 import particles.output.frames.FrameSink;
 import particles.output.painters.FrameState;
+import particles.output.painters.FrameStructure;
+import particles.output.painters.TrailSample;
 import particles.view.Camera;
 import particles.view.CurveView;
+import particles.view.ParticleMark;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 import particles.view.RenderOptions.Visibility;
@@ -59,14 +63,21 @@ public final class SmallPictures {
         }
     }
 
+    /** @return free particles at rest, three coordinates each */
     public static FrameState state(double... positions) {
-        FrameState state = new FrameState();
-        state.positions = positions;
-        state.particles = positions.length / 3;
-        state.fixed = new boolean[state.particles];
-        state.birth = new double[state.particles];
-        state.death = new double[state.particles];
-        return state;
+        return state(0, List.of(), SpringList.NONE, positions);
+    }
+
+    /** @return the same at a time, with a trail and springs */
+    public static FrameState state(double time, List<TrailSample> trail, SpringList springs, double... positions) {
+        int count = positions.length / 3;
+        double[] numbers = new double[Particles.STRIDE * count];
+        for (int i = 0; i < count; i++) {
+            System.arraycopy(positions, 3 * i, numbers, Particles.STRIDE * i, 3);
+        }
+        String[] ids = IntStream.range(0, count).mapToObj(i -> "p" + i).toArray(String[]::new);
+        return new FrameState(time, numbers, new FrameStructure(ids, new boolean[count], springs, new double[count],
+                new double[count], new ParticleMark[count]), trail, List.of());
     }
 
     /** @return a picture of free particles at these places */
@@ -76,10 +87,8 @@ public final class SmallPictures {
 
     /** @return a state whose first two particles are joined by a spring */
     public static FrameState spring(double restLength, double stiffness, double... positions) {
-        FrameState state = state(positions);
-        state.springs = new SpringList(new int[] {0}, new int[] {1}, new double[] {restLength},
-                new double[] {stiffness});
-        return state;
+        return state(0, List.of(), new SpringList(new int[] {0}, new int[] {1}, new double[] {restLength},
+                new double[] {stiffness}), positions);
     }
 
     /** @return a curve of this length */

@@ -47,8 +47,8 @@ final class FrameMarks {
     void draw(Graphics2D g, FrameState state, double ball) {
         TextLine.smooth(g);
         g.setColor(ARROW);
-        for (int i = 0; i < state.particles && style.arrows() > 0; i++) {
-            if (!state.fixed[i]) {
+        for (int i = 0; i < state.particles() && style.arrows() > 0; i++) {
+            if (!state.isFixed(i)) {
                 join(place(state, i, 0), place(state, i, style.arrows()), line -> drawArrow(g, line));
             }
         }
@@ -69,11 +69,11 @@ final class FrameMarks {
 
     private List<TextLine> labels(FrameState state, double ball) {
         Map<Integer, Rectangle2D> balls = new LinkedHashMap<>();
-        for (int k = 0; k < state.particles; k++) {
+        for (int k = 0; k < state.particles(); k++) {
             int i = k;
-            if (!state.label(i).isEmpty()) {
+            if (!state.structure().label(i).isEmpty()) {
                 place(state, i, 0).ifPresent(at -> {
-                    double radius = state.radius(i, ball) * at.scale();
+                    double radius = state.structure().radius(i, ball) * at.scale();
                     balls.put(i, new Rectangle2D.Double(at.x() - radius, at.y() - radius, 2 * radius, 2 * radius));
                 });
             }
@@ -83,7 +83,7 @@ final class FrameMarks {
             List<Rectangle2D> taken = new ArrayList<>(balls.values());
             taken.remove(own);
             labels.forEach(label -> taken.add(label.box()));
-            labels.add(label(state.label(i), own, taken, lines(state, i)));
+            labels.add(label(state.structure().label(i), own, taken, lines(state, i)));
         });
         return labels;
     }
@@ -91,12 +91,14 @@ final class FrameMarks {
     /** The springs, rods and trail of a particle. */
     private List<Line2D> lines(FrameState state, int particle) {
         List<Line2D> lines = new ArrayList<>();
-        for (int s = 0; s < state.springs.count(); s++) {
-            if (state.springs.from()[s] == particle || state.springs.to()[s] == particle) {
-                join(place(state, state.springs.from()[s], 0), place(state, state.springs.to()[s], 0), lines::add);
+        for (int s = 0; s < state.springs().count(); s++) {
+            int from = state.springs().from()[s];
+            int to = state.springs().to()[s];
+            if (from == particle || to == particle) {
+                join(place(state, from, 0), place(state, to, 0), lines::add);
             }
         }
-        List<Vector3> path = state.fixed[particle] ? List.of() : state.path(particle);
+        List<Vector3> path = state.isFixed(particle) ? List.of() : state.path(particle);
         for (int k = 1; k < path.size(); k++) {
             join(place(path.get(k - 1)), place(path.get(k)), lines::add);
         }

@@ -1,14 +1,16 @@
 package particles.output.frames;
 
+import java.util.Arrays;
 import java.util.List;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
-import particles.law.Particles;
 import particles.output.files.OutputException;
 import particles.output.painters.FrameState;
-import particles.view.ParticleStyle;
+import particles.output.painters.FrameStructure;
+import particles.output.painters.TrailSample;
+import particles.view.ParticleMark;
 
 /**
  * An observer that draws frames at regular simulated times, frame i at i / fps. Between two steps the motion is
@@ -28,13 +30,13 @@ public final class FrameObserver implements Observer, AutoCloseable {
 
     private final double fps;
     private final FrameWorker worker;
-    private final ParticleStyle style;
+    private final List<ParticleMark> marks;
     private final TrailRecorder trails;
     private double[] between = {};
-    private FrameState taken = new FrameState();
+    /** Shared by all frames until a rule changes it: effects may reorder springs, which decides what hides what. */
+    private FrameStructure structure;
     private int every = 1;
     private int index;
-    private int structure;
 
     /**
      * @param renderer draws the frames; from now on used by other threads alone
@@ -48,8 +50,8 @@ public final class FrameObserver implements Observer, AutoCloseable {
     /** @param threads the number of threads that draw; the frames are the same with any number */
     FrameObserver(FrameRenderer renderer, double fps, List<? extends FrameSink> sinks, int threads) {
         this.fps = fps;
-        style = renderer.style();
-        trails = new TrailRecorder(style.trail(), fps);
+        marks = renderer.style().marks();
+        trails = new TrailRecorder(renderer.style().trail(), fps);
         worker = new FrameWorker(renderer, List.copyOf(sinks), threads);
     }
 
@@ -60,9 +62,9 @@ public final class FrameObserver implements Observer, AutoCloseable {
 
     @Override
     public void started(ParticleSystem system) {
-        structure++;
+        structure = null;
         index = (int) Math.max(0, Math.ceil(system.getTime() * fps - ROUNDING));
-        trails.take(system, system.getOwnState(), system.getParticles().count(), system.getTime(), structure);
+        trails.take(system.getTime(), system.getOwnState(), () -> structure(system));
         drawIfDue(system);
     }
 
@@ -73,15 +75,15 @@ public final class FrameObserver implements Observer, AutoCloseable {
 
     @Override
     public void moved(Motion motion) {
-        int n = motion.getEndState().length;
-        if (between.length != n) {
-            between = new double[n];
+        ParticleSystem system = motion.getSystem();
+        if (between.length != motion.getEndState().length) {
+            between = new double[motion.getEndState().length];
         }
         for (double time = getNextTime(); time <= motion.getEndTime(); time = getNextTime()) {
             motion.interpolate(time, between);
-            trails.take(motion.getSystem(), between, n / Particles.STRIDE, time, structure);
+            trails.take(time, between, () -> structure(system));
             if (time == index / fps) {
-                draw(motion.getSystem(), between, n / Particles.STRIDE);
+                draw(system, between);
                 index++;
             }
         }
@@ -90,8 +92,8 @@ public final class FrameObserver implements Observer, AutoCloseable {
     /** Notes an impact, or that springs may have torn and particles been born or removed: copies take them anew. */
     @Override
     public void changed(ParticleSystem system, Rule rule) {
-        structure++;
-        trails.takeCorner(system, structure);
+        structure = null;
+        trails.takeCorner(system.getTime(), system.getOwnState(), () -> structure(system));
     }
 
     @Override
@@ -103,31 +105,27 @@ public final class FrameObserver implements Observer, AutoCloseable {
     /** Draws frames that are due; at the end of a run the clock may be early by round-off. */
     private void drawIfDue(ParticleSystem system) {
         if (index <= system.getTime() * fps + ROUNDING) {
-            draw(system, system.getOwnState(), system.getParticles().count());
+            draw(system, system.getOwnState());
             index++;
         }
     }
 
-    private void draw(ParticleSystem system, double[] state, int count) {
-        if (index % every > 0) {
-            return;
+    private void draw(ParticleSystem system, double[] state) {
+        if (index % every == 0) {
+            worker.draw(index, frame(system, index / fps, state, trails.samples(), List.of()), 1);
         }
-        FrameState frame = take(system, state, count, index / fps);
-        frame.trail = trails.samples();
-        worker.draw(index, frame, 1);
     }
 
-    private FrameState take(ParticleSystem system, double[] state, int count, double time) {
-        FrameState frame = new FrameState();
-        frame.take(state, count, time, style.arrows() > 0);
-        if (taken.structure != structure) {
-            // one copy for all frames: effects may reorder their springs, which decides what hides what
-            taken = new FrameState();
-            taken.takeStructure(system, style.kind() == ParticleStyle.Kind.GLOW, style.marks());
-            taken.structure = structure;
+    private FrameState frame(ParticleSystem system, double time, double[] state, List<TrailSample> trail,
+            List<String> notes) {
+        return new FrameState(time, Arrays.copyOf(state, system.getStateSize()), structure(system), trail, notes);
+    }
+
+    private FrameStructure structure(ParticleSystem system) {
+        if (structure == null) {
+            structure = FrameStructure.of(system, marks);
         }
-        frame.shareStructure(taken);
-        return frame;
+        return structure;
     }
 
     /**
@@ -139,15 +137,13 @@ public final class FrameObserver implements Observer, AutoCloseable {
      */
     public void replay(ParticleSystem system, LastSteps last, String headline) {
         List<LastSteps.Step> steps = last.steps();
-        int count = system.getParticles().count();
+        List<String> notes = List.of(headline, "slow motion, step by step");
         for (int k = 0; k < steps.size(); k++) {
             LastSteps.Step step = steps.get(k);
-            if (step.state().length == count * Particles.STRIDE) {
+            if (step.state().length == system.getStateSize()) {
                 boolean end = k == steps.size() - 1;
                 int times = (int) Math.max(1, Math.min(MOST_FRAMES, Math.round((end ? LAST : EACH) * fps)));
-                FrameState frame = take(system, step.state(), count, step.time());
-                frame.notes = List.of(headline, "slow motion, step by step");
-                worker.draw(index, frame, times);
+                worker.draw(index, frame(system, step.time(), step.state(), List.of(), notes), times);
                 index += times;
             }
         }

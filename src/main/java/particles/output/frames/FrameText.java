@@ -44,7 +44,7 @@ final class FrameText {
             return;
         }
         TextLine.smooth(g);
-        if (!state.notes.isEmpty()) {
+        if (!state.notes().isEmpty()) {
             drawBacking(g, width, height, boxes(width, height, state, withStrain));
         }
         if (withStrain) {
@@ -84,8 +84,8 @@ final class FrameText {
         Font small = FontCheck.font(Font.PLAIN, 18 * unit);
         add(lines, stage.title(), large, sky.text.ink(), margin, margin + 17 * unit);
         float y = margin + 17 * unit;
-        for (String note : state.notes) {
-            boolean first = note.equals(state.notes.get(0));
+        for (String note : state.notes()) {
+            boolean first = note.equals(state.notes().get(0));
             y += (first ? 36 : 28) * unit;
             add(lines, note, first ? large : small, first ? sky.text.warning() : sky.text.soft(), margin, y);
         }
@@ -109,11 +109,11 @@ final class FrameText {
 
     String seconds(FrameState state) {
         if (decimals > MOST_DECIMALS) {
-            return Digits.few(state.time);              // an atom, for example
+            return Digits.few(state.time());              // an atom, for example
         }
-        BigDecimal time = BigDecimal.valueOf(state.time);
+        BigDecimal time = BigDecimal.valueOf(state.time());
         BigDecimal exact = time.setScale(MOST_DECIMALS, RoundingMode.HALF_EVEN).stripTrailingZeros();
-        boolean between = !state.notes.isEmpty() && exact.scale() > decimals;
+        boolean between = !state.notes().isEmpty() && exact.scale() > decimals;
         return (between ? exact : time.setScale(decimals, RoundingMode.HALF_EVEN)).toPlainString();
     }
 

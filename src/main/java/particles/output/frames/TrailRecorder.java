@@ -5,9 +5,9 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Deque;
 import java.util.List;
-import java.util.stream.IntStream;
-import particles.ParticleSystem;
+import java.util.function.Supplier;
 import particles.law.Particles;
+import particles.output.painters.FrameStructure;
 import particles.output.painters.TrailSample;
 
 /** Records the positions of particles at regular times and at impacts, for as long as trails are visible. */
@@ -22,8 +22,6 @@ public final class TrailRecorder {
     private final double interval;
     private final int mostWithCorners;
     private final Deque<TrailSample> samples = new ArrayDeque<>();
-    private String[] ids = {};
-    private int structure = -1;
     private double next;
 
     /**
@@ -46,18 +44,14 @@ public final class TrailRecorder {
      * Takes a sample if it is due.
      *
      * @param state     a state in the layout of the system's state
-     * @param count     the number of its particles
-     * @param structure a number that changes whenever particles may have been born or removed
+     * @param structure says which particles these are
      */
-    public void take(ParticleSystem system, double[] state, int count, double time, int structure) {
+    public void take(double time, double[] state, Supplier<FrameStructure> structure) {
         if (time < next) {
             return;
         }
-        if (this.structure != structure) {
-            ids = IntStream.range(0, count).mapToObj(system.getParticles()::id).toArray(String[]::new);
-            this.structure = structure;
-        }
-        float[] places = new float[3 * count];
+        String[] ids = structure.get().ids();
+        float[] places = new float[3 * ids.length];
         for (int i = 0, x = 0; i < places.length; i += 3, x += Particles.STRIDE) {
             places[i] = (float) state[x];
             places[i + 1] = (float) state[x + 1];
@@ -74,10 +68,10 @@ public final class TrailRecorder {
      * Takes a sample where paths turn, as at an impact, unless the trail has many of these already. Without it, a
      * bounce would be cut off between two regular samples.
      */
-    public void takeCorner(ParticleSystem system, int structure) {
+    public void takeCorner(double time, double[] state, Supplier<FrameStructure> structure) {
         if (samples.size() < mostWithCorners) {
-            next = system.getTime();
-            take(system, system.getOwnState(), system.getParticles().count(), system.getTime(), structure);
+            next = time;
+            take(time, state, structure);
         }
     }
 

@@ -1,5 +1,6 @@
 package particles.output.painters;
 
+import java.util.List;
 import java.util.stream.IntStream;
 import particles.law.Vector3;
 import particles.output.raster.CameraProjection.Place;
@@ -30,11 +31,10 @@ public final class BlobPainter {
      * @param pixel  the width of a pixel in the middle of the picture (m)
      */
     public void build(FrameState state, VisibilityFilter shown, double radius, double pixel) {
-        int[] balls = IntStream.range(0, state.particles).filter(i -> !state.fixed[i] && shown.particle(i)).toArray();
-        field.clear(radius, balls.length, FINEST * pixel);
-        for (int i : balls) {
-            field.add(state.positions[3 * i], state.positions[3 * i + 1], state.positions[3 * i + 2]);
-        }
+        List<Vector3> balls = IntStream.range(0, state.particles())
+                .filter(i -> !state.isFixed(i) && shown.particle(i)).mapToObj(state::place).toList();
+        field.clear(radius, balls.size(), FINEST * pixel);
+        balls.forEach(ball -> field.add(ball.x(), ball.y(), ball.z()));
         surface.build(field);
     }
 

@@ -25,9 +25,9 @@ public record DrawnSizes(double ball, double coilBelow, double point) {
 
     /** Chooses the sizes for a frame; viewHeight is the height of the picture at the target (m). */
     public static DrawnSizes of(FrameState state, RenderOptions look, double viewHeight) {
-        double mean = Arrays.stream(state.springs.restLength()).average().orElse(0);
+        double mean = Arrays.stream(state.springs().restLength()).average().orElse(0);
         double ball = viewHeight * Math.min(PART_OF_PICTURE,
-                PART_OF_DISTANCE / Math.cbrt(Math.max(1, state.particles)));
+                PART_OF_DISTANCE / Math.cbrt(Math.max(1, state.particles())));
         if (mean > 0) {
             ball = Math.min(ball, PART_OF_SPRING * mean);
         }
@@ -39,11 +39,11 @@ public record DrawnSizes(double ball, double coilBelow, double point) {
     public double reach(FrameState state, RenderOptions look, VisibilityFilter shown) {
         ParticleStyle.Kind kind = look.style().kind();
         boolean thick = kind == ParticleStyle.Kind.BALLS || kind == ParticleStyle.Kind.BLOBS;
-        return thick && IntStream.range(0, state.particles).anyMatch(shown::particle) ? ball : point;
+        return thick && IntStream.range(0, state.particles()).anyMatch(shown::particle) ? ball : point;
     }
 
     private static double coilBelow(FrameState state) {
-        double[] stiffness = state.springs.stiffness();
+        double[] stiffness = state.springs().stiffness();
         if (stiffness.length <= MOST_COILS) {
             return Double.POSITIVE_INFINITY;
         }
@@ -53,7 +53,7 @@ public record DrawnSizes(double ball, double coilBelow, double point) {
 
     /** @return whether spring s is drawn as a coil, not as a straight tube */
     boolean isCoil(FrameState state, int s) {
-        return coilBelow == Double.POSITIVE_INFINITY || state.springs.stiffness()[s] < coilBelow;
+        return coilBelow == Double.POSITIVE_INFINITY || state.springs().stiffness()[s] < coilBelow;
     }
 
     /** @return the radius of a fixed particle among glowing ones, whose spots of light are larger (m) */

@@ -31,11 +31,12 @@ public record GlowPainter(List<Integer> colours, LightLayer layer) {
     /** Adds the particles' light to a layer. */
     public void paint(FrameState state, CameraProjection view, VisibilityFilter shown, double radius,
             Foreground foreground, int[] pixels) {
-        Place[] places = view.places(state.positions, state.particles);
+        Place[] places = state.places(view);
+        FrameStructure lives = state.structure();
         layer.clear(foreground);
-        for (int i = 0; i < state.particles; i++) {
-            if (places[i].visible() && !state.fixed[i] && shown.particle(i)) {
-                double age = age(state.time, state.birth[i], state.death[i]);
+        for (int i = 0; i < state.particles(); i++) {
+            if (places[i].visible() && !state.isFixed(i) && shown.particle(i)) {
+                double age = age(state.time(), lives.births()[i], lives.deaths()[i]);
                 layer.spot(places[i], radius * places[i].scale(), colour(colours, age), BRIGHTNESS * (1 - age));
             }
         }

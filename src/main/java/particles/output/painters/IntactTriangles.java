@@ -1,6 +1,8 @@
 package particles.output.painters;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
+import particles.view.SpringList;
 import particles.view.Surface;
 
 /** Finds the intact triangles of a surface: in a tearing cloth, one with fewer than two spring edges left is torn. */
@@ -8,7 +10,7 @@ public final class IntactTriangles {
     private final Surface surface;
     private long[] springs = {};                        // sorted; in a large cloth, a set would take 80 bytes for each
     private final boolean[] whole;
-    private int structure = -1;
+    private FrameStructure structure;
 
     /** Creates a search for the triangles of this surface. */
     public IntactTriangles(Surface surface) {
@@ -23,25 +25,22 @@ public final class IntactTriangles {
 
     /** @return for each triangle whether it is drawn; valid until springs change */
     public boolean[] in(FrameState state) {
-        if (structure != state.structure) {
-            find(state);
-            structure = state.structure;
+        if (structure != state.structure()) {
+            structure = state.structure();
+            find(structure.springs(), structure.ids().length);
         }
         return whole;
     }
 
-    private void find(FrameState state) {
-        springs = new long[surface.ofSprings() ? state.springs.count() : 0];
-        for (int s = 0; s < springs.length; s++) {
-            springs[s] = pair(state.springs.from()[s], state.springs.to()[s]);
-        }
-        Arrays.sort(springs);
+    private void find(SpringList list, int particles) {
+        springs = IntStream.range(0, surface.ofSprings() ? list.count() : 0)
+                .mapToLong(s -> pair(list.from()[s], list.to()[s])).sorted().toArray();
         int[] corners = surface.triangles();
         for (int t = 0; t < whole.length; t++) {
             int a = corners[3 * t];
             int b = corners[3 * t + 1];
             int c = corners[3 * t + 2];
-            boolean there = Math.max(a, Math.max(b, c)) < state.particles;      // particles may have been removed
+            boolean there = Math.max(a, Math.max(b, c)) < particles;      // particles may have been removed
             whole[t] = there && (!surface.ofSprings() || edge(a, b) + edge(b, c) + edge(c, a) >= 2);
         }
     }

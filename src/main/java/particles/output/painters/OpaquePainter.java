@@ -42,7 +42,7 @@ public record OpaquePainter(RoundShapes shapes, VisibilityFilter shown, SurfaceP
      * @return whether a spring is visible whose colour shows its strain
      */
     public boolean paint(FrameState state, Optional<BlobPainter> blobs) {
-        Place[] places = shapes.view().places(state.positions, state.particles);
+        Place[] places = state.places(shapes.view());
         surfaces.paint(state, places);
         boolean strained = springs.paint(state, places, shown);
         wires.paint();

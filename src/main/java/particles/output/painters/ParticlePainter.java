@@ -15,13 +15,15 @@ public record ParticlePainter(RoundShapes shapes, RenderOptions look, Visibility
     void paint(FrameState state, Place[] places) {
         ParticleStyle.Kind kind = look.style().kind();
         double point = sizes.point() * shapes.view().height / shapes.view().viewHeight;     // points are all alike
-        for (int i = 0; i < state.particles; i++) {
+        for (int i = 0; i < state.particles(); i++) {
             if (!shown.particle(i)) {
                 continue;
             }
-            int rgb = state.colour(i, state.fixed[i] ? look.colours().fixed() : look.colours().particle());
-            if (state.fixed[i] || kind == ParticleStyle.Kind.BALLS) {
-                double radius = state.radius(i, kind == ParticleStyle.Kind.GLOW ? sizes.core() : sizes.ball());
+            int rgb = state.structure().colour(i,
+                    state.isFixed(i) ? look.colours().fixed() : look.colours().particle());
+            if (state.isFixed(i) || kind == ParticleStyle.Kind.BALLS) {
+                double radius = state.structure().radius(i,
+                        kind == ParticleStyle.Kind.GLOW ? sizes.core() : sizes.ball());
                 shapes.ball(places[i], radius * places[i].scale(), radius, rgb);
             } else if (kind == ParticleStyle.Kind.POINTS) {
                 shapes.ball(places[i], point, 0, rgb);

@@ -6,6 +6,7 @@ import particles.output.raster.CameraProjection.Place;
 import particles.output.raster.Colours;
 import particles.output.raster.RoundShapes;
 import particles.view.RenderOptions;
+import particles.view.SpringList;
 
 /**
  * Draws springs, coloured by their strain: as coils if they are few or soft, as straight tubes if they are many. Rods,
@@ -26,8 +27,9 @@ public record SpringPainter(RoundShapes shapes, RenderOptions look, DrawnSizes s
     /** @return whether any spring with strain is visible so far */
     boolean paint(FrameState state, Place[] places, VisibilityFilter shown) {
         boolean seen = false;
-        for (int s = 0; s < state.springs.count(); s++) {
-            if (shown.spring(state.springs.from()[s], state.springs.to()[s])) {
+        SpringList springs = state.springs();
+        for (int s = 0; s < springs.count(); s++) {
+            if (shown.spring(springs.from()[s], springs.to()[s])) {
                 seen |= paint(state, places, s);
             }
         }
@@ -35,16 +37,17 @@ public record SpringPainter(RoundShapes shapes, RenderOptions look, DrawnSizes s
     }
 
     private boolean paint(FrameState state, Place[] places, int s) {
-        int a = state.springs.from()[s];
-        int b = state.springs.to()[s];
-        if (state.springs.isRigid(s) || state.fixed[a] && state.fixed[b]) {
+        SpringList springs = state.springs();
+        int a = springs.from()[s];
+        int b = springs.to()[s];
+        if (springs.isRigid(s) || state.isFixed(a) && state.isFixed(b)) {
             shapes.tube(places[a], places[b], sizes.rod(), ROD);
             return false;
         }
         Vector3 from = state.place(a);
         Vector3 whole = state.place(b).minus(from);
         double length = whole.length();
-        double rest = state.springs.restLength()[s];
+        double rest = springs.restLength()[s];
         double strain = rest > 0 ? (length - rest) / rest : length > 0 ? look.strainRange() : 0;
         int rgb = Colours.ofStrain(strain, look.strainRange());
         if (sizes.isCoil(state, s) && length > 4 * sizes.wire() && rest > 0) {

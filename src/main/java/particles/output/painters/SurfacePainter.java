@@ -22,7 +22,7 @@ public record SurfacePainter(RoundShapes shapes, RenderOptions look, List<Intact
     }
 
     private void paint(IntactTriangles surface, FrameState state, Place[] places) {
-        Vector3[] normals = new Vector3[state.particles];
+        Vector3[] normals = new Vector3[state.particles()];
         Arrays.fill(normals, Vector3.ZERO);
         int[] corners = surface.getCorners();
         boolean[] whole = surface.in(state);

@@ -34,9 +34,9 @@ public final class TrailPainter {
     /** Draws all trails of a frame. */
     public void paint(FrameState state, VisibilityFilter shown, int rgb, Foreground foreground, int[] pixels) {
         Arrays.fill(cover, 0);
-        for (int i = 0; i < state.particles; i++) {
-            if (!state.fixed[i] && shown.particle(i)) {
-                follow(state, i, state.colour(i, rgb), foreground);
+        for (int i = 0; i < state.particles(); i++) {
+            if (!state.isFixed(i) && shown.particle(i)) {
+                follow(state, i, state.structure().colour(i, rgb), foreground);
             }
         }
         for (int p = 0; p < cover.length; p++) {
@@ -53,7 +53,7 @@ public final class TrailPainter {
         List<Vector3> path = state.path(i);
         for (int k = 0; k < path.size() && fromShare > 0; k++) {
             Place to = view.place(path.get(k));
-            double share = 1 - (state.time - state.trail.get(k).time()) / duration;
+            double share = 1 - (state.time() - state.trail().get(k).time()) / duration;
             line(from, to, STRONGEST * fromShare, STRONGEST * Math.max(0, share), rgb, foreground);
             from = to;
             fromShare = share;

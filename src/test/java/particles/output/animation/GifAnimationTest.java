@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.output.SmallPictures.FRONT;
 import static particles.output.SmallPictures.differences;
+import static particles.output.SmallPictures.state;
 
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
@@ -41,11 +42,7 @@ class GifAnimationTest {
     }
 
     private static FrameState ball(int k) {
-        FrameState state = new FrameState();
-        state.particles = 1;
-        state.positions = new double[] {0.8 * k - 4, 0, 0};
-        state.fixed = new boolean[1];
-        return state;
+        return state(0.8 * k - 4, 0, 0);
     }
 
     private void write(double fps, int frames, int width) {

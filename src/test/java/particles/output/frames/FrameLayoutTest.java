@@ -18,6 +18,7 @@ import particles.app.student.StudentClasses;
 import particles.law.Vector3;
 import particles.output.painters.DrawnSizes;
 import particles.output.painters.FrameState;
+import particles.output.painters.FrameStructure;
 import particles.output.painters.VisibilityFilter;
 import particles.output.raster.CameraProjection;
 import particles.scene.Scene;
@@ -80,18 +81,15 @@ class FrameLayoutTest {
         }
 
         private FrameState state(ParticleSystem system, double[] numbers) {
-            ParticleStyle style = setup.look().style();
-            FrameState state = new FrameState();
-            state.take(numbers, system.getParticles().count(), system.getTime(), style.arrows() > 0);
-            state.takeStructure(system, style.kind() == ParticleStyle.Kind.GLOW, style.marks());
-            return state;
+            FrameStructure structure = FrameStructure.of(system, setup.look().style().marks());
+            return new FrameState(system.getTime(), numbers, structure, List.of(), List.of());
         }
 
         private void check(ParticleSystem system, FrameState state) {
-            boolean springs = setup.look().springs() != Visibility.NEVER && state.springs.count() > 0;
+            boolean springs = setup.look().springs() != Visibility.NEVER && state.springs().count() > 0;
             List<Rectangle2D> words = new FrameText(setup, HEIGHT, 2).boxes(WIDTH, HEIGHT, state, springs);
             List<Rectangle2D> labels = new FrameMarks(view, setup.look().style()).boxes(state, sizes.ball());
-            String when = " at t = " + state.time;
+            String when = " at t = " + state.time();
             for (int k = 0; k < labels.size(); k++) {
                 Rectangle2D label = labels.get(k);
                 boolean inside = new Rectangle2D.Double(0, 0, WIDTH, HEIGHT).contains(label);
@@ -101,26 +99,26 @@ class FrameLayoutTest {
                     note(label.intersects(labels.get(other)), "labels " + other + " and " + k + " meet" + when);
                 }
             }
-            for (int i = 0; i < state.particles; i++) {
-                double[] p = place(state.positions, i);
-                double radius = !shown.particle(i) ? 0 : p[2] * state.radius(i, sizes.ball());
+            for (int i = 0; i < state.particles(); i++) {
+                double[] p = place(state.place(i));
+                double radius = !shown.particle(i) ? 0 : p[2] * state.structure().radius(i, sizes.ball());
                 String what = system.getParticles().id(i) + when + " at " + Math.round(p[0]) + ", " + Math.round(p[1]);
                 Rectangle2D body = new Rectangle2D.Double(p[0] - radius, p[1] - radius, 2 * radius, 2 * radius);
                 note(words.stream().anyMatch(box -> box.intersects(body) || box.contains(p[0], p[1])),
                         "words on " + what);
-                note(!state.fixed[i] && (p[0] < 0 || p[0] > WIDTH || p[1] < 0 || p[1] > HEIGHT), "not seen: " + what);
+                note(!state.isFixed(i) && (p[0] < 0 || p[0] > WIDTH || p[1] < 0 || p[1] > HEIGHT), "not seen: " + what);
             }
-            for (int s = 0; s < state.springs.count(); s++) {
-                if (shown.spring(state.springs.from()[s], state.springs.to()[s])) {
-                    lineFree(words, state, state.springs.from()[s], state.springs.to()[s], when);
-                    lineFree(labels, state, state.springs.from()[s], state.springs.to()[s], when);
+            for (int s = 0; s < state.springs().count(); s++) {
+                if (shown.spring(state.springs().from()[s], state.springs().to()[s])) {
+                    lineFree(words, state, state.springs().from()[s], state.springs().to()[s], when);
+                    lineFree(labels, state, state.springs().from()[s], state.springs().to()[s], when);
                 }
             }
             for (CurveView wire : setup.scenery().wires()) {
                 double length = Double.isInfinite(wire.length()) ? 40 : wire.length();
                 for (double u = -length / 2; u < length / 2; u += 0.02) {
                     Vector3 at = wire.at(u);
-                    double[] p = place(new double[] {at.x(), at.y(), at.z()}, 0);
+                    double[] p = place(at);
                     note(words.stream().anyMatch(box -> box.contains(p[0], p[1])), "words on a wire" + when);
                 }
             }
@@ -133,14 +131,14 @@ class FrameLayoutTest {
         }
 
         private void lineFree(List<Rectangle2D> words, FrameState state, int a, int b, String when) {
-            double[] from = place(state.positions, a);
-            double[] to = place(state.positions, b);
+            double[] from = place(state.place(a));
+            double[] to = place(state.place(b));
             Line2D line = new Line2D.Double(from[0], from[1], to[0], to[1]);
             note(words.stream().anyMatch(line::intersects), "words on the line from " + a + " to " + b + when);
         }
 
-        private double[] place(double[] p, int i) {
-            CameraProjection.Place place = view.place(Vector3.at(p, 3 * i));
+        private double[] place(Vector3 point) {
+            CameraProjection.Place place = view.place(point);
             return new double[] {place.x(), place.y(), place.scale()};
         }
 

@@ -10,6 +10,7 @@ import static particles.output.SmallPictures.W;
 import static particles.output.SmallPictures.count;
 import static particles.output.SmallPictures.plain;
 import static particles.output.SmallPictures.renderer;
+import static particles.output.SmallPictures.spring;
 
 import java.awt.geom.Rectangle2D;
 import java.util.List;
@@ -23,13 +24,13 @@ import particles.effects.springs.SpringForce;
 import particles.law.Vector3;
 import particles.output.painters.DrawnSizes;
 import particles.output.painters.FrameState;
+import particles.output.painters.FrameStructure;
 import particles.output.painters.TrailSample;
 import particles.output.raster.CameraProjection;
 import particles.view.ParticleMark;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 import particles.view.Scenery;
-import particles.view.SpringList;
 
 /** Particles with a colour, a size and a label of their own, and arrows, in pictures of 20 pixels a metre. */
 class FrameMarksTest {
@@ -44,10 +45,7 @@ class FrameMarksTest {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("plain", 1, new Vector3(-4, 0, 0), Vector3.ZERO, false);
         system.addParticle("marked", 1, new Vector3(x, 0, 0), new Vector3(3, 0, 0), false);
-        FrameState state = new FrameState();
-        state.take(system.getOwnState(), 2, 0, style.arrows() > 0);
-        state.takeStructure(system, false, style.marks());
-        return state;
+        return new FrameState(0, system.getOwnState(), FrameStructure.of(system, style.marks()), List.of(), List.of());
     }
 
     private static int[] picture(ParticleStyle style) {
@@ -124,15 +122,16 @@ class FrameMarksTest {
         for (int k = 0; k < 24; k++) {
             double x = 3.5 * Math.cos(Math.PI * k / 12);
             double y = 3.5 * Math.sin(Math.PI * k / 12);
-            FrameState state = state(style, spring ? x : 0);
+            FrameStructure marked = state(style, 0).structure();
+            FrameState state;
             if (spring) {
-                state.positions[0] = 0;
-                state.positions[4] = y;
-                state.springs = new SpringList(new int[] {0}, new int[] {1}, new double[] {1}, new double[] {1});
+                FrameState one = spring(1, 1, 0, 0, 0, x, y, 0);
+                state = new FrameState(0, one.state(), new FrameStructure(marked.ids(), marked.fixed(), one.springs(),
+                        marked.births(), marked.deaths(), marked.marks()), List.of(), List.of());
             } else {
-                String[] ids = {state.ids[0], state.ids[1]};
-                state.trail = List.of(new TrailSample(1, new float[6], ids),
-                        new TrailSample(0, new float[] {0, 0, 0, (float) x, (float) y, 0}, ids));
+                state = new FrameState(0, new double[12], marked, List.of(
+                        new TrailSample(1, new float[6], marked.ids()),
+                        new TrailSample(0, new float[] {0, 0, 0, (float) x, (float) y, 0}, marked.ids())), List.of());
             }
             Rectangle2D box = marks.boxes(state, RADIUS / 2).get(0);
             assertFalse(box.intersectsLine(160, 100, 160 + 20 * x, 100 - 20 * y), "place " + k + ": " + box);
@@ -158,11 +157,10 @@ class FrameMarksTest {
             springs.addSpring(i, i + 1, i == 7 ? soft : 10_000, 1, 0);
         }
         system.addEffect(springs);
-        FrameState state = new FrameState();
-        state.take(system.getOwnState(), count + 1, 0, false);
-        state.takeStructure(system, false, List.of());
+        FrameState state = new FrameState(0, system.getOwnState(), FrameStructure.of(system, List.of()), List.of(),
+                List.of());
         double below = DrawnSizes.of(state, RenderOptions.STANDARD, 10).coilBelow();
         return springs.springCount() == count ? IntStream.range(0, count)
-                .filter(s -> state.springs.stiffness()[s] < below).count() : -1;
+                .filter(s -> state.springs().stiffness()[s] < below).count() : -1;
     }
 }

@@ -69,10 +69,10 @@ class FrameRendererTest {
     @Test
     void aNearerBallHidesAFartherOne() {
         FrameState state = state(0, 0, 1, 0, 0, 0);
-        state.fixed[1] = true;
+        state.structure().fixed()[1] = true;
         int[] rgb = draw(state);
         assertTrue(isGreen(middle(rgb)));
-        state.positions[2] = -1;
+        state.state()[2] = -1;
         rgb = draw(state);
         assertTrue((middle(rgb) & 0xff) < 90, "the fixed particle is black");
     }
@@ -150,20 +150,18 @@ class FrameRendererTest {
     @Test
     void aTornTriangleIsNotDrawn() {
         Surface cloth = new Surface(new int[] {0, 1, 2, 0, 2, 3}, true);
-        FrameState state = state(-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0);
+        double[] square = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
         IntactTriangles whole = new IntactTriangles(cloth);
         boolean[][] drawn = {{false, false}, {true, false}, {true, true}};      // with two springs, three, and all
         for (int springs = 2; springs <= 4; springs++) {
-            state.springs = new SpringList(Arrays.copyOf(new int[] {1, 0, 2, 3}, springs),
-                    Arrays.copyOf(new int[] {0, 3, 1, 2}, springs), new double[springs], new double[springs]);
-            state.structure++;
-            assertArrayEquals(drawn[springs - 2], whole.in(state), springs + " springs");
+            FrameState torn = state(0, List.of(), new SpringList(Arrays.copyOf(new int[] {1, 0, 2, 3}, springs),
+                    Arrays.copyOf(new int[] {0, 3, 1, 2}, springs), new double[springs], new double[springs]), square);
+            assertArrayEquals(drawn[springs - 2], whole.in(torn), springs + " springs");
         }
         assertArrayEquals(new boolean[] {true, true},
-                new IntactTriangles(new Surface(cloth.triangles(), false)).in(state));
-        state.particles = 3;
+                new IntactTriangles(new Surface(cloth.triangles(), false)).in(state(square)));
         assertArrayEquals(new boolean[] {true, false},
-                new IntactTriangles(new Surface(cloth.triangles(), false)).in(state));
+                new IntactTriangles(new Surface(cloth.triangles(), false)).in(state(Arrays.copyOf(square, 9))));
     }
 
     @Test

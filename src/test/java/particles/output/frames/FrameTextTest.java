@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.output.SmallPictures.FRONT;
 import static particles.output.SmallPictures.plain;
+import static particles.output.SmallPictures.state;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
@@ -15,6 +16,7 @@ import particles.output.painters.FrameState;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 import particles.view.Scenery;
+import particles.view.SpringList;
 
 /** The words of a picture can be read, whatever is behind them. */
 class FrameTextTest {
@@ -37,13 +39,14 @@ class FrameTextTest {
     void wordsOfABlowUpHaveAGroundOfTheirOwn() {
         RenderOptions look = plain(0x0000ff, 1, ParticleStyle.STANDARD);
         FrameText text = new FrameText(new FrameSetup(FRONT, look, Scenery.NONE, "A title", "rk4"), H, 2);
-        FrameState state = new FrameState();
+        FrameState state = state();
         List<Rectangle2D> usual = text.boxes(W, H, state, true);
         BufferedImage without = onRed(text, state);
         usual.forEach(box -> assertEquals(SPRING.getRGB(), ground(without, box)));
-        state.notes = List.of("blew up at t = 1 s", "slow motion");
-        List<Rectangle2D> boxes = text.boxes(W, H, state, true);
-        BufferedImage with = onRed(text, state);
+        FrameState blownUp = new FrameState(0, state.state(), state.structure(), List.of(),
+                List.of("blew up at t = 1 s", "slow motion"));
+        List<Rectangle2D> boxes = text.boxes(W, H, blownUp, true);
+        BufferedImage with = onRed(text, blownUp);
         assertEquals(usual.size() + 2, boxes.size());
         for (Rectangle2D box : boxes) {
             int rgb = ground(with, box);
@@ -55,8 +58,7 @@ class FrameTextTest {
     @Test
     void theTimeOfAnAtomHasAnExponent() {
         FrameSetup setup = new FrameSetup(FRONT, RenderOptions.STANDARD, Scenery.NONE, "A title", "rk4");
-        FrameState state = new FrameState();
-        state.time = 1.234e-16;
+        FrameState state = state(1.234e-16, List.of(), SpringList.NONE);
         assertEquals("1.23e-16", new FrameText(setup, H, 17).seconds(state));
         assertEquals("0.00", new FrameText(setup, H, 2).seconds(state));
     }
