@@ -65,6 +65,25 @@ class PictureTest extends LabPageTestCase {
     }
 
     @Test
+    void theLampAndTheGroundFollowTheCamera() {
+        page.openScene("10-jelly-block");
+        until("view.litHeight === view.camera.viewHeight");
+        page.element("view").sendKeys("---------");
+        until("view.litHeight > 2 * view.camera.viewHeight");
+        page.screenshot("from-afar");
+    }
+
+    @Test
+    void aFixedParticleAmongGlowingOnesIsASmallBall() {
+        page.openScene("28-fire");
+        page.click("start");
+        until("view.spots.count > 50");
+        assertEquals(1, value("view.balls.count"));
+        assertEquals(0.13 / 3, value("view.radius(0)"), 1e-12);
+        page.screenshot("fire");
+    }
+
+    @Test
     void dropsThatTouchHaveOneSurface() {
         page.openScene("25-drop");
         until("view.blobs.object.geometry.index?.count > 3000");

@@ -51,6 +51,12 @@ export class SceneCamera {
     camera.updateMatrixWorld();
   }
 
+  /** How high the picture is now at the target (m): nearer and farther away than where the scene is first seen from. */
+  seenHeight() {
+    const {position, fov} = this.camera;
+    return 2 * position.distanceTo(this.controls.target) * Math.tan(fov * Math.PI / 360);
+  }
+
   /** Where somebody has turned it to: its position, its target and how wide the picture is; else undefined. */
   describe() {
     return this.turned ? this.pose() : undefined;

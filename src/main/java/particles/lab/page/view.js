@@ -10,6 +10,7 @@ import {Ground, scenery} from './scenery.js';
 const LABEL_GAP = 6;                    // pixels
 const FEW_BALLS = 100;
 const SHADOWS = 4.5, SHADOW_PIXELS = 1024;      // the width of the part with shadows, in heights of the picture
+const ZOOM = 1.5;                       // a change of that height from which they are placed anew
 
 // asked once: browsers drop the oldest of some 16 pictures when there are more
 const CAN_DRAW = Boolean(document.createElement('canvas').getContext('webgl2'));
@@ -70,6 +71,7 @@ class View {
     this.lamp.castShadow = facts.planes.length > 0;
     this.lamp.shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
     this.scene.add(this.lamp, this.lamp.target);
+    this.towardsLamp = this.findLamp();
     this.shine();
     this.springs = new Springs();
     this.trails = new Trails();
@@ -77,7 +79,7 @@ class View {
     this.blobs = new Blobs(facts.look.colours[0]);
     this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8894a5, 1.6), this.springs.object, this.trails.object,
         this.blobs.object, ...this.grounds.map(ground => ground.mesh), ...scenery(facts));
-    this.balls = this.instances(structure.ids.length);
+    this.balls = this.spots = null;
     this.surfaces = facts.surfaces.map(surface => this.addSurface(surface, facts.look));
     this.resize();
   }
@@ -97,30 +99,50 @@ class View {
   }
 
   /** The lamp is where the frames have it: above, in front and to the left of where the scene is first seen from. */
-  shine() {
-    const {camera, target, viewHeight} = this.camera, lamp = this.lamp;
+  findLamp() {
+    const {camera} = this.camera;
     const [right, , back] = [0, 1, 2].map(k => new THREE.Vector3().setFromMatrixColumn(camera.matrixWorld, k));
-    const way = camera.up.clone().addScaledVector(right, -0.35).addScaledVector(back, 0.75).normalize();
-    const half = SHADOWS * viewHeight / 2;
+    return camera.up.clone().addScaledVector(right, -0.35).addScaledVector(back, 0.75).normalize();
+  }
+
+  /** Lights what is seen now, and places the ground there. */
+  shine() {
+    const {lamp, camera: {controls: {target}}} = this, height = this.camera.seenHeight();
+    const half = SHADOWS * height / 2;
     lamp.target.position.copy(target);
-    lamp.position.copy(target).addScaledVector(way, 2 * half);
+    lamp.position.copy(target).addScaledVector(this.towardsLamp, 2 * half);
     Object.assign(lamp.shadow.camera, {left: -half, right: half, bottom: -half, top: half, near: 0, far: 4 * half});
     lamp.shadow.camera.updateProjectionMatrix();
-    this.litHeight = viewHeight;
-    this.grounds.forEach(ground => ground.place(target, viewHeight));
+    this.renderer.shadowMap.needsUpdate = true;
+    this.litHeight = height;
+    this.grounds.forEach(ground => ground.place(target, height));
+  }
+
+  /** Whether the light is where somebody looked before zooming or moving the picture. */
+  isLitElsewhere() {
+    const zoom = this.camera.seenHeight() / this.litHeight;
+    return Math.max(zoom, 1 / zoom) > ZOOM
+        || this.camera.controls.target.distanceTo(this.lamp.target.position) > this.litHeight;
   }
 
   /** Balls; many are small, and without a graphics processor their triangles would take a quarter of a second. */
-  instances(count, material) {
-    const glows = this.facts.look.kind === 'glow';
-    material ??= glows ? glow() : new THREE.MeshLambertMaterial();
-    const geometry = glows ? new THREE.PlaneGeometry(2, 2)
-        : count > FEW_BALLS ? new THREE.SphereGeometry(1, 8, 6) : new THREE.SphereGeometry(1, 16, 12);
-    const mesh = new THREE.InstancedMesh(geometry, material, Math.max(16, count));
+  makeBalls(count) {
+    const pieces = count > FEW_BALLS ? [8, 6] : [16, 12];
+    this.balls = this.instances(this.balls, count, new THREE.SphereGeometry(1, ...pieces),
+        () => new THREE.MeshLambertMaterial());
+    this.spots = this.instances(this.spots, count, new THREE.PlaneGeometry(2, 2), glow);
+    this.balls.castShadow = true;
+  }
+
+  instances(before, count, geometry, newMaterial) {
+    const mesh = new THREE.InstancedMesh(geometry, before?.material ?? newMaterial(), count);
     mesh.frustumCulled = false;
-    mesh.castShadow = !glows;
-    mesh.count = 0;
     this.scene.add(mesh);
+    if (before) {
+      this.scene.remove(before);
+      before.geometry.dispose();
+      before.dispose();
+    }
     return mesh;
   }
 
@@ -147,11 +169,8 @@ class View {
         || look.particles === 'beside_surfaces' && !inSurface.has(i));
     this.shownSprings = structure.restLengths.map((length, s) => s).filter(s => look.springs === 'always'
         || look.springs === 'beside_surfaces' && !(inSurface.has(pairs[2 * s]) && inSurface.has(pairs[2 * s + 1])));
-    if (count > this.balls.instanceMatrix.count) {
-      this.scene.remove(this.balls);
-      this.balls.geometry.dispose();
-      this.balls.dispose();
-      this.balls = this.instances(2 * count, this.balls.material);
+    if (!this.balls || count > this.balls.instanceMatrix.count) {
+      this.makeBalls(this.balls ? 2 * count : Math.max(16, count));
     }
     this.setTriangles();
     this.setNames();
@@ -201,13 +220,10 @@ class View {
   }
 
   place() {
-    if (this.litHeight !== this.camera.viewHeight) {
-      this.shine();
-    }
     this.renderer.shadowMap.needsUpdate = true;
     const {state, time} = this.moment, {fixed, births, lives} = this.structure, look = this.facts.look;
-    const wet = [];
-    let shown = 0;
+    const wet = [], meshes = [this.balls, this.spots];
+    meshes.forEach(mesh => { mesh.count = 0; });
     for (let i = 0; i < this.structure.ids.length; i++) {
       if (!this.isShown[i]) {
         continue;
@@ -216,22 +232,21 @@ class View {
         wet.push([...state.subarray(6 * i, 6 * i + 3)]);
         continue;
       }
+      const mesh = look.kind === 'glow' && !fixed[i] ? this.spots : this.balls;
       const mark = look.marks[this.structure.ids[i]];
       const size = this.radius(i);
       this.matrix.makeScale(size, size, size).setPosition(state[6 * i], state[6 * i + 1], state[6 * i + 2]);
-      this.balls.setMatrixAt(shown, this.matrix);
-      this.balls.setColorAt(shown, mark?.colour !== undefined ? this.colour.set(mark.colour)
+      mesh.setMatrixAt(mesh.count, this.matrix);
+      mesh.setColorAt(mesh.count, mark?.colour !== undefined ? this.colour.set(mark.colour)
           : this.particleColour(look, fixed[i], (time - births[i]) / (lives[i] ?? Infinity)));
-      shown++;
+      mesh.count++;
     }
     if (look.kind === 'blobs') {
       this.blobs.place(wet, this.ball, this.camera.viewHeight / this.element.clientHeight,
           this.camera.target.toArray());
     }
-    this.balls.count = shown;
-    this.balls.instanceMatrix.needsUpdate = true;
-    if (this.balls.instanceColor) {
-      this.balls.instanceColor.needsUpdate = true;
+    for (const mesh of meshes.filter(some => some.count > 0)) {
+      mesh.instanceMatrix.needsUpdate = mesh.instanceColor.needsUpdate = true;
     }
     for (const {geometry} of this.surfaces) {
       const positions = geometry.attributes.position;
@@ -250,8 +265,8 @@ class View {
   }
 
   radius(i) {
-    const look = this.facts.look;
-    return look.marks[this.structure.ids[i]]?.radius || (look.kind === 'points' ? 0.5 * this.ball : this.ball);
+    const {marks, kind} = this.facts.look, parts = this.structure.fixed[i] ? {glow: 1 / 3} : {points: 1 / 2};
+    return marks[this.structure.ids[i]]?.radius || (parts[kind] ?? 1) * this.ball;
   }
 
   particleColour(look, isFixed, age) {
@@ -286,6 +301,9 @@ class View {
     if (this.changed) {
       this.place();
       this.camera.follow(this.moment.state);
+    }
+    if (this.isLitElsewhere()) {
+      this.shine();
     }
     this.stale = this.changed = false;
     this.renderer.render(this.scene, this.camera.camera);
