@@ -16,8 +16,7 @@ public final class BlobPainter {
     private static final double FINEST = 2.5;
 
     private final int rgb;
-    private final BlobField field = new BlobField();
-    private final BlobSurface surface = new BlobSurface();
+    private BlobSurface surface;
 
     /** @param rgb the colour of the particles */
     public BlobPainter(int rgb) {
@@ -33,21 +32,16 @@ public final class BlobPainter {
     public void build(FrameState state, VisibilityFilter shown, double radius, double pixel) {
         List<Vector3> balls = IntStream.range(0, state.particles())
                 .filter(i -> !state.isFixed(i) && shown.particle(i)).mapToObj(state::place).toList();
-        field.clear(radius, balls.size(), FINEST * pixel);
-        balls.forEach(ball -> field.add(ball.x(), ball.y(), ball.z()));
-        surface.build(field);
+        surface = new BlobSurface(new BlobField(radius, balls, FINEST * pixel));
     }
 
     /** Draws the surface as a camera sees it. */
     void paint(RoundShapes shapes) {
-        Place[] places = shapes.view().places(surface.places, surface.vertices);
-        int[] colours = new int[surface.vertices];
-        for (int i = 0, x = 0; i < surface.vertices; i++, x += 3) {
-            Vector3 normal = new Vector3(surface.normals[x], surface.normals[x + 1], surface.normals[x + 2]);
-            colours[i] = colour(shapes.view().turned(normal), shapes.lighting());
-        }
-        for (int k = 0; k < surface.cornerCount; k += 3) {
-            shapes.raster().triangle(surface.corners, k, places, colours);
+        Place[] places = surface.vertices.stream().map(shapes.view()::place).toArray(Place[]::new);
+        int[] colours = surface.normals.stream()
+                .mapToInt(normal -> colour(shapes.view().turned(normal), shapes.lighting())).toArray();
+        for (int k = 0; k < surface.corners.size(); k += 3) {
+            shapes.raster().triangle(surface.corners.buffer, k, places, colours);
         }
     }
 
