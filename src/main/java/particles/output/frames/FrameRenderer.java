@@ -4,12 +4,12 @@ import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.util.Optional;
+import particles.law.Sphere;
 import particles.output.painters.BlobPainter;
 import particles.output.painters.DrawnSizes;
 import particles.output.painters.FrameState;
 import particles.output.painters.GlowPainter;
 import particles.output.painters.OpaquePainter;
-import particles.output.painters.ShadowPainter;
 import particles.output.painters.TrailPainter;
 import particles.output.painters.VisibilityFilter;
 import particles.output.raster.Backdrop;
@@ -20,6 +20,7 @@ import particles.output.raster.LightLayer;
 import particles.output.raster.Lighting;
 import particles.output.raster.Raster;
 import particles.output.raster.RoundShapes;
+import particles.output.raster.ShadowMap;
 import particles.output.raster.Sky;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
@@ -48,7 +49,8 @@ public final class FrameRenderer {
     private DrawnSizes sizes;
     private Backdrop backdrop;
     private OpaquePainter opaque;
-    private Optional<ShadowPainter> shadows;
+    private Optional<ShadowMap> shadows;
+    private Optional<OpaquePainter> seenByLamp;
 
     /**
      * @param stage    the settings of the frames
@@ -133,7 +135,7 @@ public final class FrameRenderer {
         shapes.raster().clear();
         blobs.ifPresent(painter -> painter.build(state, shown, sizes.ball(), view.viewHeight / view.height));
         boolean strained = opaque.paint(state, blobs);
-        shadows.ifPresent(painter -> painter.paint(state, blobs));
+        shadows.ifPresent(map -> castShadows(map, state));
         compose();
         Foreground drawn = new Foreground(shapes.raster(), backdrop);
         trails.ifPresent(layer -> layer.paint(state, shown, stage.look().colours().particle(), drawn, pixels));
@@ -168,8 +170,22 @@ public final class FrameRenderer {
         sizes = drawn;
         backdrop = behind;
         opaque = painter(shapes);
-        shadows = behind.newShadows().map(map ->
-                new ShadowPainter(map, painter(map.getShapes()), stage.scenery().spheres()));
+        shadows = behind.newShadows();
+        seenByLamp = shadows.map(map -> painter(map.getShapes()));
+    }
+
+    /** What the lamp sees is in the light, and hides from it what lies behind. */
+    private void castShadows(ShadowMap map, FrameState state) {
+        map.clear();
+        seenByLamp.orElseThrow().paint(state, blobs);
+        RoundShapes lamp = map.getShapes();
+        for (Sphere sphere : stage.scenery().spheres()) {
+            if (!sphere.hollow()) {
+                CameraProjection.Place place = lamp.view().place(sphere.centre());
+                lamp.ball(place, place.scale() * sphere.radius(), sphere.radius(), 0);
+            }
+        }
+        map.blur();
     }
 
     private OpaquePainter painter(RoundShapes camera) {
@@ -180,7 +196,7 @@ public final class FrameRenderer {
      * Computes each pixel as the mean of its samples; empty samples, and those behind a plane, show the background.
      */
     private void compose() {
-        backdrop.paint(pixels, shadows.map(ShadowPainter::map));
+        backdrop.paint(pixels, shadows);
         Raster raster = shapes.raster();
         for (int y = raster.firstRow(); y < raster.endRow(); y++) {
             for (int x = raster.firstColumn(); x < raster.endColumn(); x++) {

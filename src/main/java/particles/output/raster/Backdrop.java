@@ -2,7 +2,6 @@ package particles.output.raster;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Supplier;
 import particles.law.Plane;
 import particles.law.Vector3;
 import particles.output.text.DecimalTicks;
@@ -23,8 +22,16 @@ public final class Backdrop {
     /** The column of the shadow map at a pixel without shadows. */
     static final float NO_SHADOWS = -1;
 
-    private final Supplier<Optional<ShadowMap>> shadows;
+    private final CameraProjection view;
+    private final Lighting lighting;
+    private final CameraProjection lampView;
+    private final Vector3 target;
+    private final Vector3 up;
     private final Sky sky;
+    /** Those in view. */
+    private final List<Plane> planes;
+    /** The spacing of grid lines (m). */
+    private final double spacing;
     final int width;
     private final int[] colour;
     private final float[] near;
@@ -32,13 +39,12 @@ public final class Backdrop {
     private final float[] column;
     private final float[] row;
 
-    /** The ground and the lamp as the camera sees them; the spacing is that of the grid (m). */
-    private record Setting(CameraProjection view, Lighting lighting, CameraProjection lampView, List<Plane> planes,
-            Vector3 target, Vector3 up, double spacing) {
-    }
-
     /** Paints the parts that are the same in every frame; {@code inset} is the radius of a ball (m). */
     public Backdrop(CameraProjection view, Lighting lighting, Scenery scenery, Sky sky, Camera camera, double inset) {
+        this.view = view;
+        this.lighting = lighting;
+        target = camera.target();
+        up = camera.up().normalized();
         this.sky = sky;
         int n = view.width * view.height;
         width = view.width;
@@ -46,17 +52,14 @@ public final class Backdrop {
         near = new float[n];
         column = new float[n];
         row = new float[n];
-        List<Plane> seen = scenery.planes().stream()
+        planes = scenery.planes().stream()
                 .map(plane -> new Plane(plane.point().minus(plane.normal().times(inset)), plane.normal()))
-                .filter(plane -> isSeen(view, plane)).toList();
-        CameraProjection lampView = ShadowMap.view(lighting, camera, view.viewHeight);
-        List<Plane> lit = seen.stream().filter(plane -> isLit(plane, lighting)).toList();
-        shadows = () -> lit.isEmpty() ? Optional.empty() : Optional.of(new ShadowMap(lampView, lighting, lit));
-        Setting setting = new Setting(view, lighting, lampView, seen, camera.target(), camera.up().normalized(),
-                new DecimalTicks().getCeilingTickUnit(view.viewHeight / LINES).getSize());
+                .filter(this::isSeen).toList();
+        lampView = ShadowMap.view(lighting, camera, view.viewHeight);
+        spacing = new DecimalTicks().getCeilingTickUnit(view.viewHeight / LINES).getSize();
         for (int y = 0; y < view.height; y++) {
             for (int x = 0; x < width; x++) {
-                paint(setting, x, y);
+                paint(x, y);
             }
         }
         if (!scenery.spheres().isEmpty()) {
@@ -66,44 +69,40 @@ public final class Backdrop {
 
     /** @return an empty shadow map, if the lamp shines on a visible plane; each thread has its own */
     public Optional<ShadowMap> newShadows() {
-        return shadows.get();
+        List<Plane> lit = planes.stream().filter(this::isLit).toList();
+        return lit.isEmpty() ? Optional.empty() : Optional.of(new ShadowMap(lampView, lighting, lit));
     }
 
-    private static boolean isLit(Plane plane, Lighting lighting) {
+    private boolean isLit(Plane plane) {
         return lighting.lamp.dot(plane.normal()) > 0.05;
     }
 
-    private static boolean isSeen(CameraProjection view, Plane plane) {
+    private boolean isSeen(Plane plane) {
         return view.perspective ? plane.distance(view.eye.x(), view.eye.y(), view.eye.z()) > 0
                 : plane.normal().dot(view.back) > 0;
     }
 
-    private void paint(Setting setting, int x, int y) {
-        CameraProjection view = setting.view;
-        Lighting lighting = setting.lighting;
-        List<Plane> planes = setting.planes;
-        Vector3 up = setting.up;
+    private void paint(int x, int y) {
         int p = y * width + x;
         Vector3 start = view.rayStart(x + 0.5, y + 0.5);
         Vector3 ray = view.rayDirection(x + 0.5, y + 0.5);
         double depth = Double.POSITIVE_INFINITY;
-        int nearest = -1;
-        for (int k = 0; k < planes.size(); k++) {
-            double t = depth(planes.get(k), start, ray);
+        Plane plane = null;
+        for (Plane each : planes) {
+            double t = depth(each, start, ray);
             if (t < depth && view.isInFront(t)) {
                 depth = t;
-                nearest = k;
+                plane = each;
             }
         }
-        colour[p] = behind(view, ray, up, y, planes.isEmpty());
+        colour[p] = behind(ray, y);
         near[p] = Float.NEGATIVE_INFINITY;
         column[p] = NO_SHADOWS;
-        if (nearest < 0) {
+        if (plane == null) {
             return;
         }
-        Plane plane = planes.get(nearest);
         Vector3 hit = start.plus(ray.times(depth));
-        double way = hit.minus(setting.target).length() / (HAZE * view.viewHeight);
+        double way = hit.minus(target).length() / (HAZE * view.viewHeight);
         double haze = 1 - StrictMath.exp(-way * way);
         Vector3 normal = plane.normal();
         float light = 1 + 0.35f * (lighting.light(view.turned(normal)) - lighting.light(view.turned(up)));
@@ -112,26 +111,26 @@ public final class Backdrop {
         Vector3 axisU = axisV.cross(normal);
         Vector3 from = hit.minus(plane.point());
         // the distance of two neighbouring pixels on the plane
-        Vector3 beside = on(view, plane, x + 1.5, y + 0.5, hit);
-        Vector3 below = on(view, plane, x + 0.5, y + 1.5, hit);
+        Vector3 beside = on(plane, x + 1.5, y + 0.5, hit);
+        Vector3 below = on(plane, x + 0.5, y + 1.5, hit);
         double line = 0;
         for (Vector3 axis : List.of(axisU, axisV)) {
             double foot = Math.abs(beside.minus(hit).dot(axis)) + Math.abs(below.minus(hit).dot(axis));
-            line = Math.max(line, GridLines.coverage(from.dot(axis) / setting.spacing, foot / setting.spacing));
+            line = Math.max(line, GridLines.coverage(from.dot(axis) / spacing, foot / spacing));
         }
         colour[p] = Colours.mix(Colours.lit(Colours.mix(sky.ground, sky.line, line), Math.max(0.5f, light), 0),
                 sky.horizon, haze);
         near[p] = (float) view.nearness(depth);
-        CameraProjection.Place seen = setting.lampView.place(hit);
+        CameraProjection.Place seen = lampView.place(hit);
         double seenX = seen.x() / Raster.SAMPLES;
         double seenY = seen.y() / Raster.SAMPLES;
-        if (isLit(plane, lighting) && haze < 0.9 && ShadowMap.contains(seenX, seenY)) {
+        if (isLit(plane) && haze < 0.9 && ShadowMap.contains(seenX, seenY)) {
             column[p] = (float) seenX;
             row[p] = (float) seenY;
         }
     }
 
-    private static Vector3 on(CameraProjection view, Plane plane, double px, double py, Vector3 otherwise) {
+    private Vector3 on(Plane plane, double px, double py, Vector3 otherwise) {
         Vector3 start = view.rayStart(px, py);
         Vector3 ray = view.rayDirection(px, py);
         double depth = depth(plane, start, ray);
@@ -145,8 +144,8 @@ public final class Backdrop {
     }
 
     /** The colour of the sky: with a ground it has a horizon; without one, it is a screen behind the scene. */
-    private int behind(CameraProjection view, Vector3 ray, Vector3 up, int y, boolean screen) {
-        if (screen || !view.perspective) {
+    private int behind(Vector3 ray, int y) {
+        if (planes.isEmpty() || !view.perspective) {
             double part = (y + 0.5) / view.height;
             return part < 0.62 ? Colours.mix(sky.top, sky.horizon, part / 0.62)
                     : Colours.mix(sky.horizon, sky.bottom, (part - 0.62) / 0.38);
