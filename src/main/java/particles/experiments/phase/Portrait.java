@@ -67,7 +67,7 @@ public record Portrait(Subject subject, Series path, CurveDistance curve, double
                 new Series(exact.name(), exact.mark() == Mark.LINE ? Mark.BAND : exact.mark(), exact.x(), exact.y()),
                 new Series(solver(), path.mark(), Arrays.copyOf(path.x(), shown), Arrays.copyOf(path.y(), shown)),
                 Series.point("start", Mark.POINTS, exact.x()[0], exact.y()[0]),
-                Series.point("end of the reference", Mark.OPEN_POINTS, exact.x()[last], exact.y()[last])));
+                Series.point("reference end", Mark.OPEN_POINTS, exact.x()[last], exact.y()[last])));
         if (end >= 0) {
             boolean ends = whole() && shown == path.x().length;
             series.add(Series.point(ends ? "end" : "stopped, or out of the picture",

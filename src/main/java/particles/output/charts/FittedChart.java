@@ -30,7 +30,7 @@ final class FittedChart extends JFreeChart {
     private static final double WIDENED = 1.12;
     /** Axes whose ranges differ by less than this factor have equal units. */
     private static final double ALIKE = 1.34;
-    private static final int TRIALS = 10;
+    private static final int TRIALS = 4;
     /** The part of the width for a line of the title; JFreeChart measures otherwise, and breaks none of these again. */
     private static final double NARROWER = 0.95;
 
@@ -107,6 +107,7 @@ final class FittedChart extends JFreeChart {
     public void draw(Graphics2D g, Rectangle2D area, Point2D anchor, ChartRenderingInfo info) {
         ChartRenderingInfo seen = info == null ? new ChartRenderingInfo() : info;
         double room = labelRoom(g);
+        breakTitle(g, NARROWER * (area.getWidth() - getPadding().getLeft() - getPadding().getRight()));
         if (equalUnits || tellsUnits) {
             fitUnits(area);
         } else {
@@ -114,7 +115,6 @@ final class FittedChart extends JFreeChart {
             getXYPlot().setInsets(new RectangleInsets(least.getTop(), least.getLeft(), least.getBottom(),
                     least.getRight() + room));
         }
-        breakTitle(g, NARROWER * (area.getWidth() - getPadding().getLeft() - getPadding().getRight()));
         super.draw(g, area, anchor, seen);
         PlotRenderingInfo plots = seen.getPlotInfo();
         for (int k = 0; k < labels.size(); k++) {
