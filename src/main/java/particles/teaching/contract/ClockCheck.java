@@ -58,12 +58,13 @@ public final class ClockCheck {
     }
 
     private static Finding ends(String when, double h, double moved) {
-        return moved == 0 ? Phrase.CLOCK_STILL.of(when) : Phrase.CLOCK_ENDS.of(when, Formula.time(moved / h), h);
+        return Formula.sameTime(moved / h, 0) ? Phrase.CLOCK_STILL.of(when)
+                : Phrase.CLOCK_ENDS.of(when, Formula.time(moved / h), h);
     }
 
     private static Finding wrong(Supplier<DESolver> maker, double h, double moved) {
         double twice = moved(maker, 2 * h);
-        if (moved != 0 && Formula.sameTime(twice, moved)) {
+        if (!Formula.sameTime(moved / h, 0) && Formula.sameTime(twice, moved)) {
             return Phrase.CLOCK_FIXED.of(moved);
         } else if (Formula.sameTime(moved - h, START) && Formula.sameTime(twice - 2 * h, START)) {
             return Phrase.CLOCK_NEW_TIME.of(moved, h, START);

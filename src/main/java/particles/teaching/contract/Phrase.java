@@ -14,7 +14,7 @@ public enum Phrase {
     CLOCK_ENDS, STAGE_TIMES, TIME_OF_STAGE, REJECTED_CLOCK, STAGE_CLOCKS, NO_DERIVATIVE, ARRAY_LENGTH, NEVER_SET,
     LEFT_AT_TRIAL, SET_TOO_EARLY, OLD_STATE, LEFT_OUT, DIGITS, CUT_OFF, ENTRY_BY_ENTRY, DELTA_T, MISSING, TOO_MANY,
     DIFFERS, CHANGED, PARTS, WEIGHTS_SUM, LOW_ORDER, OTHER_STEPS, CONTRADICTS, EXPLICIT, ROUNDS, OLD_VELOCITY,
-    NEW_VELOCITY, NOTHING_EARLIER, NO_CONTROL, NAME_ORDER, EQUATION, EQUATION_TIME, LOOSE, STALE, TOO_OLD,
+    NEW_VELOCITY, NOTHING_EARLIER, NO_CONTROL, IRREVERSIBLE, NAME_ORDER, EQUATION, EQUATION_TIME, LOOSE, STALE, TOO_OLD,
     ADAMS_START, UNSTABLE, UNCONTROLLED, LARGEST_ERROR, ABSOLUTE_ERROR, ELSEWHERE, LAYOUT, ADDS, GOES_ON, DRAG,
     DRAG_DIVERGES, MATRIX, NO_CONVERGENCE, UNUSED, USES_STEPS_BEFORE, KEPT_ARRAY, KEPT_DERIVATIVE, KEPT_SOMETHING,
     OTHER_SOURCE, STATIC, DELTA_T_CHANGES, DELTA_T_KEPT, CLOCK_IGNORED, SIZE_FAILS, SIZE_UNLIKE, NOTHING_BACK, LOOPS,
@@ -104,6 +104,8 @@ public enum Phrase {
             name NO_CONTROL: the name promises step-size control, and all steps are made with one step size: is the \
                 error estimate always 0? Is it compared with the tolerance, and the sub-step repeated when it is \
                 larger?
+            name IRREVERSIBLE: %s, as its name says, goes back the way that it came, and after a step of %s s and one \
+                back the state is %s off: the parts of the step have to be the same from both ends
             name NAME_ORDER: the measured order is %s; %s: compare the coefficients with those of \
                 the book, and the times of the stages
             # equations and earlier steps

@@ -85,6 +85,12 @@ final class KnownMethods {
             | 1.3512071919596578 -1.7024143839193155 1.3512071919596578
             """;
 
+    /** Other methods for positions and velocities: name, order, rows and times as in a {@link Scheme}. */
+    private static final String ROWS = """
+            the Euler method | 1 | 1 0; 1 1; 0 1 1 | 0
+            Nystrom's method of order 4 | 4 | 1 0; 1 1/2 1/8; 1 1 0 1/2; 1 1 1/6 1/3 0; 0 1 1/6 2/3 1/6 | 0 1/2 1
+            """;
+
     /** Name, places of the derivatives (0 is the old state, 1 the new one, -1 the one before), weights, mistake. */
     static final String EQUATIONS = """
             backward Euler | 1 | 1 1 |
@@ -135,9 +141,8 @@ final class KnownMethods {
             """;
 
     private static final List<Scheme> ONE_FORMULA = RUNGE_KUTTA.lines().map(KnownMethods::rungeKutta).toList();
-    private static final List<Scheme> OF_PARTICLES = Stream.concat(Stream.of(new Scheme(EULER, 1, List.of(
-            numbers("1 0"), numbers("1 1"), numbers("0 1 1")), new double[1], true)), TURNS.lines().map(
-            KnownMethods::turns)).toList();
+    private static final List<Scheme> OF_PARTICLES = Stream.concat(ROWS.lines().map(KnownMethods::rows),
+            TURNS.lines().map(KnownMethods::turns)).toList();
 
     private KnownMethods() {
     }
@@ -148,6 +153,12 @@ final class KnownMethods {
                 .map(row -> numbers("1 " + row)).toList();
         return new Scheme(parts[0].strip(), (int) numbers(parts[1])[0], rows, rows.stream().limit(rows.size() - 1)
                 .mapToDouble(row -> Combination.sum(row) - 1).toArray(), false);
+    }
+
+    private static Scheme rows(String line) {
+        String[] parts = line.split("[|]");
+        return new Scheme(parts[0].strip(), (int) numbers(parts[1])[0], Arrays.stream(parts[2].split(";")).map(
+                KnownMethods::numbers).toList(), numbers(parts[3]), true);
     }
 
     private static Scheme turns(String line) {

@@ -19,7 +19,8 @@ import particles.teaching.contract.Phrase;
  * @param says    the meaning of the name; empty if it promises nothing
  * @param order   the lowest order of all methods that it can stand for
  * @param methods the methods that it can stand for; empty for all of that order
- * @param kind    "implicit", or "earlier" if it uses derivatives or states of earlier steps; empty for others
+ * @param kind    "implicit", "earlier" if it uses derivatives or states of earlier steps, or "symmetric" if it goes
+ *                back the way that it came; empty for others
  * @param changed whether a word of it makes another method of it: RichardsonEuler need not be Euler
  * @param adapts  whether the name promises step-size control
  */
@@ -81,7 +82,7 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
             a symplectic method of order 4 | 4 | yoshida forestruth ruth4 candyrozmus pefrl suzuki4 suzukitrotter4 \
             suzukifractal | |
             a symplectic method of order 6 | 6 | yoshida6 suzuki6 kahanli | |
-            a symmetric splitting | 2 | strang suzukitrotter trotter2 | |
+            a symmetric splitting | 2 | strang suzukitrotter trotter2 | | symmetric
             an Adams method of order 2 | 2 | ab2 adamsbashforth2 adams2 | | earlier
             an Adams method of order 3 | 3 | ab3 adamsbashforth3 adams3 abm3 | | earlier
             an Adams method of order 4 | 4 | ab4 adamsbashforth4 adams4 abm4 | | earlier

@@ -133,7 +133,8 @@ public final class SolverCheck {
         return !promise.isGiven() ? Phrase.OLD_VELOCITY.when(diagnosis.method().equals(KnownMethods.EULER)
                 && contract.isForParticles()) : Phrase.NOTHING_EARLIER.when(promise.kind().equals("earlier")
                 && !memory.remembers(), promise.says()).or(() -> Phrase.NO_CONTROL.when(promise.adapts()
-                && diagnosis.order() > 0)).or(() -> promise.contradicted(diagnosis.method(), diagnosis.order()));
+                && diagnosis.order() > 0)).or(() -> promise.contradicted(diagnosis.method(), diagnosis.order()))
+                .or(() -> promise.kind().equals("symmetric") ? unread.irreversible(promise.says()) : Optional.empty());
     }
 
     private boolean isWrong() {

@@ -100,6 +100,12 @@ final class HandwrittenSolvers {
                             euler(source, h);
                             source.incTime(Arrays.equals(s, state(source)) ? -h : 0);
                         }),
+                wrong("Mine", "clock put back", "the clock never moves", (source, h) -> {
+                    euler(source, h / 3);
+                    euler(source, 2 * h / 3);
+                    source.incTime(-2 * h / 3);
+                    source.incTime(-h / 3);
+                }),
                 increment("NaN", "^state: the new state is NaN", (f, h) -> Math.sqrt(-1 - f * f)),
                 wrong("HeunSolver", "1/2 of whole numbers", "no derivative is in it.*1/2 is 0", () ->
                         new HeunOnFixedStep(0)),
@@ -193,7 +199,8 @@ final class HandwrittenSolvers {
                 wrong("VerletSolver", "acceleration kept without a test", "kept|derivative", KeptAcceleration::new),
                 wrong("Mine", "deltaT of the first call", KEPT, () -> new OtherDeltaT(true)),
                 wrong("Mine", "deltaT of the call before", KEPT, () -> new OtherDeltaT(false)),
-                wrong("W75EulerSolver", "first source kept", "first source is kept in a field", FirstSource::new),
+                wrong("W75EulerSolver", "first source kept", "asked of the first one, which is kept",
+                        FirstSource::new),
                 wrong("EulerSolver", "exception", "^failure: stepState ends in an exception: java.lang."
                         + "ArrayIndexOutOfBoundsException: Index 12 out of bounds for length 12, in ",
                         (source, h) -> state(source)[source.getStateSize()]++),
@@ -511,14 +518,17 @@ final class HandwrittenSolvers {
         }
     }
 
-    /** Euler that steps the first source that it was given. */
+    /** Euler that asks the first source that it was given for the derivative. */
     private static final class FirstSource extends DESolver {
         private DEStateSource source;
 
         @Override
         public void stepState(DEStateSource given, double deltaT) {
             source = source == null ? given : source;
-            euler(source, deltaT);
+            source.setState(state(given));
+            source.incTime(given.getTime() - source.getTime());
+            given.setState(plus(state(given), deltaT, slope(source)));
+            given.incTime(deltaT);
         }
     }
 }

@@ -298,6 +298,9 @@ final class SolverSpecimens {
                 EulerSolver | new velocity | new velocity | turns 0 1 -> 1
                 LeapfrogSolver | two whole kicks | velocity/or/twice/or/half | turns 0 1 0 -> 1 1
                 VerletSolver | old acceleration only | acceleration | nystrom -> 1/2 -> 1 @ 0
+                NystromSolver | weights of v for x | the new position .* the weight of a1 deltaT\\^2 is 1/12 \
+                | nystrom 1/8; 0 1/2 -> 1/12 1/3 1/12 -> 1/6 2/3 1/6 @ 0 1/2 1
+                StrangSplitting | not symmetric | the same from both ends | turns 1 -2/3 2/3 -> -1/24 3/4 7/24
                 VelocityVerlet | half of a missing in x | half is missing | nystrom 1 -> 1 0 -> 1/2 1/2 @ 0 1
                 VelocityVerlet | accelerations not halved | new velocity/or/half | nystrom 1/2 -> 1/2 0 -> 1 1 @ 0 1
                 W101VelocityVerlet | (1/2) of whole numbers | 1/2 is 0 in Java | nystrom 0 -> 0 0 -> 1/2 1/2 @ 0 1
