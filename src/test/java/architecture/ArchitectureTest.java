@@ -40,7 +40,7 @@ class ArchitectureTest {
             deSolvers.implicit:            deSolvers deSolvers.adaptive deSolvers.linear deSolvers.text org.ejml
             deSolvers.linear:
             deSolvers.multistep:           deSolvers
-            deSolvers.problems:            deSolvers
+            deSolvers.problems:            deSolvers org.hipparchus
             deSolvers.rungeKutta:          deSolvers
             deSolvers.symplectic:          deSolvers
             deSolvers.text:

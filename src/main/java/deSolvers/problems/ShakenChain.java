@@ -1,6 +1,7 @@
 package deSolvers.problems;
 
 import java.util.Arrays;
+import org.hipparchus.complex.Complex;
 
 /**
  * A stiff, strongly damped chain: three masses of 1 kg on a line, each on a spring and a damper to the one before, the
@@ -48,27 +49,20 @@ public final class ShakenChain extends SecondOrderProblem {
      */
     @Override
     public double[] exactState(double t) {
-        double[] re = new double[MASSES + 1];
-        double[] im = new double[MASSES + 1];
-        re[MASSES] = 1;
-        double sumRe = 0;
-        double sumIm = 0;
-        double square = STIFFNESS * STIFFNESS + DAMPING * DAMPING;
+        Complex g = new Complex(STIFFNESS, DAMPING);
+        Complex[] z = new Complex[MASSES + 1];
+        z[MASSES] = Complex.ONE;
+        Complex sum = Complex.ZERO;
         for (int i = MASSES; i > 0; i--) {
-            sumRe += re[i];
-            sumIm += im[i];
-            re[i - 1] = re[i] - (sumRe * STIFFNESS + sumIm * DAMPING) / square;
-            im[i - 1] = im[i] - (sumIm * STIFFNESS - sumRe * DAMPING) / square;
+            sum = sum.add(z[i]);
+            z[i - 1] = z[i].subtract(sum.divide(g));
         }
-        double scale = re[0] * re[0] + im[0] * im[0];
-        double sin = StrictMath.sin(t);
-        double cos = StrictMath.cos(t);
+        Complex turn = new Complex(StrictMath.cos(t), StrictMath.sin(t)).divide(z[0]);
         double[] state = new double[2 * MASSES];
         for (int i = 0; i < MASSES; i++) {
-            double a = (re[i + 1] * re[0] + im[i + 1] * im[0]) / scale;
-            double b = (im[i + 1] * re[0] - re[i + 1] * im[0]) / scale;
-            state[i] = a * sin + b * cos;
-            state[MASSES + i] = a * cos - b * sin;
+            Complex swing = z[i + 1].multiply(turn);
+            state[i] = swing.getImaginary();
+            state[MASSES + i] = swing.getReal();        // the derivative of Im(z e^(it))
         }
         return state;
     }
