@@ -11,11 +11,10 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import particles.effects.AirDrag;
 import particles.effects.Cohesion;
-import particles.effects.LinearDrag;
 import particles.effects.Penalty;
 import particles.effects.PointAttraction;
-import particles.effects.QuadraticDrag;
 import particles.effects.Wind;
 import particles.law.Particles;
 import particles.law.Plane;
@@ -47,8 +46,8 @@ class AllocationTest {
     void aStepOfAClothWithEveryKindOfEffectAllocatesNothing(String solver) {
         ParticleSystem cloth = Cloth.hanging(6, 20, 0.02);
         Particles particles = cloth.getParticles();
-        cloth.addEffect(new LinearDrag(particles, 0.01, Wind.STILL));
-        cloth.addEffect(new QuadraticDrag(particles, 0.01, RISING_AIR));
+        cloth.addEffect(AirDrag.linear(particles, 0.01, Wind.STILL));
+        cloth.addEffect(AirDrag.quadratic(particles, 0.01, RISING_AIR));
         cloth.addEffect(new PointAttraction(particles, Vector3.ZERO, 0.1, 0.1));
         cloth.addEffect(new Penalty(particles, new Plane(new Vector3(0, -0.2, 0), new Vector3(0, 1, 0)), 10, 0.1));
         cloth.addEffect(new Penalty(particles, new Sphere(Vector3.ZERO, 0.2, false), 10, 0.1));

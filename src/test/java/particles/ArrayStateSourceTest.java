@@ -10,7 +10,7 @@ import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.PlainSource;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.effects.LinearDrag;
+import particles.effects.AirDrag;
 import particles.effects.Wind;
 import particles.law.Vector3;
 import particles.rules.CircleMotion;
@@ -21,7 +21,7 @@ class ArrayStateSourceTest {
     /** A cloth with drag, one of whose two corners goes round on a crank. */
     private static ParticleSystem cloth() {
         ParticleSystem system = Cloth.hanging(6, 20, 0.01);
-        system.addEffect(new LinearDrag(system.getParticles(), 0.1, Wind.STILL));
+        system.addEffect(AirDrag.linear(system.getParticles(), 0.1, Wind.STILL));
         system.moveAnchor(0, new CircleMotion(Vector3.ZERO, new Vector3(0.3, 0, 0), new Vector3(0, 0, 1), 1.5));
         return system;
     }

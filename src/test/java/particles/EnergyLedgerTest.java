@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.effects.LinearDrag;
+import particles.effects.AirDrag;
 import particles.effects.Wind;
 import particles.energy.EnergyLedger;
 import particles.law.ParticleForce;
@@ -222,7 +222,7 @@ class EnergyLedgerTest {
     void simpsonsRuleHoldsForDragUpToTwiceItsTime(double h) {
         ParticleSystem system = Systems.oneParticle(Vector3.ZERO, new Vector3(1, 0, 0));
         double m = system.getParticles().mass(0);
-        system.addEffect(new LinearDrag(system.getParticles(), m, Wind.STILL));
+        system.addEffect(AirDrag.linear(system.getParticles(), m, Wind.STILL));
         EnergyLedger ledger = Systems.ledger(system, new DESolver() {
             @Override
             public void stepState(DEStateSource source, double deltaT) {        // in one step, and exactly

@@ -26,7 +26,7 @@ import net.jqwik.api.Provide;
 import net.jqwik.api.ShrinkingMode;
 import particles.RandomSystem.Ball;
 import particles.RandomSystem.Spring;
-import particles.effects.LinearDrag;
+import particles.effects.AirDrag;
 import particles.effects.Wind;
 import particles.effects.springs.SpringForce;
 import particles.law.Particles;
@@ -184,7 +184,7 @@ class LawsOnRandomSystemsTest {
     private static double energyError(RandomSystem any, double deltaT) {
         ParticleSystem system = any.build();
         addGravity(system);
-        system.addEffect(new LinearDrag(system.getParticles(), 0.3, Wind.STILL));
+        system.addEffect(AirDrag.linear(system.getParticles(), 0.3, Wind.STILL));
         return Math.abs(Systems.ledger(system, new RK4Solver(), deltaT, DELTA_T * STEPS).getNumericalError());
     }
 

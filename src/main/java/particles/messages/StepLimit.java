@@ -2,7 +2,7 @@ package particles.messages;
 
 import deSolvers.catalog.SolverInfo;
 import deSolvers.text.Digits;
-import particles.effects.LinearDrag;
+import particles.effects.AirDrag;
 import particles.effects.springs.SpringRates;
 import particles.law.Effect;
 import particles.law.Particles;
@@ -95,9 +95,10 @@ final class StepLimit {
     private double dragRate() {
         double rate = 0;
         for (Effect effect : scene.system().getEffects()) {
-            if (effect instanceof LinearDrag drag) {
+            if (effect instanceof AirDrag drag) {
                 for (int i = 0; i < scene.system().getParticles().count(); i++) {
-                    rate = Math.max(rate, drag.getCoefficient() * scene.system().getParticles().getInverseMasses()[i]);
+                    double inverseMass = scene.system().getParticles().getInverseMasses()[i];
+                    rate = Math.max(rate, drag.getSlowCoefficient() * inverseMass);
                 }
             }
         }

@@ -69,8 +69,8 @@ class EffectClaimsTest {
                 "attraction", p -> new PointAttraction(p, new Vector3(0.5, -2, 0.4), 3, 0),
                 "softened", p -> new PointAttraction(p, new Vector3(1, 0, 1), 3, 0.3)));
         Map.of("still air", Wind.STILL, "gusts", WIND, "turbulence", TURBULENCE).forEach((air, wind) -> {
-            laws.put("drag in " + air, p -> new LinearDrag(p, 0.4, wind));
-            laws.put("quadratic drag in " + air, p -> new QuadraticDrag(p, 0.4, wind));
+            laws.put("drag in " + air, p -> AirDrag.linear(p, 0.4, wind));
+            laws.put("quadratic drag in " + air, p -> AirDrag.quadratic(p, 0.4, wind));
         });
         // with a plane through the middle of the particles, some are inside it in every state
         for (double c : new double[] {0, 0.8, 5}) {

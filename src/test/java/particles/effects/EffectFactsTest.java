@@ -46,8 +46,8 @@ class EffectFactsTest {
     void eachLawDeclaresItsInterfacesAndFlags() {
         assertFacts(new Gravity(particles, Vector3.ZERO), "gravity", true, false, Trait.CONSERVATIVE);
         assertFacts(new PointAttraction(particles, Vector3.ZERO, 1, 0), "attraction", true, false, Trait.CONSERVATIVE);
-        assertFacts(new LinearDrag(particles, 1, Wind.STILL), "drag", true, true, Trait.DISSIPATIVE);
-        assertFacts(new QuadraticDrag(particles, 1, Wind.STILL), "quadraticDrag", true, true, Trait.DISSIPATIVE);
+        assertFacts(AirDrag.linear(particles, 1, Wind.STILL), "drag", true, true, Trait.DISSIPATIVE);
+        assertFacts(AirDrag.quadratic(particles, 1, Wind.STILL), "quadraticDrag", true, true, Trait.DISSIPATIVE);
         for (double damping : new double[] {0, TINY, 1}) {
             Trait trait = damping > 0 ? Trait.DISSIPATIVE : Trait.CONSERVATIVE;
             assertFacts(new Penalty(particles, GROUND, 1, damping), "penaltyPlane", true, damping > 0, trait);
@@ -56,7 +56,7 @@ class EffectFactsTest {
             assertFacts(new Repulsion(particles, 1, true, 1, damping), "repulsion", false, damping > 0, trait);
             assertFacts(twoSprings(damping), "springs", false, damping > 0, trait);
         }
-        assertEquals(0.25, new LinearDrag(particles, 0.25, Wind.STILL).getCoefficient());
+        assertEquals(0.25, AirDrag.linear(particles, 0.25, Wind.STILL).getSlowCoefficient());
     }
 
     /** Two springs, only the second damped: one is enough to depend on velocity. */
@@ -99,8 +99,8 @@ class EffectFactsTest {
 
     @Test
     void parametersAreAcceptedUpToTheirLimits() {
-        assertRange("drag", c -> new LinearDrag(particles, c, Wind.STILL), ZERO_OR_MORE, LESS);
-        assertRange("quadratic drag", c -> new QuadraticDrag(particles, c, Wind.STILL), ZERO_OR_MORE, LESS);
+        assertRange("drag", c -> AirDrag.linear(particles, c, Wind.STILL), ZERO_OR_MORE, LESS);
+        assertRange("quadratic drag", c -> AirDrag.quadratic(particles, c, Wind.STILL), ZERO_OR_MORE, LESS);
         assertRange("softening", s -> new PointAttraction(particles, Vector3.ZERO, 1, s), ZERO_OR_MORE, LESS);
         assertRange("strength", mu -> new PointAttraction(particles, Vector3.ZERO, mu, 0), new double[] {-MAX, 0, MAX},
                 new double[] {NAN, INFINITE, -INFINITE});

@@ -47,10 +47,10 @@ class OnlyWhatIsNamedTest {
     private static final String ADDITIONS = """
             effects: [] |
             effects: [gravity] | Gravity
-            effects: [drag: {coefficient: 1}] | LinearDrag AirDrag
-            effects: [drag: {coefficient: 1}, wind: {mean: [1, 0, 0]}] | LinearDrag AirDrag
-            effects: [quadraticDrag: {coefficient: 1}] | QuadraticDrag AirDrag
-            effects: [quadraticDrag: {coefficient: 1}, turbulence: {strength: 1}] | QuadraticDrag AirDrag
+            effects: [drag: {coefficient: 1}] | AirDrag
+            effects: [drag: {coefficient: 1}, wind: {mean: [1, 0, 0]}] | AirDrag
+            effects: [quadraticDrag: {coefficient: 1}] | AirDrag
+            effects: [quadraticDrag: {coefficient: 1}, turbulence: {strength: 1}] | AirDrag
             effects: [attraction: {strength: 1}] | PointAttraction
             effects: [cohesion: {range: 2, depth: 1}] | Cohesion PairForce
             effects: [repulsion: {radius: 1, stiffness: 1}] | Repulsion PairForce
@@ -84,7 +84,7 @@ class OnlyWhatIsNamedTest {
                 scene.system().getReactions().stream().<Class<?>>map(Reaction::getClass),
                 scene.simulation().getRules().stream().<Class<?>>map(Rule::getClass)).flatMap(all -> all);
         List<String> names = built.map(Class::getSimpleName).sorted().toList();
-        Set<String> bases = Set.of("AirDrag", "PairForce", "Impacts");
+        Set<String> bases = Set.of("PairForce", "Impacts");
         assertEquals(withSprings(addition).stream().filter(name -> !bases.contains(name)).toList(), names);
     }
 
