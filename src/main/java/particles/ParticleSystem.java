@@ -4,9 +4,7 @@ import deSolvers.ArrayStateSource;
 import deSolvers.ForceDerivatives;
 import deSolvers.JacobianStateSource;
 import deSolvers.SubStepSource;
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import particles.engine.Anchors;
@@ -29,9 +27,7 @@ public final class ParticleSystem implements JacobianStateSource, ArrayStateSour
     private static final int STRIDE = Particles.STRIDE;
 
     private final Particles particles = new Particles();
-    private final List<Effect> effects = new ArrayList<>();
-    private final List<Reaction> reactions = new ArrayList<>();
-    private final ForceSum forces = new ForceSum(particles, effects, reactions);
+    private final ForceSum forces = new ForceSum(particles);
     private final Anchors anchors = new Anchors();      // hides their places from solvers, shows them to forces
     private double[] state = {};
     private double time;
@@ -93,8 +89,8 @@ public final class ParticleSystem implements JacobianStateSource, ArrayStateSour
         }
         particles.shrinkTo(stay);
         anchors.reindex(newIndex);
-        effects.forEach(effect -> effect.reindex(newIndex));
-        reactions.forEach(reaction -> reaction.reindex(newIndex));
+        getEffects().forEach(effect -> effect.reindex(newIndex));
+        getReactions().forEach(reaction -> reaction.reindex(newIndex));
         return newIndex;
     }
 
@@ -135,7 +131,7 @@ public final class ParticleSystem implements JacobianStateSource, ArrayStateSour
      * @param effect the law
      */
     public void addEffect(Effect effect) {
-        effects.add(effect);
+        forces.add(effect);
     }
 
     /**
@@ -146,7 +142,7 @@ public final class ParticleSystem implements JacobianStateSource, ArrayStateSour
      *                 forces together, instead of {@code RestingContacts}
      */
     public void addReaction(Reaction reaction) {
-        reactions.add(reaction);
+        forces.add(reaction);
     }
 
     /**
@@ -164,7 +160,7 @@ public final class ParticleSystem implements JacobianStateSource, ArrayStateSour
      * @return the effects in the order in which they were added; read only
      */
     public List<Effect> getEffects() {
-        return Collections.unmodifiableList(effects);
+        return forces.getEffects();
     }
 
     /**
@@ -173,7 +169,7 @@ public final class ParticleSystem implements JacobianStateSource, ArrayStateSour
      * @return the reactions in the order of evaluation; read only
      */
     public List<Reaction> getReactions() {
-        return Collections.unmodifiableList(reactions);
+        return forces.getReactions();
     }
 
     /**
@@ -315,7 +311,7 @@ public final class ParticleSystem implements JacobianStateSource, ArrayStateSour
      */
     public double getInternalEnergy(double[] state, double time) {
         double energy = getKineticEnergy(state);
-        for (Effect effect : effects) {
+        for (Effect effect : getEffects()) {
             if (effect.getTraits().contains(Effect.Trait.INTERNAL)) {
                 energy += effect.getPotentialEnergy(state, time);
             }
@@ -332,7 +328,7 @@ public final class ParticleSystem implements JacobianStateSource, ArrayStateSour
      */
     public double getEnergy(double[] state, double time) {
         double energy = getKineticEnergy(state);
-        for (Effect effect : effects) {
+        for (Effect effect : getEffects()) {
             energy += effect.getPotentialEnergy(state, time);
         }
         return energy;

@@ -67,14 +67,13 @@ class ArchitectureTest {
                                            particles.output.text particles.scene particles.scene.format
                                            particles.spec.messages particles.view picocli
             particles.app.run:             deSolvers.catalog deSolvers.text particles particles.app.cli
-                                           particles.app.student particles.energy
+                                           particles.app.student particles.energy particles.engine
                                            particles.experiments.phase particles.experiments.runs particles.lab
                                            particles.law particles.messages particles.output.animation
                                            particles.output.charts particles.output.files particles.output.frames
                                            particles.output.raster particles.output.report particles.scene
                                            particles.scene.checks particles.scene.format particles.spec
-                                           particles.spec.documents particles.spec.messages particles.threads
-                                           particles.view picocli
+                                           particles.spec.documents particles.spec.messages particles.view picocli
             particles.app.student:         deSolvers deSolvers.catalog particles.app.cli particles.javac particles.law
                                            particles.output.charts particles.output.files particles.output.report
                                            particles.output.text particles.scene particles.scene.format particles.spec
@@ -176,7 +175,6 @@ class ArchitectureTest {
             particles.teaching.solvers:    deSolvers particles.teaching particles.teaching.contract
                                            particles.teaching.sources
             particles.teaching.sources:    deSolvers deSolvers.problems particles.teaching
-            particles.threads:             particles particles.engine particles.law
             particles.view:                particles.law
             """);
 

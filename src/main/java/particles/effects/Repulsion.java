@@ -104,7 +104,7 @@ public final class Repulsion extends PairForce implements DivisibleEffect {
 
     @Override
     public int countBlocks() {
-        return Integer.highestOneBit(Math.max(1, particles.count() / PARTICLES_PER_BLOCK));
+        return Math.max(1, particles.count() / PARTICLES_PER_BLOCK);
     }
 
     @Override
@@ -116,7 +116,7 @@ public final class Repulsion extends PairForce implements DivisibleEffect {
         return (int) ((long) particles.count() * block / countBlocks());
     }
 
-    /** {@inheritDoc} A block adds all forces on its particles, so the joints (inner nodes of the tree) add none. */
+    /** {@inheritDoc} A block adds all forces on its particles, so there is no rest. */
     @Override
     public void addPart(int part, double[] state, double time, double[] force) {
         if (part < countBlocks()) {

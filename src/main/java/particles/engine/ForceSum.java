@@ -14,14 +14,12 @@ import particles.law.Reaction;
 public final class ForceSum {
     private static final int STRIDE = Particles.STRIDE;
     private final Particles particles;
-    private final List<Effect> effects;
-    private final List<Reaction> reactions;
     private Optional<Parallel> parallel = Optional.empty();
-    // the lists as arrays, since loops over lists allocate
-    private Effect[] all = {};
+    // arrays, since loops over lists allocate
+    private Effect[] effects = {};
     private PerParticleEffect[] perParticle = {};
     private Effect[] others = {};
-    private Reaction[] reacting = {};
+    private Reaction[] reactions = {};
     private double[] force = {};
 
     /** A parallel evaluation of the derivative, with the same bits as on one thread. */
@@ -33,16 +31,49 @@ public final class ForceSum {
         void derivative(double[] state, double time, double[] dSdt);
     }
 
-    /** Keeps the lists, which may grow later. */
-    public ForceSum(Particles particles, List<Effect> effects, List<Reaction> reactions) {
+    /** Begins without forces. */
+    public ForceSum(Particles particles) {
         this.particles = particles;
-        this.effects = effects;
-        this.reactions = reactions;
+    }
+
+    /** @return the particles */
+    public Particles getParticles() {
+        return particles;
+    }
+
+    /** Adds an effect. */
+    public void add(Effect effect) {
+        effects = append(effects, effect);
+        if (effect instanceof PerParticleEffect each) {
+            perParticle = append(perParticle, each);
+        } else {
+            others = append(others, effect);
+        }
+    }
+
+    /** Adds a reaction. */
+    public void add(Reaction reaction) {
+        reactions = append(reactions, reaction);
+    }
+
+    private static <T> T[] append(T[] array, T last) {
+        T[] longer = Arrays.copyOf(array, array.length + 1);
+        longer[array.length] = last;
+        return longer;
+    }
+
+    /** All effects, in the order in which they were added. */
+    public List<Effect> getEffects() {
+        return List.of(effects);
+    }
+
+    /** All reactions, in the order of evaluation. */
+    public List<Reaction> getReactions() {
+        return List.of(reactions);
     }
 
     /** Computes the derivative (v, F/m) of a state. */
     public void derivative(double[] state, double time, double[] dSdt) {
-        copyLists();
         if (parallel.isPresent() && parallel.get().pays()) {
             parallel.get().derivative(state, time, dSdt);
             return;
@@ -71,17 +102,6 @@ public final class ForceSum {
         parallel = other;
     }
 
-    /** Copies the lists where they have grown. */
-    private void copyLists() {
-        if (all.length != effects.size() || reacting.length != reactions.size()) {
-            all = effects.toArray(Effect[]::new);
-            perParticle = effects.stream().filter(PerParticleEffect.class::isInstance)
-                    .toArray(PerParticleEffect[]::new);
-            others = effects.stream().filter(effect -> !(effect instanceof PerParticleEffect)).toArray(Effect[]::new);
-            reacting = reactions.toArray(Reaction[]::new);
-        }
-    }
-
     /** Computes (v, F) of the particles first ... end - 1, with the forces of the per-particle effects. */
     public void begin(double[] state, double time, double[] dSdt, int first, int end) {
         for (int x = STRIDE * first; x < STRIDE * end; x += STRIDE) {
@@ -108,23 +128,20 @@ public final class ForceSum {
 
     /** Computes the forces of all effects, with 0 in the entries of positions. */
     public void effects(double[] state, double time, double[] force) {
-        copyLists();
-        int n = particles.count();
-        Arrays.fill(force, 0, STRIDE * n, 0.0);
-        for (Effect effect : all) {
+        Arrays.fill(force, 0, STRIDE * particles.count(), 0.0);
+        for (Effect effect : effects) {
             effect.addForces(state, time, force);
         }
     }
 
     /** @return whether any effect or reaction depends on velocities */
     public boolean dependOnVelocity() {
-        copyLists();
-        for (Effect effect : all) {
+        for (Effect effect : effects) {
             if (effect.dependsOnVelocity()) {
                 return true;
             }
         }
-        for (Reaction reaction : reacting) {
+        for (Reaction reaction : reactions) {
             if (reaction.dependsOnVelocity()) {
                 return true;
             }
@@ -134,8 +151,7 @@ public final class ForceSum {
 
     /** Adds the forces of all active reactions. */
     public void addReactions(double[] state, double time, double[] force) {
-        copyLists();
-        for (Reaction reaction : reacting) {
+        for (Reaction reaction : reactions) {
             if (reaction.isActive()) {
                 reaction.addForces(state, time, force);
             }
@@ -144,13 +160,12 @@ public final class ForceSum {
 
     /** Whether all effects and active reactions know their derivatives. */
     public boolean hasDerivatives() {
-        copyLists();
-        for (Effect effect : all) {
+        for (Effect effect : effects) {
             if (!(effect instanceof DifferentiableEffect)) {
                 return false;
             }
         }
-        for (Reaction reaction : reacting) {
+        for (Reaction reaction : reactions) {
             if (reaction.isActive() && !reaction.hasForceDerivatives()) {
                 return false;
             }
@@ -160,14 +175,13 @@ public final class ForceSum {
 
     /** Adds the derivatives of all effects and active reactions that know them. */
     public void addDerivatives(double[] state, double time, ForceDerivatives derivatives) {
-        copyLists();
-        for (Effect effect : all) {
+        for (Effect effect : effects) {
             if (effect instanceof DifferentiableEffect known) {
                 known.addForceDerivatives(state, time, derivatives);
             }
         }
         boolean forceKnown = false;
-        for (Reaction reaction : reacting) {
+        for (Reaction reaction : reactions) {
             if (!reaction.isActive()) {
                 continue;
             }

@@ -1,10 +1,9 @@
 package particles.law;
 
 /**
- * An effect whose forces are split into parts that several threads can evaluate in parallel. The parts form a binary
- * tree. Its n leaves are blocks, each with a range of particles of its own; an inner node, called a joint, holds the
- * forces between its two children and is evaluated after them. The tree does not depend on the number of threads, so
- * neither do the bits of the sums.
+ * An effect whose forces are split into blocks that several threads can evaluate in parallel, each with a range of
+ * particles of its own, and a rest: the forces between two ranges, evaluated after the blocks. The parts do not depend
+ * on the number of threads, so neither do the bits of the sums.
  */
 public interface DivisibleEffect extends Effect {
 
@@ -15,7 +14,7 @@ public interface DivisibleEffect extends Effect {
     /**
      * Prepares an evaluation; called by one thread before {@link #addPart}.
      *
-     * @return the number of blocks n, a power of two
+     * @return the number of blocks n, 1 or more
      */
     int countBlocks();
 
@@ -23,10 +22,9 @@ public interface DivisibleEffect extends Effect {
     int size();
 
     /**
-     * Adds the forces of one block or joint.
+     * Adds the forces of one part.
      *
-     * @param part  0 to n - 1 for the blocks; n to n + n/2 - 1 for the joints of two blocks, in order; the next n/4
-     *              join these, and so on up to 2 n - 2, which joins all
+     * @param part  0 to n - 1 for the blocks, n for the rest
      * @param state the particles' state; read only
      * @param time  t (s)
      * @param force add each force (N) to the entries that hold the particle's velocity in the state

@@ -21,10 +21,10 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.ParticleSystem;
 import particles.Systems;
+import particles.engine.ParallelForces;
 import particles.law.Plane;
 import particles.law.SeededRandom;
 import particles.law.Vector3;
-import particles.threads.ParallelForces;
 
 /** Soft balls against the closed forms of their impacts, statics and the laws of conservation. */
 class RepulsionTest {
@@ -231,9 +231,9 @@ class RepulsionTest {
         double[][] ends = new double[2][];
         for (int k = 0; k < 2; k++) {
             ParticleSystem system = cloud(700);
-            ParallelForces.use(system, k == 0 ? 1 : threads, 1);
+            ParallelForces.use(system.getForceSum(), k == 0 ? 1 : threads, 1);
             Steps.make(30, new RK4Solver(), system, 0.01);
-            ParallelForces.use(system, 1);
+            ParallelForces.use(system.getForceSum(), 1);
             ends[k] = system.getStateArray().clone();
         }
         assertArrayEquals(ends[0], ends[1]);

@@ -7,10 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
+import particles.effects.AirDrag;
 import particles.effects.Gravity;
 import particles.effects.GustyWind;
-import particles.effects.LinearDrag;
-import particles.effects.QuadraticDrag;
 import particles.effects.Wind;
 import particles.law.ParticleForce;
 import particles.law.Particles;
@@ -55,7 +54,7 @@ class ForceSumTest {
     @Test
     void theDerivativeIsTheSumOfTheEffects() {
         assertArrayEquals(byLoops(), derivative(), "free flight");
-        system.addEffect(new LinearDrag(particles, 0.25, Wind.STILL));
+        system.addEffect(AirDrag.linear(particles, 0.25, Wind.STILL));
         assertArrayEquals(byLoops(), derivative(), "drag alone, added after an evaluation");
         system.addEffect(new Gravity(particles, G));
         assertArrayEquals(byLoops(), derivative(), "drag and gravity");
@@ -63,8 +62,8 @@ class ForceSumTest {
         assertEquals(G.y() - 0.25 * state[6 + 4] / particles.mass(1), dSdt[6 + 4], 1e-14,
                 "by hand; the quotient is rounded once more");
         assertTrue(dSdt[4] == 0, "a fixed particle");
-        system.addEffect(new QuadraticDrag(particles, 0.5, Wind.STILL));
-        system.addEffect(new LinearDrag(particles, 0.5, new GustyWind(new Vector3(1, 0, 0), new Vector3(0, 1, 0), 3)));
+        system.addEffect(AirDrag.quadratic(particles, 0.5, Wind.STILL));
+        system.addEffect(AirDrag.linear(particles, 0.5, new GustyWind(new Vector3(1, 0, 0), new Vector3(0, 1, 0), 3)));
         system.addEffect(new Gravity(particles, G));
         assertArrayEquals(byLoops(), derivative(), "several of each");
     }
@@ -79,7 +78,7 @@ class ForceSumTest {
             }
         });
         system.addEffect(new Gravity(particles, G));
-        system.addEffect(new QuadraticDrag(particles, 0.5, Wind.STILL));
+        system.addEffect(AirDrag.quadratic(particles, 0.5, Wind.STILL));
         double[] loops = byLoops();
         double[] dSdt = derivative();
         for (int e = 0; e < loops.length; e++) {

@@ -19,6 +19,7 @@ import particles.app.cli.FolderSize;
 import particles.app.cli.Mistakes;
 import particles.app.cli.ResultsCommand;
 import particles.app.student.StudentClasses;
+import particles.engine.ParallelForces;
 import particles.lab.Replay;
 import particles.messages.BlowUpMessage;
 import particles.output.files.OutputFolder;
@@ -33,7 +34,6 @@ import particles.scene.format.OutputDescription;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
 import particles.spec.messages.InvalidInputException;
-import particles.threads.ParallelForces;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -204,7 +204,7 @@ public final class RunCommand extends ResultsCommand {
 
     /** @return the reason why the run ended early, if it did */
     private Optional<String> simulate(Scene scene, OutputFolder folder, RunObservers observers) {
-        ParallelForces.use(scene.system(),
+        ParallelForces.use(scene.system().getForceSum(),
                 description.values().find(SceneFormat.THREADS).orElseGet(Runtime.getRuntime()::availableProcessors));
         try {
             scene.simulation().run();

@@ -85,12 +85,12 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
     @Override
     public int countBlocks() {
         table.arrange();
-        return table.getBlocks().count();
+        return table.blocks;
     }
 
-    /** @return the first spring of a block or joint; it ends where the next one begins */
+    /** @return the first spring of a part; it ends where the next one begins */
     public int getPartStart(int part) {
-        return table.getBlocks().start(part);
+        return table.starts[part];
     }
 
     @Override
@@ -100,8 +100,8 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
 
     @Override
     public void addForces(double[] state, double time, double[] force) {
-        int parts = 2 * countBlocks() - 1;
-        for (int part = 0; part < parts; part++) {
+        int blocks = countBlocks();
+        for (int part = 0; part <= blocks; part++) {
             addPart(part, state, time, force);
         }
     }

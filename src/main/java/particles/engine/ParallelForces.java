@@ -1,11 +1,9 @@
-package particles.threads;
+package particles.engine;
 
 import java.util.Optional;
 import java.util.concurrent.ForkJoinTask;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
-import particles.ParticleSystem;
-import particles.engine.ForceSum;
 import particles.law.DivisibleEffect;
 import particles.law.Effect;
 import particles.law.Particles;
@@ -18,7 +16,6 @@ import particles.law.Particles;
 public final class ParallelForces implements ForceSum.Parallel {
     /** With fewer forces one thread is faster: on cloths with rk4, two are only as fast at half this number. */
     public static final long PAYS_FROM = 16_384;
-    private static final int NOBODY = -1;
 
     private final ForceSum forces;
     private final Particles particles;
@@ -36,9 +33,9 @@ public final class ParallelForces implements ForceSum.Parallel {
     private IntConsumer work;                           // one of these
     private volatile Throwable failure;
 
-    private ParallelForces(ForceSum forces, Particles particles, int threads, long paysFrom) {
+    private ParallelForces(ForceSum forces, int threads, long paysFrom) {
         this.forces = forces;
-        this.particles = particles;
+        particles = forces.getParticles();
         this.paysFrom = paysFrom;
         this.threads = threads;
         parts = IntStream.range(1, threads).mapToObj(part -> ForkJoinTask.adapt(() -> runPart(part)))
@@ -48,20 +45,20 @@ public final class ParallelForces implements ForceSum.Parallel {
     /**
      * Lets several threads evaluate the forces of a system if it has enough of them.
      *
-     * @param system the system
+     * @param forces  the system's forces
      * @param threads the number of threads, including the caller's
      */
-    public static void use(ParticleSystem system, int threads) {
-        use(system, threads, PAYS_FROM);
+    public static void use(ForceSum forces, int threads) {
+        use(forces, threads, PAYS_FROM);
     }
 
     /** As above, with another number of forces from which threads are used. */
-    public static void use(ParticleSystem system, int threads, long paysFrom) {
+    public static void use(ForceSum forces, int threads, long paysFrom) {
         if (threads < 1) {
             throw new IllegalArgumentException("forces cannot be evaluated by " + threads + " threads");
         }
-        system.getForceSum().setParallel(threads == 1 ? Optional.empty()
-                : Optional.of(new ParallelForces(system.getForceSum(), system.getParticles(), threads, paysFrom)));
+        forces.setParallel(threads == 1 ? Optional.empty()
+                : Optional.of(new ParallelForces(forces, threads, paysFrom)));
     }
 
     @Override
@@ -82,7 +79,7 @@ public final class ParallelForces implements ForceSum.Parallel {
         for (Effect effect : forces.getOthers()) {
             if (effect instanceof DivisibleEffect parts && isDivided(parts)) {
                 run(middle);
-                addJoints(NOBODY);
+                divisible.addPart(blocks, state, time, dSdt);
             } else {
                 effect.addForces(state, time, dSdt);
             }
@@ -134,31 +131,10 @@ public final class ParallelForces implements ForceSum.Parallel {
         forces.begin(state, time, dSdt, cut(n, part), cut(n, part + 1));
     }
 
-    /** Adds a thread's blocks and the joints between them. */
     private void addBlocks(int part) {
         for (int block = cut(blocks, part); block < cut(blocks, part + 1); block++) {
             divisible.addPart(block, state, time, dSdt);
         }
-        addJoints(part);
-    }
-
-    /**
-     * Adds the joints whose blocks all belong to one part, or, for NOBODY, those between parts; smaller joints first.
-     */
-    private void addJoints(int part) {
-        for (int length = 2, joint = blocks; length <= blocks; length *= 2) {
-            for (int from = 0; from < blocks; from += length, joint++) {
-                int owner = partOf(from);
-                if (part == (owner == partOf(from + length - 1) ? owner : NOBODY)) {
-                    divisible.addPart(joint, state, time, dSdt);
-                }
-            }
-        }
-    }
-
-    /** The part that a block belongs to, the inverse of {@link #cut}. */
-    private int partOf(int block) {
-        return ((block + 1) * threads - 1) / blocks;
     }
 
     private void finishRange(int part) {

@@ -1,4 +1,4 @@
-package particles.threads;
+package particles.engine;
 
 import static deSolvers.problems.Bounds.assertAbove;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -59,7 +59,7 @@ class SceneThreadsTest {
         Scene scene = SceneBuilder.build(description.withDuration(duration));
         Witness witness = new Witness();
         scene.system().addEffect(witness);
-        ParallelForces.use(scene.system(), threads, 0);
+        ParallelForces.use(scene.system().getForceSum(), threads, 0);
         scene.simulation().run();
         helpers[0] = (int) witness.threads.stream().filter(name -> name.startsWith("ForkJoinPool")).count();
         double[] state = Arrays.copyOf(scene.system().getOwnState(), scene.system().getStateSize() + 1);

@@ -1,4 +1,4 @@
-package particles.threads;
+package particles.engine;
 
 import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
@@ -24,7 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.Cloth;
 import particles.ParticleSystem;
-import particles.effects.LinearDrag;
+import particles.effects.AirDrag;
 import particles.effects.Wind;
 import particles.effects.springs.SpringForce;
 import particles.law.ParticleForce;
@@ -38,7 +38,7 @@ class ThreadsTest {
     /** Cloth of 3600 particles and some 21,000 springs, in four blocks. */
     private static ParticleSystem cloth() {
         ParticleSystem cloth = Cloth.hanging(60, 20, 0.02);
-        cloth.addEffect(new LinearDrag(cloth.getParticles(), 0.01, Wind.STILL));
+        cloth.addEffect(AirDrag.linear(cloth.getParticles(), 0.01, Wind.STILL));
         return cloth;
     }
 
@@ -67,7 +67,7 @@ class ThreadsTest {
     }
 
     private static double[] stateAfter(ParticleSystem system, int threads, int steps) {
-        ParallelForces.use(system, threads);
+        ParallelForces.use(system.getForceSum(), threads);
         Steps.make(steps, new RK4Solver(), system, 1.0 / 1024);
         return system.getStateArray().clone();
     }
@@ -81,7 +81,7 @@ class ThreadsTest {
         assertArrayEquals(stateAfter(network(2999), 1, STEPS), stateAfter(network(2999), threads, STEPS));
     }
 
-    /** Eight blocks shared out to different numbers of threads; joints are within a thread or between threads. */
+    /** Eight blocks shared out to different numbers of threads. */
     @ParameterizedTest
     @ValueSource(ints = {2, 3, 4, 5, 6, 9})
     void theDistributionOfBlocksChangesNoBit(int threads) {
@@ -96,7 +96,7 @@ class ThreadsTest {
         }
     }
 
-    /** One particle has springs in the last block and in the two joints after it. */
+    /** One particle has springs in the last block and in the rest. */
     @Test
     void aParticleWithSpringsInABlockAndAfterItHasTheSameBits() {
         assertSameBits(2, threads -> {
@@ -116,8 +116,7 @@ class ThreadsTest {
             }
             double[] end = stateAfter(pairs, threads, STEPS);
             assertEquals(4, springs.countBlocks());
-            assertEquals(20_000, springs.getPartStart(5), "the last block and the joint of the first two end here");
-            assertEquals(20_005, springs.getPartStart(6));
+            assertEquals(20_000, springs.getPartStart(4), "the last block ends here");
             return end;
         });
     }
@@ -161,7 +160,7 @@ class ThreadsTest {
 
     @Test
     void fewerThanOneThreadIsRefused() {
-        assertThrows(IllegalArgumentException.class, () -> ParallelForces.use(cloth(), 0));
+        assertThrows(IllegalArgumentException.class, () -> ParallelForces.use(cloth().getForceSum(), 0));
     }
 
     /**
@@ -171,7 +170,7 @@ class ThreadsTest {
     @Test
     void parallelStepsAllocateNothing() throws InterruptedException {
         ParticleSystem cloth = cloth();
-        ParallelForces.use(cloth, 3);
+        ParallelForces.use(cloth.getForceSum(), 3);
         RK4Solver solver = new RK4Solver();
         int others = ForkJoinPool.getCommonPoolParallelism();
         CountDownLatch held = new CountDownLatch(others);
@@ -221,7 +220,7 @@ class ThreadsTest {
         ParticleSystem cloth = cloth();
         Failing failing = new Failing(new AtomicInteger(particle), new CountDownLatch(1));
         cloth.addEffect(failing);
-        ParallelForces.use(cloth, 3);
+        ParallelForces.use(cloth.getForceSum(), 3);
         double[] dSdt = new double[cloth.getStateSize()];
         assertEquals("particle " + particle,
                 assertThrows(ArithmeticException.class, () -> cloth.getStateDerivative(dSdt)).getMessage());
