@@ -2,8 +2,7 @@ package particles.output.files;
 
 import ar.com.hjg.pngj.FilterType;
 import ar.com.hjg.pngj.ImageInfo;
-import ar.com.hjg.pngj.ImageLineHelper;
-import ar.com.hjg.pngj.ImageLineInt;
+import ar.com.hjg.pngj.ImageLineByte;
 import ar.com.hjg.pngj.PngWriter;
 import java.io.ByteArrayOutputStream;
 import java.util.zip.Deflater;
@@ -27,12 +26,16 @@ public final class PngEncoder {
         PngWriter writer = new PngWriter(file, new ImageInfo(width, height, 8, false));
         writer.setCompLevel(Deflater.BEST_SPEED);
         writer.setFilterType(FilterType.FILTER_ADAPTIVE_FAST);
-        ImageLineInt row = new ImageLineInt(writer.imgInfo);
-        for (int p = 0; p < rgb.length; p++) {
-            ImageLineHelper.setPixelRGB8(row, p % width, rgb[p]);
-            if (p % width == width - 1) {
-                writer.writeRow(row);
+        ImageLineByte row = new ImageLineByte(writer.imgInfo);
+        byte[] line = row.getScanline();
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                int pixel = rgb[y * width + x];
+                line[3 * x] = (byte) (pixel >> 16);
+                line[3 * x + 1] = (byte) (pixel >> 8);
+                line[3 * x + 2] = (byte) pixel;
             }
+            writer.writeRow(row);
         }
         writer.end();
         return file.toByteArray();
