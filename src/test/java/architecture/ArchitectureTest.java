@@ -80,7 +80,7 @@ class ArchitectureTest {
                                            particles.spec.messages particles.teaching particles.teaching.effects
                                            particles.teaching.exercises particles.teaching.figures
                                            particles.teaching.marking particles.teaching.solvers particles.view
-                                           javax.crypto javax.crypto.spec javax.tools picocli
+                                           javax.tools picocli
             particles.effects:             deSolvers particles.law particles.spec
             particles.effects.springs:     deSolvers particles.law particles.view
             particles.energy:              deSolvers.text particles particles.law particles.view

@@ -13,6 +13,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
@@ -20,8 +21,9 @@ import particles.app.cli.Version;
 import particles.app.course.Result.HandIn;
 import particles.app.course.Result.Item;
 import particles.app.course.Result.Status;
-import particles.app.student.CheckEffectCommand;
-import particles.app.student.CheckSolverCommand;
+import particles.app.student.Check;
+import particles.app.student.CheckEffectCommand.EffectRun;
+import particles.app.student.CheckSolverCommand.SolverRun;
 import particles.app.student.StudentProcess;
 import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;
@@ -159,22 +161,20 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
     private List<Item> classes() {
         List<Item> items = new ArrayList<>();
         for (Map.Entry<String, Assignment.Asked> asked : assignment.solvers(sources.keySet()).entrySet()) {
-            items.add(check("solver", asked.getKey(), asked.getValue().weight(), CheckSolverCommand.NAME,
-                    "--method=" + asked.getValue().method()));
+            items.add(check("solver", asked.getKey(), asked.getValue().weight(), own -> new SolverRun(own,
+                    asked.getValue().method(), ChartFormat.PAGE)));
         }
         for (Map.Entry<String, Double> effect : assignment.effects().entrySet()) {
-            items.add(check("effect", effect.getKey(), effect.getValue(), CheckEffectCommand.NAME));
+            items.add(check("effect", effect.getKey(), effect.getValue(), EffectRun::new));
         }
         return items;
     }
 
-    private Item check(String kind, String name, double weight, String command, String... more) {
+    private Item check(String kind, String name, double weight, Function<String, Check> check) {
         boolean there = sources.containsKey(name);
-        List<String> args = new ArrayList<>(List.of(command, "--" + kind + "=exercises." + name, "--out="
-                + reports.resolve(name)));
-        args.addAll(List.of(more));
-        StudentProcess.Outcome outcome = there ? StudentProcess.run(args, sources) : new StudentProcess.Outcome(
-                ExitCode.BAD_INPUT, List.of("there is no file " + name + ".java"));
+        StudentProcess.Outcome outcome = there ? StudentProcess.run(check.apply("exercises." + name),
+                reports.resolve(name), sources) : new StudentProcess.Outcome(ExitCode.BAD_INPUT,
+                List.of("there is no file " + name + ".java"));
         return new Item(kind + " " + name, there, outcome.code() == ExitCode.DONE ? Status.PASS : outcome.code()
                 == ExitCode.STOPPED ? Status.ERROR : Status.FAIL, weight, new Mark(false, outcome.lines()).lines());
     }

@@ -9,6 +9,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import particles.law.Effect;
 import particles.law.Particles;
+import particles.app.student.Check.Checked;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.effects.EffectCheck;
@@ -32,40 +33,55 @@ public final class CheckEffectCommand extends CheckCommand {
     private String effect;
 
     @Override
-    String subject() {
-        return "--effect=" + effect;
+    Check check() {
+        return new EffectRun(effect);
     }
 
-    @Override
-    Checked check() {
-        try {
-            Function<Particles, Effect> law = particles -> EffectSample.create(effect, particles, new StudentClasses());
-            Effect made = law.apply(EffectSample.system().getParticles());
-            List<Finding> findings = EffectCheck.check(law);
-            boolean right = findings.stream().noneMatch(Finding::isWrong);
-            if (right && PlainRuns.differ(run -> EffectCheck.check(particles -> {
-                run.run();
-                return law.apply(particles);
-            }), () -> PlainRuns.forces(law))) {
-                findings = List.of(new Finding(Kind.FAILURE, "in a scene, or after many calls, its forces differ"
-                        + " from those in this check"));
-            }
-            Optional<String> other = EffectSample.checkedThrough(effect);
-            String identity = other.map(name -> "It acts through '" + name + "', which then")
-                    .orElse("The effect '" + made.getName() + "'") + " claims " + claims(made.getTraits()) + "."
-                    + (right ? ForceDirection.of(law) : "") + changed(EffectSample.actingThrough(effect));
-            return new Checked(other.isPresent() ? effect : made.getClass().getSimpleName(), identity, findings);
-        } catch (NoSuchElementException | IllegalArgumentException e) {
-            return new Checked(effect, e);
+    /**
+     * The check.
+     *
+     * @param subject the effect's name or class
+     */
+    public record EffectRun(String subject) implements Check {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public String command() {
+            return NAME;
         }
-    }
 
-    private static String changed(List<String> others) {
-        return others.isEmpty() ? "" : " With " + String.join(" or ", others) + " it claims less.";
-    }
+        @Override
+        public Checked make() {
+            try {
+                Function<Particles, Effect> law = particles -> EffectSample.create(subject, particles,
+                        new StudentClasses());
+                Effect made = law.apply(EffectSample.system().getParticles());
+                List<Finding> findings = EffectCheck.check(law);
+                boolean right = findings.stream().noneMatch(Finding::isWrong);
+                if (right && PlainRuns.differ(run -> EffectCheck.check(particles -> {
+                    run.run();
+                    return law.apply(particles);
+                }), () -> PlainRuns.forces(law))) {
+                    findings = List.of(new Finding(Kind.FAILURE, "in a scene, or after many calls, its forces differ"
+                            + " from those in this check"));
+                }
+                Optional<String> other = EffectSample.checkedThrough(subject);
+                String identity = other.map(name -> "It acts through '" + name + "', which then")
+                        .orElse("The effect '" + made.getName() + "'") + " claims " + claims(made.getTraits()) + "."
+                        + (right ? ForceDirection.of(law) : "") + changed(EffectSample.actingThrough(subject));
+                return new Checked(other.isPresent() ? subject : made.getClass().getSimpleName(), identity, findings);
+            } catch (NoSuchElementException | IllegalArgumentException e) {
+                return new Checked(subject, e);
+            }
+        }
 
-    private static String claims(Set<Effect.Trait> traits) {
-        return traits.isEmpty() ? "no property"
-                : new TreeSet<>(traits).stream().map(Enum::name).collect(Collectors.joining(", "));
+        private static String changed(List<String> others) {
+            return others.isEmpty() ? "" : " With " + String.join(" or ", others) + " it claims less.";
+        }
+
+        private static String claims(Set<Effect.Trait> traits) {
+            return traits.isEmpty() ? "no property"
+                    : new TreeSet<>(traits).stream().map(Enum::name).collect(Collectors.joining(", "));
+        }
     }
 }

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import particles.app.student.CheckCommand.Checked;
+import particles.app.student.Check.Checked;
 import particles.output.text.TableText;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;

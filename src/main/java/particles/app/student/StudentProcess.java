@@ -2,6 +2,7 @@ package particles.app.student;
 
 import java.io.File;
 import java.io.IOException;
+import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
 import java.io.Serializable;
 import java.io.UncheckedIOException;
@@ -23,14 +24,11 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
-import javax.crypto.Mac;
-import javax.crypto.spec.SecretKeySpec;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 
 /** Runs code that calls a student's class in a child process, so that the class cannot stop the program. */
 public final class StudentProcess {
-    private static final String PROGRAM = "particles.app.Main";      // by name: it imports the commands
     private static final int MEGABYTES = 256;
     /** A check ends itself after 63 s of CPU time, or of twice that where the class runs without the check too. */
     private static final Duration MOST_CPU_TIME = Duration.ofSeconds(200);
@@ -40,8 +38,6 @@ public final class StudentProcess {
     private static final int SIGNAL = 128;
     private static final int SECRET = 32;
     private static final int LONGEST = 1 << 20;
-    /** The option for a check to read its {@link Task} from its input and to write its verdict into this file. */
-    static final String VERDICT = "--verdict";
 
     private StudentProcess() {
     }
@@ -60,19 +56,22 @@ public final class StudentProcess {
      *
      * @param secret  signs the verdict; it is never written anywhere
      * @param sources the text of the student's classes, which no other check can change any more
+     * @param check   the check
+     * @param folder  receives its report
      */
-    record Task(byte[] secret, TreeMap<String, String> sources) implements Serializable {
+    record Task(byte[] secret, TreeMap<String, String> sources, Check check, String folder) implements Serializable {
         private static final long serialVersionUID = 1L;
 
         /** @return the text with a signature that only a holder of the secret can make, on a line before it */
         private byte[] signed(String text) {
             try {
-                Mac mac = Mac.getInstance("HmacSHA256");
-                mac.init(new SecretKeySpec(secret, "HmacSHA256"));
-                byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
-                return (HexFormat.of().formatHex(mac.doFinal(bytes)) + "\n" + text).getBytes(StandardCharsets.UTF_8);
+                MessageDigest sha = MessageDigest.getInstance("SHA-256");   // javax.crypto takes 40 ms to load
+                sha.update(secret);
+                byte[] inner = sha.digest(text.getBytes(StandardCharsets.UTF_8));
+                sha.update(secret);                     // twice, as in HMAC: a known signature cannot be extended
+                return (HexFormat.of().formatHex(sha.digest(inner)) + "\n" + text).getBytes(StandardCharsets.UTF_8);
             } catch (GeneralSecurityException e) {
-                throw new AssertionError("every Java has HmacSHA256", e);
+                throw new AssertionError("every Java has SHA-256", e);
             }
         }
 
@@ -96,32 +95,59 @@ public final class StudentProcess {
      * Runs a check in a process with little memory. The class may print anything and end the process at any time with
      * any exit code. So only a signed verdict counts; the rest of what is printed goes nowhere.
      *
-     * @param args    the command and its options
+     * @param check   the check
+     * @param folder  receives its report
      * @param sources the text of the student's classes
      * @return the result
      * @throws UncheckedIOException if no process can be made
      */
-    public static Outcome run(List<String> args, Map<String, String> sources) {
+    public static Outcome run(Check check, Path folder, Map<String, String> sources) {
         byte[] secret = new byte[SECRET];
         new SecureRandom().nextBytes(secret);
-        Task task = new Task(secret, new TreeMap<>(sources));
+        Task task = new Task(secret, new TreeMap<>(sources), check, folder.toString());
         try {
-            Path folder = Files.createTempDirectory("desolver-check");
+            Path own = Files.createTempDirectory("desolver-check");
             try {
-                Path verdict = folder.resolve("verdict");
-                List<String> all = new ArrayList<>(args);
-                all.add(VERDICT + "=" + verdict);
-                Optional<Outcome> stopped = await(builder(all).redirectErrorStream(true)
+                Path verdict = own.resolve("verdict");
+                Optional<Outcome> stopped = await(builder(verdict).redirectErrorStream(true)
                         .redirectOutput(Redirect.DISCARD), task);
                 boolean isThere = Files.isRegularFile(verdict, LinkOption.NOFOLLOW_LINKS)
                         && Files.size(verdict) <= LONGEST;
                 byte[] signed = isThere ? Files.readAllBytes(verdict) : new byte[0];
                 return stopped.orElseGet(() -> task.read(signed));
             } finally {
-                delete(folder);
+                delete(own);
             }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
+        }
+    }
+
+    /**
+     * The process of a check: reads the {@link Task} from its input, and writes the signed verdict.
+     *
+     * @param args the file of the verdict
+     * @throws IOException            if the task cannot be read
+     * @throws ClassNotFoundException if it is not one
+     */
+    public static void main(String[] args) throws IOException, ClassNotFoundException {
+        Task task;
+        try (ObjectInputStream input = new ObjectInputStream(System.in)) {
+            task = (Task) input.readObject();
+        }
+        new StudentLoader(task::sources, StudentProcess.class.getClassLoader()).install();
+        new CheckRun(task.check(), Path.of(task.folder()), (code, report) -> end(Path.of(args[0]), task, code,
+                report)).run();
+    }
+
+    /** Writes the verdict once and ends the process, in which code of the class may still be running. */
+    private static synchronized void end(Path verdict, Task task, ExitCode code, List<String> report) {
+        try {
+            Files.write(verdict, task.sign(new Outcome(code, report.stream().flatMap(String::lines).toList())));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        } finally {
+            Runtime.getRuntime().halt(code.code());
         }
     }
 
@@ -134,7 +160,7 @@ public final class StudentProcess {
         }
     }
 
-    private static ProcessBuilder builder(List<String> args) {
+    private static ProcessBuilder builder(Path verdict) {
         List<String> line = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-Xmx" + MEGABYTES + "m", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Djava.awt.headless=true",
                 "-cp", System.getProperty("java.class.path")));
@@ -142,8 +168,7 @@ public final class StudentProcess {
         if (startedBy != null) {                        // null where it was not set
             line.add("-D" + OptionStyle.STARTED_BY + "=" + startedBy);
         }
-        line.add(PROGRAM);
-        line.addAll(args);
+        line.addAll(List.of(StudentProcess.class.getName(), verdict.toString()));
         return new ProcessBuilder(line);
     }
 

@@ -1,5 +1,7 @@
 package particles.output.charts;
 
+import java.io.Serializable;
+
 /**
  * The format in which charts are drawn.
  *
@@ -7,7 +9,8 @@ package particles.output.charts;
  * @param svg   whether each is written as a vector graphic, too
  * @param dark  whether each is drawn on black, for a dark room
  */
-public record ChartFormat(boolean slide, boolean svg, boolean dark) {
+public record ChartFormat(boolean slide, boolean svg, boolean dark) implements Serializable {
+    private static final long serialVersionUID = 1L;
     /** Pictures for page and screen, as PNG alone. */
     public static final ChartFormat PAGE = new ChartFormat(false, false);
 

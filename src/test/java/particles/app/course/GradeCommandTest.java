@@ -195,7 +195,7 @@ class GradeCommandTest {
     @Test
     void noHostileClassGetsOrSpoilsAMark() throws Exception {
         String verdict = """
-                System.getProperty("sun.java.command").replaceFirst(".*--verdict=", "")""";
+                System.getProperty("sun.java.command").replaceFirst(".* ", "")""";
         String forge = """
                 java.nio.file.Files.writeString(java.nio.file.Path.of(%s), "00\\nDONE\\nright");""".formatted(verdict);
         hostile("AppendSolver", """

@@ -11,8 +11,9 @@ import particles.app.cli.ExitCode;
 class StudentProcessTest {
     @Test
     void onlyAVerdictSignedInThisRunCounts() {
-        StudentProcess.Task task = new StudentProcess.Task(new byte[] {1, 2}, new TreeMap<>());
-        StudentProcess.Task other = new StudentProcess.Task(new byte[] {1, 3}, new TreeMap<>());
+        Check check = new CheckEffectCommand.EffectRun("gravity");
+        StudentProcess.Task task = new StudentProcess.Task(new byte[] {1, 2}, new TreeMap<>(), check, "");
+        StudentProcess.Task other = new StudentProcess.Task(new byte[] {1, 3}, new TreeMap<>(), check, "");
         StudentProcess.Outcome right = new StudentProcess.Outcome(ExitCode.DONE, List.of("a line", "", "another"));
         assertEquals(right, task.read(task.sign(right)));
         String wrong = new String(task.sign(new StudentProcess.Outcome(ExitCode.BAD_INPUT, List.of("a line"))));

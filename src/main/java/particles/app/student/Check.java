@@ -1,0 +1,76 @@
+package particles.app.student;
+
+import java.io.Serializable;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import particles.output.charts.ChartFormat;
+import particles.output.report.Picture;
+import particles.teaching.Finding;
+import particles.teaching.Finding.Kind;
+import particles.view.DataTable;
+
+/** A check of a student's class, which can be sent to another process. */
+public interface Check extends Serializable {
+    /** @return the name of its command */
+    String command();
+
+    /** @return the name of the class, as typed */
+    String subject();
+
+    /** @return the format of its charts */
+    default ChartFormat format() {
+        return ChartFormat.PAGE;
+    }
+
+    /** Makes it; runs the class's own code. */
+    Checked make();
+
+    /** @return the file of its report in this folder */
+    default Path report(Path folder) {
+        return folder.resolve(command() + ".md");
+    }
+
+    /**
+     * The result of a check.
+     *
+     * @param subject  the short name of the class checked
+     * @param identity the method or law identified, in a sentence
+     * @param findings mistakes and notes
+     * @param pictures the pictures of the report
+     * @param tables   its tables
+     */
+    record Checked(String subject, String identity, List<Finding> findings, List<Picture> pictures,
+            List<DataTable> tables) {
+        /** In place of the identity. */
+        static final String NOT_CHECKED = "it cannot be checked.";
+
+        /** A result without pictures and tables. */
+        Checked(String subject, String identity, List<Finding> findings) {
+            this(subject, identity, findings, List.of(), List.of());
+        }
+
+        /** A class that cannot be checked, for this reason. */
+        Checked(String subject, Exception reason) {
+            this(subject, NOT_CHECKED, List.of(new Finding(Kind.FAILURE, String.valueOf(reason.getMessage()))));
+        }
+
+        boolean isRight() {
+            return findings.stream().noneMatch(Finding::isWrong);
+        }
+
+        /** @return the findings as paragraphs of a report */
+        List<String> paragraphs() {
+            List<String> text = new ArrayList<>(List.of(isRight() ? "Nothing is wrong." : "What is wrong:"));
+            findings.stream().filter(Finding::isWrong).forEach(finding -> text.add("- **" + finding.kind().word()
+                    + "**: " + finding.text()));
+            List<String> advice = findings.stream().filter(finding -> !finding.isWrong()).map(finding -> "- "
+                    + finding.text()).toList();
+            if (!advice.isEmpty()) {
+                text.add("Advice:");
+                text.addAll(advice);
+            }
+            return text;
+        }
+    }
+}
