@@ -43,6 +43,11 @@ public record Vector3(double x, double y, double z) {
         return new Vector3(factor * x, factor * y, factor * z);
     }
 
+    /** @return this divided by the number */
+    public Vector3 over(double divisor) {
+        return new Vector3(x / divisor, y / divisor, z / divisor);
+    }
+
     /** @return the scalar product */
     public double dot(Vector3 b) {
         return x * b.x + y * b.y + z * b.z;
@@ -79,7 +84,7 @@ public record Vector3(double x, double y, double z) {
         if (!(length > 0) || !Double.isFinite(length)) {
             throw new IllegalArgumentException(this + " has no direction");
         }
-        return new Vector3(x / length, y / length, z / length);
+        return over(length);
     }
 
     /**

@@ -1,5 +1,6 @@
 package particles.reactions;
 
+import java.nio.DoubleBuffer;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
@@ -19,14 +20,9 @@ final class ContactQueries {
     private final ContactModes modes;
     private final Blocks blocks;
     private final Blocks singles;                       // each particle under a known force
-    private Optional<Block> asked = Optional.empty();   // the last question, of which the rest is kept
+    private List<?> asked = List.of();                  // the last question, of which the rest is kept
     private Optional<String> failure = Optional.empty();
     private Optional<StaticFriction> atRest = Optional.empty();
-    private double[] askedState = {};
-    private double[] askedForce = {};
-    private BitSet askedHeld = new BitSet();
-    private int askedChanges;
-    private int askedSolution;
 
     ContactQueries(ParticleSystem system, RestingContacts contacts, Blocks blocks) {
         this.system = system;
@@ -42,26 +38,23 @@ final class ContactQueries {
         for (int i : block.particles) {
             held.set(i, isHeld.test(i));
         }
-        if (asked.isPresent() && asked.get() == block && askedSolution == blocks.getSolutions()
-                && askedChanges == modes.getChanges() && askedHeld.equals(held) && Arrays.equals(askedState, state)
-                && Arrays.equals(askedForce, force)) {
-            return;
+        if (!asked.equals(question(block, held, state, force))) {
+            block.take(state, isHeld, Block.ALL);
+            failure = blocks.solve(block, state, force);
+            atRest = Optional.empty();
+            asked = question(block, held, state.clone(), force.clone());
         }
-        block.take(state, isHeld, Block.ALL);
-        failure = blocks.solve(block, state, force);
-        atRest = Optional.empty();
-        asked = Optional.of(block);
-        askedSolution = blocks.getSolutions();
-        askedChanges = modes.getChanges();
-        askedHeld = held;
-        askedState = state.clone();
-        askedForce = force.clone();
     }
 
-    /** The forces on the held particles in the last question. */
-    private StaticFriction forcesAtRest(double[] state, double[] force) {
+    private List<?> question(Block block, BitSet held, double[] state, double[] force) {
+        return List.of(block, held, blocks.getSolutions(), modes.getChanges(), DoubleBuffer.wrap(state),
+                DoubleBuffer.wrap(force));
+    }
+
+    /** The forces on the held particles of a block in the last question. */
+    private StaticFriction forcesAtRest(Block block, double[] state, double[] force) {
         if (atRest.isEmpty()) {
-            atRest = Optional.of(new StaticFriction(this, asked.get(), state, blocks.addUp(asked.get(), force)));
+            atRest = Optional.of(new StaticFriction(this, block, state, blocks.addUp(block, force)));
         }
         return atRest.get();
     }
@@ -77,7 +70,7 @@ final class ContactQueries {
             }
         }
         if (!block.isJoined() || modes.isSticking(particle)) {
-            block = push(particle, state, block.isJoined() ? forcesAtRest(state, force).getForces() : force);
+            block = push(particle, state, block.isJoined() ? forcesAtRest(block, state, force).getForces() : force);
         }
         int r = block.find(Kind.SURFACE, surface, particle);
         double push = r < 0 ? 0 : blocks.push(block, r, force);
@@ -125,7 +118,7 @@ final class ContactQueries {
                 && !isDriven(block, i, state));
         boolean moves = failure.isPresent()             // the rods' motion keeps it from standing still
                 || blocks.getLeft() > RestingContacts.ROUNDING && isDriven(block, -1, state);
-        return moves ? -1 : forcesAtRest(state, force).margin(particle);
+        return moves ? -1 : forcesAtRest(block, state, force).margin(particle);
     }
 
     /** The margin of a particle under a known force: of its contacts' static friction over the force along them (N). */

@@ -1,7 +1,6 @@
 package particles.reactions;
 
 import java.util.Arrays;
-import particles.law.Obstacle;
 import particles.law.Particles;
 import particles.law.Vector3;
 import particles.reactions.contact.ContactSurface;
@@ -53,7 +52,7 @@ final class Rows {
 
     /** Adds the row of a rod or of two balls, in the order of kinds; it keeps this distance (m). */
     void addLink(Kind link, int from, int to, double distance) {
-        int r = append(link);
+        int r = append(link, from, to, distance);
         for (; r > 0 && kind[r - 1].compareTo(link) > 0; r--) {
             copy(this, r - 1, r);
         }
@@ -63,8 +62,7 @@ final class Rows {
     /** Adds the rows of a bead. */
     void addBead(int particle, Curve wire) {
         for (int k = 0; k < Curve.ROWS; k++) {
-            int r = append(Kind.WIRE);
-            set(r, Kind.WIRE, particle, -1, 1);
+            int r = append(Kind.WIRE, particle, -1, 1);
             curve[r] = wire;
             function[r] = k;
         }
@@ -72,8 +70,7 @@ final class Rows {
 
     /** Adds the row of a particle and the surface with an index, whether it touches or not. */
     void addContact(int particle, int index, ContactSurface on) {
-        int r = append(Kind.SURFACE);
-        set(r, Kind.SURFACE, particle, -1, 1);
+        int r = append(Kind.SURFACE, particle, -1, 1);
         number[r] = index;
         surface[r] = on;
         bend[r] = 0;
@@ -81,7 +78,7 @@ final class Rows {
 
     /** Adds a row of another list. */
     void add(Rows from, int row) {
-        int r = append(from.kind[row]);
+        int r = append(from.kind[row], from.first[row], from.second[row], from.length[row]);
         copy(from, row, r);
         number[r] = row;
     }
@@ -93,7 +90,7 @@ final class Rows {
         this.length[r] = length;
     }
 
-    private int append(Kind more) {
+    private int append(Kind more, int from, int to, double distance) {
         ofKind[more.ordinal()]++;
         if (count == kind.length) {
             int size = 2 * count + 1;
@@ -113,6 +110,7 @@ final class Rows {
             push = new double[size];
         }
         changes++;
+        set(count, more, from, to, distance);
         return count++;
     }
 
@@ -182,34 +180,26 @@ final class Rows {
     }
 
     private void evaluateLink(int r, double[] state, int a, int b) {
-        double dx = state[b] - state[a];
-        double dy = state[b + 1] - state[a + 1];
-        double dz = state[b + 2] - state[a + 2];
-        double u = state[b + 3] - state[a + 3];
-        double v = state[b + 4] - state[a + 4];
-        double w = state[b + 5] - state[a + 5];
+        Vector3 d = Vector3.at(state, b).minus(Vector3.at(state, a));
+        Vector3 u = Vector3.at(state, b + 3).minus(Vector3.at(state, a + 3));
         double l = length[r];
-        value[r] = (dx * dx + dy * dy + dz * dz - l * l) / (2 * l);
-        rate[r] = (dx * u + dy * v + dz * w) / l;
-        bend[r] = (u * u + v * v + w * w) / l;
-        int g = 6 * r;
-        gradient[g + 3] = dx / l;
-        gradient[g + 4] = dy / l;
-        gradient[g + 5] = dz / l;
-        gradient[g] = -gradient[g + 3];
-        gradient[g + 1] = -gradient[g + 4];
-        gradient[g + 2] = -gradient[g + 5];
+        value[r] = (d.dot(d) - l * l) / (2 * l);
+        rate[r] = d.dot(u) / l;
+        bend[r] = u.dot(u) / l;
+        Vector3 along = d.over(l);
+        along.times(-1).put(gradient, 6 * r);
+        along.put(gradient, 6 * r + 3);
     }
 
     private void evaluateContact(int r, double[] state, int x, boolean withDistance) {
-        Obstacle obstacle = surface[r].obstacle();
-        obstacle.normal(state[x], state[x + 1], state[x + 2]).put(gradient, 6 * r);
+        ContactSurface on = surface[r];
+        on.normal(state, first[r]).put(gradient, 6 * r);
         rate[r] = dot(gradient, 6 * r, state, x + 3);
         if (withDistance) {
-            value[r] = surface[r].distance(state, first[r]);
+            value[r] = on.distance(state, first[r]);
         }
-        if (!obstacle.isFlat()) {
-            bend[r] = obstacle.curvature(state[x], state[x + 1], state[x + 2])
+        if (!on.obstacle().isFlat()) {
+            bend[r] = on.obstacle().curvature(state[x], state[x + 1], state[x + 2])
                     * (dot(state, x + 3, state, x + 3) - rate[r] * rate[r]);
         }
     }
@@ -228,9 +218,7 @@ final class Rows {
     void addForce(int row, double lambda, double[] force) {
         for (int k = 0; k < (second[row] < 0 ? 1 : 2); k++) {
             int f = STRIDE * (k == 0 ? first : second)[row] + 3;
-            for (int c = 0; c < 3; c++) {
-                force[f + c] += lambda * pull[6 * row + 3 * k + c];
-            }
+            Vector3.at(force, f).plus(Vector3.at(pull, 6 * row + 3 * k).times(lambda)).put(force, f);
         }
     }
 

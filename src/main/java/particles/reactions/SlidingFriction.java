@@ -19,12 +19,7 @@ final class SlidingFriction {
     /** What is left of a vector along surfaces is round-off below this, relative to the vector. */
     private static final double ROUNDING = 1e-14;
 
-    /**
-     * The direction that friction opposes: a tangential velocity (m/s), or the force that will move the particle (N).
-     */
-    private final double[] direction = new double[3];
-    private final double[] beginning = new double[3];
-    private final double[] axes = new double[9];        // orthonormal, of the normals of pushing surfaces
+    private final Vector3[] axes = new Vector3[3];      // orthonormal, of the normals of pushing surfaces
     private int surfaces;
     private double[] stepBegin = {};                    // the state at the beginning of the step
     private double[] stopping = {};                     // m/deltaT of a particle that may stop in the step, or 0 (kg/s)
@@ -106,14 +101,9 @@ final class SlidingFriction {
 
     /** Whether a particle on a surface does not move along it. */
     private static boolean isAtRest(Rows rows, int r, double[] state) {
-        double speed = 0;
-        double along = 0;
-        for (int c = 0; c < 3; c++) {
-            double v = state[Particles.STRIDE * rows.first[r] + 3 + c];
-            speed += Math.abs(v);
-            along += Math.abs(v - rows.rate[r] * rows.gradient[6 * r + c]);
-        }
-        return along <= ROUNDING * speed;
+        Vector3 v = Vector3.at(state, Particles.STRIDE * rows.first[r] + 3);
+        Vector3 along = v.minus(Vector3.at(rows.gradient, 6 * r).times(rows.rate[r]));
+        return along.norm1() <= ROUNDING * v.norm1();
     }
 
     /**
@@ -129,82 +119,65 @@ final class SlidingFriction {
             return;
         }
         surfaces = 0;
-        keepAlong(rows.gradient, 6 * r);
+        keepAlong(Vector3.at(rows.gradient, 6 * r));
         double all = 0;                                 // the particle's Coulomb friction
         for (int j = 0; pushKnown && j < rows.count; j++) {
             if (areTogether(rows, j, r)) {
                 all += rows.friction(j).ofCoulomb(rows.push[j]);
                 if (j != r && rows.push[j] != 0) {
-                    keepAlong(rows.gradient, 6 * j);
+                    keepAlong(Vector3.at(rows.gradient, 6 * j));
                 }
             }
         }
         double push = pushKnown && rows.push[r] > 0 ? rows.push[r] : 1;
         double share = all > 0 ? rows.friction(r).ofCoulomb(rows.push[r]) / all : 1;
-        double factor = find(rows.friction(r), push, share, force, state, Particles.STRIDE * rows.first[r] + 3) / push;
-        for (int c = 0; c < 3 && factor != 0; c++) {
-            rows.pull[6 * r + c] -= factor * direction[c];
-        }
+        Vector3 friction = find(rows.friction(r), push, share, force, state, Particles.STRIDE * rows.first[r] + 3);
+        Vector3.at(rows.pull, 6 * r).minus(friction).put(rows.pull, 6 * r);
     }
 
     /** Lets the particle slide only along one more surface, with a normal. */
-    private void keepAlong(double[] normals, int place) {
+    private void keepAlong(Vector3 normal) {
         if (surfaces == 3) {
             return;
         }
-        System.arraycopy(normals, place, direction, 0, 3);
-        double length = 1;
-        if (surfaces > 0) {
-            along(direction, 0, direction);
-            length = length(direction);
-        }
+        Vector3 rest = along(normal);
+        double length = surfaces == 0 ? 1 : length(rest);
         if (length > PARALLEL) {
-            for (int c = 0; c < 3; c++) {
-                axes[3 * surfaces + c] = direction[c] / length;
-            }
-            surfaces++;
+            axes[surfaces++] = rest.over(length);
         }
     }
 
     /**
-     * Finds the direction and the factor of friction. A particle that may stop within the step gets the constant force
-     * that stops it at the end of the step, minus (F_t + m v_0/deltaT), or where that is more than mu N, as much of it
-     * as mu N. This does not depend on the present velocity, whose direction turns the faster the slower it is, so that
-     * any solver can follow it. The error is O(deltaT), as that of the time of the stop.
+     * Finds the friction per 1 N of the normal force, with the opposite sign. It acts against a direction: a tangential
+     * velocity (m/s), or the force that will move the particle (N). A particle that may stop within the step gets the
+     * constant force that stops it at the end of the step, minus (F_t + m v_0/deltaT), or where that is more than mu N,
+     * as much of it as mu N. This does not depend on the present velocity, whose direction turns the faster the slower
+     * it is, so that any solver can follow it. The error is O(deltaT), as that of the time of the stop.
      *
      * @param push  the normal force (N)
      * @param share the part of the particle's Coulomb friction that this surface can give: 1 if it is the only one
      * @param force the force that would move the particle along the surface, without friction (N), from entry v on
      * @param v     the index of the particle's velocity in the state
-     * @return the factor: friction is minus factor times direction
      */
-    private double find(Friction law, double push, double share, double[] force, double[] state, int v) {
-        double factor = push * law.coefficient();
-        if (law.law() == Friction.Law.COULOMB && mayStop(v / Particles.STRIDE)) {
-            return findStop(factor, share, force, v);
+    private Vector3 find(Friction law, double push, double share, double[] force, double[] state, int v) {
+        double most = push * law.coefficient();
+        Vector3 velocity = along(Vector3.at(state, v));
+        if (law.law() == Friction.Law.SLIDE) {
+            return velocity.times(most / push);
         }
-        along(state, v, direction);
-        if (law.law() == Friction.Law.COULOMB) {
-            followBeginning(v);
+        Vector3 needed = along(Vector3.at(force, v));
+        if (mayStop(v / Particles.STRIDE)) {
+            Vector3 beginning = along(Vector3.at(stepBegin, v));
+            needed = needed.plus(beginning.times(stopping[v / Particles.STRIDE]));
+        } else {
+            Vector3 direction = followBeginning(velocity, v);
             double speed = length(direction);
             if (speed > 0) {
-                factor /= speed;
-            } else {                                    // about to move: against the force that will move it
-                along(force, v, direction);
-                factor = share * length(direction) <= factor ? share : factor / length(direction);
+                return direction.times(most / speed / push);
             }
         }
-        return factor;
-    }
-
-    private double findStop(double most, double share, double[] force, int v) {
-        along(force, v, direction);
-        along(stepBegin, v, beginning);
-        for (int c = 0; c < 3; c++) {
-            direction[c] += stopping[v / Particles.STRIDE] * beginning[c];
-        }
-        double needed = length(direction);
-        return share * needed <= most ? share : most / needed;
+        double size = length(needed);                   // if it is about to move: against the force that will move it
+        return needed.times((share * size <= most ? share : most / size) / push);
     }
 
     /**
@@ -212,45 +185,32 @@ final class SlidingFriction {
      * straight back this gives the initial direction, as if the sliding had not reversed; obliquely it keeps friction
      * continuous, so that implicit solvers converge. A velocity that is only round-off is replaced by the initial one.
      */
-    private void followBeginning(int v) {
+    private Vector3 followBeginning(Vector3 velocity, int v) {
         if (stepBegin.length <= v) {
-            return;
+            return velocity;
         }
         if (startsFromRest(v / Particles.STRIDE)) {
-            Arrays.fill(direction, 0);                  // a velocity that is mostly round-off at first
-            return;
+            return Vector3.ZERO;                        // a velocity that is mostly round-off at first
         }
-        along(stepBegin, v, beginning);
-        if (length(direction) < ALMOST_STOPPED * length(beginning)) {
-            System.arraycopy(beginning, 0, direction, 0, 3);
-            return;
-        }
-        double forward = direction[0] * beginning[0] + direction[1] * beginning[1] + direction[2] * beginning[2];
+        Vector3 beginning = along(Vector3.at(stepBegin, v));
         double length = length(beginning);
-        for (int c = 0; c < 3 && forward < 0; c++) {
-            direction[c] -= 2 * forward / length * (beginning[c] / length);
+        if (length(velocity) < ALMOST_STOPPED * length) {
+            return beginning;
         }
+        double forward = velocity.dot(beginning);
+        return forward < 0 ? velocity.minus(beginning.over(length).times(2 * forward / length)) : velocity;
     }
 
     /** The part of a vector along all surfaces. */
-    private void along(double[] vectors, int place, double[] result) {
-        double x = vectors[place];
-        double y = vectors[place + 1];
-        double z = vectors[place + 2];
-        double least = ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(z));
-        for (int a = 0; a < 3 * surfaces; a += 3) {
-            double across = axes[a] * x + axes[a + 1] * y + axes[a + 2] * z;
-            x -= across * axes[a];
-            y -= across * axes[a + 1];
-            z -= across * axes[a + 2];
+    private Vector3 along(Vector3 vector) {
+        Vector3 rest = vector;
+        for (int a = 0; a < surfaces; a++) {
+            rest = rest.minus(axes[a].times(axes[a].dot(rest)));
         }
-        boolean none = surfaces == 3 || Math.abs(x) + Math.abs(y) + Math.abs(z) <= least;
-        result[0] = none ? 0 : x;
-        result[1] = none ? 0 : y;
-        result[2] = none ? 0 : z;
+        return surfaces == 3 || rest.norm1() <= ROUNDING * vector.norm1() ? Vector3.ZERO : rest;
     }
 
-    private static double length(double[] vector) {
-        return Math.sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
+    private static double length(Vector3 vector) {
+        return Math.sqrt(vector.dot(vector));
     }
 }

@@ -1,23 +1,19 @@
 package particles.rules;
 
 import particles.ParticleSystem;
+import particles.Rule;
 
-/** Removes the particles of a system for which a test is true. */
-final class Deaths {
-    private Deaths() {
-    }
+/** A rule that removes particles at the end of a step. */
+abstract class Deaths implements Rule {
+    /** Whether a particle is to be removed. */
+    abstract boolean goes(ParticleSystem system, int i);
 
-    /** Selects the particles to remove. */
-    interface Test {
-        boolean goes(ParticleSystem system, int i);
-    }
-
-    /** Returns whether any particle was removed. */
-    static boolean remove(ParticleSystem system, Test test) {
+    @Override
+    public final boolean afterStep(ParticleSystem system, double deltaT) {
         boolean[] gone = new boolean[system.getParticles().count()];
         boolean any = false;
         for (int i = 0; i < gone.length; i++) {
-            gone[i] = test.goes(system, i);
+            gone[i] = goes(system, i);
             any |= gone[i];
         }
         if (any) {
