@@ -5,8 +5,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
-import java.util.stream.IntStream;
-import particles.reactions.Rows.Kind;
+import particles.reactions.Row.Kind;
 import particles.reactions.contact.ContactModes;
 import particles.reactions.contact.ContactModes.Mode;
 
@@ -34,12 +33,12 @@ public final class BallContacts {
 
     /** @return the first ball of a contact */
     public int first(int contact) {
-        return rows.first[contact];
+        return rows.get(contact).first;
     }
 
     /** @return its second ball */
     public int second(int contact) {
-        return rows.second[contact];
+        return rows.get(contact).second;
     }
 
     /** Ends the contact with this number. */
@@ -116,8 +115,9 @@ public final class BallContacts {
         blocks.prepare(state, time);
         forEach(block -> {
             blocks.solve(block, state, time, force);
-            IntStream.range(0, block.rows.count).filter(r -> block.rows.kind[r] == Kind.BALLS)
-                    .forEach(r -> least[0] = Math.min(least[0], blocks.push(block, r, force)));
+            for (Row row : block.rows) {
+                least[0] = row.kind != Kind.BALLS ? least[0] : Math.min(least[0], blocks.push(block, row, force));
+            }
         });
         return least[0];
     }
@@ -128,12 +128,12 @@ public final class BallContacts {
         blocks.prepare(state, time);
         forEach(block -> {
             blocks.solve(block, state, time, force);
-            for (int r = 0; r < block.rows.count; r++) {
-                boolean free = block.isContact(r) && blocks.push(block, r, force) < 0;
-                if (free && block.rows.kind[r] == Kind.BALLS) {
-                    ending.set(block.rows.number[r]);
+            for (Row row : block.rows) {
+                boolean free = row.isContact() && blocks.push(block, row, force) < 0;
+                if (free && row.kind == Kind.BALLS) {
+                    ending.set(row.number);
                 } else if (free) {
-                    modes.set(block.rows.number[r], block.rows.first[r], Mode.FREE);
+                    modes.set(row.number, row.first, Mode.FREE);
                 }
             }
         });

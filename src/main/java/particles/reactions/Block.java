@@ -1,10 +1,14 @@
 package particles.reactions;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.List;
+import java.util.Optional;
 import java.util.function.IntPredicate;
+import java.util.function.Predicate;
 import particles.law.Particles;
-import particles.reactions.Rows.Kind;
+import particles.reactions.Row.Kind;
 import particles.reactions.algebra.ActiveSetMethod;
 import particles.reactions.algebra.EnvelopeMatrix;
 import particles.reactions.contact.ContactModes.Mode;
@@ -21,15 +25,15 @@ import particles.reactions.contact.ContactModes.Mode;
  */
 final class Block {
     private static final int STRIDE = Particles.STRIDE;
-    /** No row or pair of balls. */
+    /** No particle, surface or pair of balls. */
     static final int NONE = -1;
-    /** For {@link #solve} and {@link #take}: all rows. */
+    /** All pairs of balls. */
     static final int ALL = -2;
 
     final int[] members;                                // rows of rods, wires and balls, neighbours near each other
     final int[] particles;                              // that can move
-    final Rows rows = new Rows();
-    final BitSet held = new BitSet();                   // particles that do not move
+    Row[] rows = {};
+    BitSet held = new BitSet();                         // particles that do not move
     private final Rows all;
     private final Particles system;
     private final RestingContacts contacts;
@@ -40,14 +44,15 @@ final class Block {
     private final BitSet placed = new BitSet();         // particles whose contacts have rows
     private int struckSurface = NONE;                   // has a row for one particle that it does not touch yet
     private int struckParticle = NONE;
-    double[] right = {};
+    private double[] right = {};
     private double[] solution = {};
     private double[] separation = {};
-    private int[] movable = {};                         // two particles a row, NONE for those that do not move
     private boolean[] mayOpen = {};
     private boolean[] active = {};
     private boolean assembled;                          // for the present gradients
     private int gatheredAt = NONE;                      // the modes' count of changes
+    private BitSet usual = held;                        // particles that are held in most uses
+    private int usualAt = NONE;
 
     /**
      * @param members     rows of {@code all}
@@ -63,7 +68,7 @@ final class Block {
         this.contacts = contacts;
         this.usuallyHeld = usuallyHeld;
         this.activeSet = activeSet;
-        hasPairs = Arrays.stream(members).anyMatch(r -> all.kind[r] == Kind.BALLS);
+        hasPairs = Arrays.stream(members).anyMatch(r -> all.get(r).kind == Kind.BALLS);
     }
 
     boolean isJoined() {
@@ -76,68 +81,80 @@ final class Block {
     }
 
     /**
-     * Evaluates the rows at a state. Their set is found again only if a contact mode has changed since.
+     * Evaluates the rows at a state, while the usual particles are held.
      *
      * @param pairs the pairs of balls in contact that get a row: {@link #ALL} or {@link #NONE}
      */
     void take(double[] state, int pairs) {
-        if (hasPairs && pairs == NONE) {
-            take(state, usuallyHeld, NONE);
-            return;
+        if (usualAt != contacts.getModes().getChanges()) {
+            usualAt = contacts.getModes().getChanges();
+            usual = where(usuallyHeld);
         }
-        if (gatheredAt != contacts.getModes().getChanges()) {
-            gather(usuallyHeld, ALL);
-            gatheredAt = contacts.getModes().getChanges();
+        take(state, usual, pairs);
+    }
+
+    /** The particles of the block with a property. */
+    BitSet where(IntPredicate property) {
+        BitSet found = new BitSet();
+        for (int i : particles) {
+            found.set(i, property.test(i));
         }
-        evaluate(state);
+        return found;
     }
 
     /**
-     * Evaluates the rows while given particles are held.
+     * Evaluates the rows while given particles are held. Their set is found again only if a contact mode has changed
+     * since, or others are held.
      *
      * @param pair the two balls in contact that get a row; {@link #ALL} or {@link #NONE}
      */
-    void take(double[] state, IntPredicate isHeld, int pair) {
-        gather(isHeld, pair);
+    void take(double[] state, BitSet nowHeld, int pair) {
+        int changes = contacts.getModes().getChanges();
+        boolean lasts = !hasPairs || nowHeld == usual && pair == ALL;
+        if (!lasts || gatheredAt != changes || !held.equals(nowHeld)) {
+            held = nowHeld;
+            gather(pair);
+            gatheredAt = lasts ? changes : NONE;
+        }
         evaluate(state);
     }
 
     /** Evaluates the rows with that of an impact of a particle on a surface, which is returned; balls have no rows. */
-    int takeForImpact(int surface, int particle, double[] state) {
+    Row takeForImpact(int surface, int particle, double[] state) {
         struckSurface = surface;
         struckParticle = particle;
+        gatheredAt = NONE;
         try {
-            take(state, i -> false, NONE);
+            take(state, new BitSet(), NONE);
         } finally {
             struckParticle = NONE;
+            gatheredAt = NONE;
         }
-        return find(Kind.SURFACE, surface, particle);
+        return find(Kind.SURFACE, surface, particle).orElseThrow();
     }
 
     /** Finds the rows. */
-    private void gather(IntPredicate isHeld, int pair) {
-        gatheredAt = NONE;
+    private void gather(int pair) {
         assembled = false;
-        rows.clear();
-        held.clear();
         placed.clear();
-        Arrays.stream(particles).filter(isHeld).forEach(held::set);
+        List<Row> found = new ArrayList<>();
         for (int member : members) {
-            if (pair == ALL || pair == member || all.kind[member] != Kind.BALLS) {
-                rows.add(all, member);
-                addContacts(all.first[member]);
-                addContacts(all.second[member]);
+            Row row = all.get(member);
+            if (pair == ALL || pair == member || row.kind != Kind.BALLS) {
+                found.add(row.numbered(member));
+                addContacts(row.first, found);
+                addContacts(row.second, found);
             }
         }
         for (int i : particles) {
-            addContacts(i);
+            addContacts(i, found);
         }
-        if (right.length < rows.count) {
-            int most = rows.kind.length;
+        rows = found.toArray(new Row[0]);
+        if (right.length < rows.length) {
+            int most = 2 * rows.length;
             right = new double[most];
             solution = new double[most];
             separation = new double[most];
-            movable = new int[2 * most];
             mayOpen = new boolean[most];
             active = new boolean[most];
         }
@@ -146,12 +163,12 @@ final class Block {
     }
 
     /** Adds a row for each surface that a movable particle touches, the first time. */
-    private void addContacts(int i) {
+    private void addContacts(int i, List<Row> found) {
         if (canMove(i) && !placed.get(i)) {
             placed.set(i);
             for (int p = 0; p < contacts.getSurfaces().size(); p++) {
                 if (contacts.getModes().get(p, i) != Mode.FREE || i == struckParticle && p == struckSurface) {
-                    rows.addContact(i, p, contacts.getSurfaces().get(p));
+                    found.add(Row.contact(i, p, contacts.getSurfaces().get(p)));
                 }
             }
         }
@@ -164,14 +181,14 @@ final class Block {
     /** Finds the envelope of the matrix: a row's begins with the first row that moves one of its particles. */
     private void layOut() {
         int[] firstRow = new int[particles.length];
-        Arrays.fill(firstRow, rows.count);
+        Arrays.fill(firstRow, rows.length);
         matrix.clear();
-        for (int r = 0; r < rows.count; r++) {
+        for (int r = 0; r < rows.length; r++) {
             int begin = r;
             for (int k = 0; k < 2; k++) {
-                int i = (k == 0 ? rows.first : rows.second)[r];
-                movable[2 * r + k] = canMove(i) ? i : NONE;
+                int i = rows[r].particle(k);
                 if (canMove(i)) {
+                    rows[r].movable[k] = i;
                     int place = Arrays.binarySearch(particles, i);
                     firstRow[place] = Math.min(firstRow[place], r);
                     begin = Math.min(begin, firstRow[place]);
@@ -183,24 +200,20 @@ final class Block {
 
     /** A single particle needs no distances, and its matrix stays 1 on one surface. */
     private void evaluate(double[] state) {
-        assembled &= rows.count == 1 && !isJoined();
-        rows.evaluate(state, isJoined());
-        for (int r = 0; r < rows.count && !isJoined(); r++) {
-            rows.bend[r] *= system.mass(particles[0]);
+        assembled &= rows.length == 1 && !isJoined();
+        for (Row row : rows) {
+            row.evaluate(state, isJoined());
+            row.bend *= isJoined() ? 1 : system.mass(particles[0]);
         }
-    }
-
-    /** Whether a row may only push: that of a surface or of two balls. */
-    boolean isContact(int r) {
-        return rows.kind[r] == Kind.SURFACE || rows.kind[r] == Kind.BALLS;
     }
 
     /** Assembles the matrix. */
     private void assemble() {
-        for (int r = 0; r < rows.count; r++) {
+        for (int r = 0; r < rows.length; r++) {
+            Row row = rows[r];
             for (int c = matrix.first(r); c <= r; c++) {
-                matrix.set(r, c, c == r && rows.kind[r] == Kind.SURFACE ? weight(rows.first[r]) : entry(r, c),
-                        c == r ? 0 : entry(c, r));
+                matrix.set(r, c, c == r && row.kind == Kind.SURFACE ? weight(row.first) : entry(row, rows[c]),
+                        c == r ? 0 : entry(rows[c], row));
             }
         }
     }
@@ -210,75 +223,63 @@ final class Block {
         return isJoined() ? system.getInverseMasses()[i] : 1;
     }
 
-    private double entry(int r, int c) {
+    private double entry(Row row, Row column) {
         double sum = 0;
         for (int k = 0; k < 2; k++) {
-            int i = movable[2 * r + k];
+            int i = row.movable[k];
             for (int l = 0; l < 2 && i >= 0; l++) {
-                if (i == movable[2 * c + l]) {
-                    sum += weight(i) * Rows.dot(rows.gradient, 6 * r + 3 * k, rows.pull, 6 * c + 3 * l);
+                if (i == column.movable[l]) {
+                    sum += weight(i) * Row.dot(row.gradient, 3 * k, column.pull, 3 * l);
                 }
             }
         }
         return sum;
     }
 
-    /** Whether no particle of a row can move, so that it is left out. */
-    boolean isIdle(int r) {
-        return movable[2 * r] < 0 && movable[2 * r + 1] < 0;
-    }
-
     /**
-     * Solves for {@link #right}.
+     * Finds the forces and separations of all rows for their entries of b.
      *
-     * @param holding the row of a contact that may not separate, {@link #ALL} or {@link #NONE}
-     * @param signed  as for {@link ActiveSetMethod#solve}
+     * @param separates which contacts may separate
+     * @param signed    as for {@link ActiveSetMethod#solve}
      */
-    boolean solve(int holding, boolean signed) {
+    boolean solve(Predicate<Row> separates, boolean signed) {
         if (!assembled) {
             assemble();
-            assembled = rows.count == 1;
+            assembled = rows.length == 1;
         }
         if (!hasPairs || gatheredAt == NONE) {
             Arrays.fill(active, true);                  // balls in contact push as they did before
         }
-        for (int r = 0; r < rows.count; r++) {
-            mayOpen[r] = isContact(r) && r != holding && holding != ALL;
+        for (int r = 0; r < rows.length; r++) {
+            right[r] = rows[r].right;
+            mayOpen[r] = rows[r].isContact() && separates.test(rows[r]);
         }
-        return activeSet.solve(matrix, right, mayOpen, signed, active, solution, separation);
-    }
-
-    /** The force of a row in the solution. */
-    double force(int r) {
-        return solution[r];
-    }
-
-    /** The separating acceleration of a row (m/s&sup2;), force of a single particle (N), or speed after an impact. */
-    double separation(int r) {
-        return separation[r];
-    }
-
-    /** The row of a kind with a number and a first particle; -1 if there is none. */
-    int find(Kind kind, int number, int particle) {
-        int r = rows.count - 1;
-        while (r >= 0 && (rows.kind[r] != kind || rows.number[r] != number || rows.first[r] != particle)) {
-            r--;
+        boolean solved = activeSet.solve(matrix, right, mayOpen, signed, active, solution, separation);
+        for (int r = 0; r < rows.length; r++) {
+            rows[r].force = solution[r];
+            rows[r].separation = separation[r];
         }
-        return r;
+        return solved;
+    }
+
+    /** The row of a kind with a number and a first particle. */
+    Optional<Row> find(Kind kind, int number, int particle) {
+        return Arrays.stream(rows).filter(row -> row.kind == kind && row.number == number && row.first == particle)
+                .findFirst();
     }
 
     /** Adds the forces of all rows, with friction. */
     void addForces(double[] force) {
-        for (int r = 0; r < rows.count; r++) {
-            rows.addForce(r, solution[r], force);
+        for (Row row : rows) {
+            row.addForce(force);
         }
     }
 
-    /** The power of the friction in the solution (W); surfaces at rest do no other work. */
+    /** The power of the friction in the solution (W). */
     double frictionPower(double[] state) {
         double power = 0;
-        for (int r = 0; r < rows.count; r++) {
-            power += solution[r] * rows.frictionPower(r, state);
+        for (Row row : rows) {
+            power += row.frictionPower(state);
         }
         return power;
     }
@@ -286,8 +287,8 @@ final class Block {
     /** The power with which moving anchors drive the rods in the solution (W). */
     double anchorPower(double[] state) {
         double power = 0;
-        for (int r = 0; r < rows.count; r++) {
-            power -= solution[r] * rows.rateOfAnchors(r, state, system.getInverseMasses());
+        for (Row row : rows) {
+            power -= row.force * row.rateOfAnchors(state, system.getInverseMasses());
         }
         return power;
     }
@@ -298,11 +299,11 @@ final class Block {
      * @param place 0 to move positions, 3 to change velocities
      */
     void move(double[] state, int place) {
-        for (int r = 0; r < rows.count; r++) {
+        for (Row row : rows) {
             for (int k = 0; k < 2; k++) {
-                int i = movable[2 * r + k];
+                int i = row.movable[k];
                 for (int c = 0; c < 3 && i >= 0; c++) {
-                    state[STRIDE * i + place + c] += weight(i) * solution[r] * rows.gradient[6 * r + 3 * k + c];
+                    state[STRIDE * i + place + c] += weight(i) * row.force * row.gradient[3 * k + c];
                 }
             }
         }

@@ -1,10 +1,10 @@
 package particles.reactions;
 
-import java.util.Arrays;
+import java.util.BitSet;
 import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.law.Vector3;
-import particles.reactions.Rows.Kind;
+import particles.reactions.Row.Kind;
 import particles.reactions.contact.ContactModes;
 import particles.reactions.contact.ContactModes.Mode;
 
@@ -43,10 +43,11 @@ public final class BlockImpacts {
         if (!block.isJoined()) {
             return true;
         }
-        int struck = block.takeForImpact(surface, particle, state);
-        Arrays.fill(block.right, 0);
-        block.right[struck] = 1;
-        return block.solve(struck, true) && Math.abs(block.separation(struck)) < CONTRADICTION;
+        Row struck = block.takeForImpact(surface, particle, state);
+        for (Row row : block.rows) {
+            row.right = row == struck ? 1 : 0;
+        }
+        return block.solve(row -> row != struck, true) && Math.abs(struck.separation) < CONTRADICTION;
     }
 
     /**
@@ -62,21 +63,21 @@ public final class BlockImpacts {
      */
     public void strike(int surface, int particle, double leaving, Vector3 pull, double[] state) {
         Block block = blocks.of(particle);
-        int struck = block.takeForImpact(surface, particle, state);
+        Row struck = block.takeForImpact(surface, particle, state);
         strike(block, struck, leaving, leaving + Vector3.at(state, STRIDE * particle + 3).norm1(), pull, state);
     }
 
     /** As {@link BallContacts#strike}. */
     void strikePair(int pair, double leaving, double friction, double[] state) {
-        int i = blocks.getRows().first[pair];
-        int j = blocks.getRows().second[pair];
+        int i = blocks.getRows().get(pair).first;
+        int j = blocks.getRows().get(pair).second;
         Block block = blocks.of(blocks.isCoupled(i) ? i : j);
-        block.take(state, particle -> false, pair);
-        int struck = block.find(Kind.BALLS, pair, i);
+        block.take(state, new BitSet(), pair);
+        Row struck = block.find(Kind.BALLS, pair, i).orElseThrow();
         Vector3 slip = Vector3.at(state, STRIDE * j + 3).minus(Vector3.at(state, STRIDE * i + 3));
         strike(block, struck, leaving, leaving + slip.norm1(), Vector3.ZERO, state);
-        double impulse = friction * block.force(struck);
-        Vector3 normal = Vector3.at(block.rows.gradient, 6 * struck + 3).normalized();
+        double impulse = friction * struck.force;
+        Vector3 normal = Vector3.at(struck.gradient, 3).normalized();
         slip = slip.minus(normal.times(normal.dot(slip)));
         double mobility = block.weight(i) + block.weight(j);
         double speed = slip.length();
@@ -84,29 +85,26 @@ public final class BlockImpacts {
             Vector3 rub = slip.times(Math.min(impulse / speed, 1 / mobility));
             Vector3.at(state, STRIDE * i + 3).plus(rub.times(block.weight(i))).put(state, STRIDE * i + 3);
             Vector3.at(state, STRIDE * j + 3).minus(rub.times(block.weight(j))).put(state, STRIDE * j + 3);
-            block.take(state, particle -> false, pair);
+            block.take(state, new BitSet(), pair);
             blocks.correctTaken(block, state, 3, true);
         }
     }
 
     /** Solves for the impulses; speeds are relative to the one given as fast (m/s). */
-    private void strike(Block block, int struck, double leaving, double fast, Vector3 pull, double[] state) {
+    private void strike(Block block, Row struck, double leaving, double fast, Vector3 pull, double[] state) {
         blocks.putErrors(block, 3);
-        block.right[struck] += leaving;
-        if (!block.solve(struck, true) || Math.abs(block.separation(struck)) > CONTRADICTION * fast) {
+        struck.right += leaving;
+        if (!block.solve(row -> row != struck, true) || Math.abs(struck.separation) > CONTRADICTION * fast) {
             throw blocks.failure(block, system.getTime(), "let no impulses keep all particles out");
         }
         block.move(state, 3);
-        Rows rows = block.rows;
-        for (int r = 0; r < rows.count; r++) {
-            int p = rows.number[r];
-            if (block.force(r) != 0) {                  // an impact on one ball leaves the rest of a pile at rest
-                modes.setWhereTouching(rows.first[r], Mode.SLIDING);
-                modes.setWhereTouching(Math.max(rows.first[r], rows.second[r]), Mode.SLIDING);
-            } else if (rows.kind[r] == Kind.SURFACE && block.separation(r) > Math.max(ROUNDING * fast,
-                    Math.max(contacts.getSurfaces().get(p).restSpeed(),
-                            -Vector3.at(rows.gradient, 6 * r).dot(pull)))) {
-                modes.set(p, rows.first[r], Mode.FREE);
+        for (Row row : block.rows) {
+            if (row.force != 0) {                       // an impact on one ball leaves the rest of a pile at rest
+                modes.setWhereTouching(row.first, Mode.SLIDING);
+                modes.setWhereTouching(Math.max(row.first, row.second), Mode.SLIDING);
+            } else if (row.kind == Kind.SURFACE && row.separation > Math.max(ROUNDING * fast,
+                    Math.max(row.surface.restSpeed(), -Vector3.at(row.gradient, 0).dot(pull)))) {
+                modes.set(row.number, row.first, Mode.FREE);
             }
         }
     }

@@ -10,7 +10,7 @@ import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.law.Particles;
-import particles.reactions.Rows.Kind;
+import particles.reactions.Row.Kind;
 import particles.reactions.algebra.ActiveSetMethod;
 import particles.reactions.contact.ContactModes;
 
@@ -77,8 +77,9 @@ final class Blocks {
             joinedAt = rows.getChanges();
             joined.clear();
             blockOf = new Block[particles.count()];
-            for (int[] part : new RowGraph(rows, particles).parts()) {
-                Block block = block(part, Arrays.stream(part).flatMap(r -> IntStream.of(rows.first[r], rows.second[r]))
+            for (int[] part : new RowGraph(rows.list, particles).parts()) {
+                Block block = block(part, Arrays.stream(part).mapToObj(rows::get)
+                        .flatMapToInt(row -> IntStream.of(row.first, row.second))
                         .filter(i -> i >= 0 && !particles.isFixed(i)).distinct().sorted().toArray());
                 joined.add(block);
                 for (int i : block.particles) {
@@ -186,8 +187,7 @@ final class Blocks {
     Optional<String> solve(Block block, double[] state, double[] force) {
         solutions++;
         left = 0;
-        Rows rows = block.rows;
-        boolean isIndirect = contacts.getSliding().isIndirect(rows, state);
+        boolean isIndirect = contacts.getSliding().isIndirect(block.rows, state);
         if (isIndirect || !block.isJoined()) {
             Optional<String> failure = solveOnce(block, force);
             if (failure.isPresent()) {
@@ -195,13 +195,13 @@ final class Blocks {
             }
         }
         if (isIndirect) {
-            for (int r = 0; r < rows.count; r++) {
-                rows.push[r] = block.force(r);
+            for (Row row : block.rows) {
+                row.push = row.force;
             }
             addUp(block, force);
         }
-        for (int r = 0; r < rows.count; r++) {
-            contacts.getSliding().add(rows, r, isIndirect, isIndirect ? total : force, state);
+        for (Row row : block.rows) {
+            contacts.getSliding().add(block.rows, row, isIndirect, isIndirect ? total : force, state);
         }
         // friction acts along all surfaces of a particle: it does not change how hard they push a single one
         return block.isJoined() ? solveOnce(block, force) : Optional.empty();
@@ -209,7 +209,7 @@ final class Blocks {
 
     private Optional<String> solveOnce(Block block, double[] force) {
         putRight(block, force);
-        if (!block.solve(Block.NONE, block.hasPairs() || !contacts.isHolding())) {
+        if (!block.solve(row -> true, block.hasPairs() || !contacts.isHolding())) {
             return Optional.of("let no contact forces keep all particles out: friction or a moving anchor jams them");
         }
         left = activeSet.getLeft() == 0 ? 0 : activeSet.getLeft() / scale(block, force);
@@ -219,10 +219,10 @@ final class Blocks {
     SimulationException failure(Block block, double time, String reason) {
         int particle = block.particles[0];
         List<String> what = new ArrayList<>();
-        if (Arrays.stream(block.members).anyMatch(row -> rows.kind[row] != Kind.BALLS)) {
+        if (Arrays.stream(block.members).anyMatch(r -> rows.get(r).kind != Kind.BALLS)) {
             what.add("rods and wires");
         }
-        if (IntStream.range(0, block.rows.count).anyMatch(block::isContact)) {
+        if (Arrays.stream(block.rows).anyMatch(Row::isContact)) {
             what.add("contacts");
         }
         return new SimulationException(time, particle, "the " + String.join(" and ", what)
@@ -235,11 +235,10 @@ final class Blocks {
      */
     void putRight(Block block, double[] force) {
         findAccelerations(block, force);
-        Rows rows = block.rows;
-        for (int r = 0; r < rows.count; r++) {
-            double decay = !block.isJoined() || block.isContact(r) && block.hasPairs() ? 0 : feedback;
-            block.right[r] = block.isIdle(r) ? 0 : -(rows.times(r, accelerations, 3) + rows.bend[r])
-                    - decay * decay * rows.value[r] - 2 * decay * rows.rate[r];
+        for (Row row : block.rows) {
+            double decay = !block.isJoined() || row.isContact() && block.hasPairs() ? 0 : feedback;
+            row.right = row.isIdle() ? 0 : -(row.times(accelerations, 3) + row.bend)
+                    - decay * decay * row.value - 2 * decay * row.rate;
         }
     }
 
@@ -257,10 +256,10 @@ final class Blocks {
      * The push of a contact in the last solution (N), or minus the acceleration with which it separates. Where balls
      * touch, an acceleration of 0 counts as a small push, but for round-off: one more contact may do no harm.
      */
-    double push(Block block, int r, double[] force) {
-        boolean pushes = block.hasPairs() ? block.force(r) > 0 : block.force(r) != 0;
+    double push(Block block, Row row, double[] force) {
+        boolean pushes = block.hasPairs() ? row.force > 0 : row.force != 0;
         double rounding = block.hasPairs() ? STILL * scale(block, force) : 0;
-        return pushes ? block.force(r) : rounding - block.separation(r);
+        return pushes ? row.force : rounding - row.separation;
     }
 
     /** The largest acceleration in the equations of a block. */
@@ -272,8 +271,8 @@ final class Blocks {
                 scale = Math.max(scale, Math.abs(accelerations[f]));
             }
         }
-        for (int r = 0; r < block.rows.count; r++) {
-            scale = Math.max(scale, Math.abs(block.right[r]));
+        for (Row row : block.rows) {
+            scale = Math.max(scale, Math.abs(row.right));
         }
         return scale;
     }
@@ -302,8 +301,10 @@ final class Blocks {
      */
     void correct(Block block, double[] state, int place, boolean mayOpen, int pairs) {
         block.take(state, pairs);
-        if (place == 0) {
-            block.rows.evaluate(state, true);
+        for (Row row : block.rows) {
+            if (place == 0) {
+                row.evaluate(state, true);
+            }
         }
         correctTaken(block, state, place, mayOpen);
     }
@@ -311,15 +312,15 @@ final class Blocks {
     /** As {@link #correct}, for the rows that were taken. */
     void correctTaken(Block block, double[] state, int place, boolean mayOpen) {
         putErrors(block, place);
-        block.solve(mayOpen ? Block.NONE : Block.ALL, mayOpen);
+        block.solve(row -> mayOpen, mayOpen);
         block.move(state, place);
     }
 
     /** b = -C, or -C' for velocities. The last solution is no longer at hand. */
     void putErrors(Block block, int place) {
         solutions++;
-        for (int r = 0; r < block.rows.count; r++) {
-            block.right[r] = block.isIdle(r) ? 0 : -(place == 0 ? block.rows.value : block.rows.rate)[r];
+        for (Row row : block.rows) {
+            row.right = row.isIdle() ? 0 : -(place == 0 ? row.value : row.rate);
         }
     }
 }

@@ -1,7 +1,7 @@
 package particles.reactions;
 
 import deSolvers.text.Digits;
-import java.util.stream.IntStream;
+import java.util.List;
 import particles.SimulationException;
 import particles.law.Particles;
 import particles.law.Vector3;
@@ -19,13 +19,11 @@ final class ConstraintCorrection {
     private static final int MOST_ITERATIONS = 30;
 
     private final Blocks blocks;
-    private final Rows rows;
-    private final int[] all;
+    private final List<Row> rows;
 
     ConstraintCorrection(Blocks blocks) {
         this.blocks = blocks;
-        rows = blocks.getRows();
-        all = IntStream.range(0, rows.count).filter(r -> rows.kind[r] != Rows.Kind.BALLS).toArray();
+        rows = blocks.getRows().list.stream().filter(row -> row.kind != Row.Kind.BALLS).toList();
     }
 
     /** Corrects positions, then velocities; returns whether anything was changed. */
@@ -38,11 +36,11 @@ final class ConstraintCorrection {
     private boolean positions(double[] state, double time) {
         double before = Double.POSITIVE_INFINITY;
         for (int iteration = 0;; iteration++) {
-            rows.evaluate(state, true);
             double error = 0;
-            for (int r : all) {
-                double place = Vector3.at(state, Particles.STRIDE * rows.first[r]).norm1();
-                error = Math.max(error, Math.abs(rows.value[r]) / (rows.length[r] + place));
+            for (Row row : rows) {
+                row.evaluate(state, true);
+                double place = Vector3.at(state, Particles.STRIDE * row.first).norm1();
+                error = Math.max(error, Math.abs(row.value) / (row.length + place));
             }
             if (!(error <= Double.MAX_VALUE)) {
                 throw new SimulationException(time, -1, "a step ends with positions too large to compute with", null);
@@ -62,11 +60,11 @@ final class ConstraintCorrection {
 
     /** @return whether anything was changed */
     private boolean velocities(double[] state) {
-        rows.evaluate(state, true);
         boolean changed = false;
-        for (int r : all) {
-            double speed = Vector3.at(state, Particles.STRIDE * rows.first[r] + 3).norm1();
-            changed |= Math.abs(rows.rate[r]) > FINE * (1 + speed);
+        for (Row row : rows) {
+            row.evaluate(state, true);
+            double speed = Vector3.at(state, Particles.STRIDE * row.first + 3).norm1();
+            changed |= Math.abs(row.rate) > FINE * (1 + speed);
         }
         if (changed) {
             correct(state, 3);

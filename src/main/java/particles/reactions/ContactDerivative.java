@@ -40,7 +40,8 @@ final class ContactDerivative {
     void add(Block block, double[] state, double[] force, ForceDerivatives derivatives) {
         int i = block.particles[0];
         block.take(state, Block.ALL);
-        double curvature = block.rows.curvature(state);
+        double curvature = Arrays.stream(block.rows).mapToDouble(row -> row.surface.curvature(state, i)).max()
+                .orElse(0);
         vary(block, force, STRIDE * i + 3, size(force, STRIDE * i + 3), state, force, byForce);
         vary(block, state, STRIDE * i, curvature > 0 ? 1 / curvature : 0, state, force, byPosition);
         vary(block, state, STRIDE * i + 3, size(state, STRIDE * i + 3), state, force, byVelocity);

@@ -6,11 +6,10 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntPredicate;
-import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.law.Vector3;
-import particles.reactions.Rows.Kind;
+import particles.reactions.Row.Kind;
 import particles.reactions.contact.ContactModes;
 
 /** Answers questions of rules between steps: how large a normal force is, and whether static friction can hold. */
@@ -34,12 +33,9 @@ final class ContactQueries {
 
     /** Finds the forces of a block at rules' request; the last answer is kept, as rules ask for each particle. */
     private void ask(Block block, double[] state, double[] force, IntPredicate isHeld) {
-        BitSet held = new BitSet();
-        for (int i : block.particles) {
-            held.set(i, isHeld.test(i));
-        }
+        BitSet held = block.where(isHeld);
         if (!asked.equals(question(block, held, state, force))) {
-            block.take(state, isHeld, Block.ALL);
+            block.take(state, held, Block.ALL);
             failure = blocks.solve(block, state, force);
             atRest = Optional.empty();
             asked = question(block, held, state.clone(), force.clone());
@@ -72,9 +68,9 @@ final class ContactQueries {
         if (!block.isJoined() || modes.isSticking(particle)) {
             block = push(particle, state, block.isJoined() ? forcesAtRest(block, state, force).getForces() : force);
         }
-        int r = block.find(Kind.SURFACE, surface, particle);
-        double push = r < 0 ? 0 : blocks.push(block, r, force);
-        return r < 0 || push == block.force(r) ? push : push / block.weight(particle);
+        Optional<Row> row = block.find(Kind.SURFACE, surface, particle);
+        double push = row.isEmpty() ? 0 : blocks.push(block, row.get(), force);
+        return row.isEmpty() || push == row.get().force ? push : push / block.weight(particle);
     }
 
     /** Finds the normal forces on one particle under a known force, without friction. */
@@ -83,24 +79,26 @@ final class ContactQueries {
         alone.take(state, Block.ALL);
         singles.prepare(state, system.getTime());
         singles.putRight(alone, force);
-        alone.solve(Block.NONE, true);
+        alone.solve(row -> true, true);
         return alone;
     }
 
     /** The rows of a block that act on no other particles than these, which may all move, without their contacts. */
     Block linksBetween(Block block, int[] held) {
         RestingContacts none = new RestingContacts(system, List.of());
-        int[] between = IntStream.range(0, block.rows.count).filter(block::isIdle).map(r -> block.rows.number[r])
-                .toArray();
+        int[] between = Arrays.stream(block.rows).filter(Row::isIdle).mapToInt(row -> row.number).toArray();
         return new Blocks(system, blocks.getRows(), 0, none, i -> false).block(between, held);
     }
 
     /** Whether a moving anchor drives a rod, so that friction cannot hold its other end; -1 for any end. */
     private boolean isDriven(Block block, int end, double[] state) {
-        Rows rows = blocks.getRows();
-        return Arrays.stream(block.members).anyMatch(r -> (end < 0 || rows.first[r] == end || rows.second[r] == end)
-                && rows.isDraggedByAnchor(r, state, blocks.getAccelerations(),
-                        system.getParticles().getInverseMasses()));
+        boolean driven = false;
+        for (int r : block.members) {
+            Row row = blocks.getRows().get(r);
+            driven |= (end < 0 || row.first == end || row.second == end) && row.isDraggedByAnchor(state,
+                    blocks.getAccelerations(), system.getParticles().getInverseMasses());
+        }
+        return driven;
     }
 
     /** As {@link RestingContacts#holdMargin}. */
@@ -110,7 +108,7 @@ final class ContactQueries {
             return marginAlone(particle, state, force);
         }
         blocks.prepare(state, system.getTime());
-        blocks.getRows().evaluate(state, false);
+        blocks.getRows().evaluate(state);
         if (isDriven(block, particle, state)) {
             return -1;
         }
@@ -127,11 +125,10 @@ final class ContactQueries {
         Vector3 rest = Vector3.at(force, Particles.STRIDE * i + 3);
         double withstood = 0;
         double pushed = 0;
-        for (int r = 0; r < alone.rows.count; r++) {
-            double push = alone.force(r);
-            pushed += push;
-            withstood += push * alone.rows.friction(r).staticCoefficient();
-            rest = rest.plus(Vector3.at(alone.rows.gradient, 6 * r).times(push));
+        for (Row row : alone.rows) {
+            pushed += row.force;
+            withstood += row.force * row.surface.friction().staticCoefficient();
+            rest = rest.plus(Vector3.at(row.gradient, 0).times(row.force));
         }
         return pushed > 0 ? withstood - Math.sqrt(rest.dot(rest)) : -1;
     }

@@ -2,6 +2,7 @@ package particles.reactions;
 
 import deSolvers.ForceDerivatives;
 import deSolvers.text.Digits;
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
@@ -348,7 +349,7 @@ public final class RestingContacts implements Reaction {
         double off = Double.POSITIVE_INFINITY;
         for (int k = 0; k < MOST_ITERATIONS && off > near && !block.isJoined(); k++) {
             blocks.correct(block, state, 0, false, Block.ALL);
-            off = IntStream.range(0, block.rows.count).mapToDouble(r -> Math.abs(block.rows.value[r])).max().orElse(0);
+            off = Arrays.stream(block.rows).mapToDouble(row -> Math.abs(row.value)).max().orElse(0);
             settle(particle, false, state);
         }
     }

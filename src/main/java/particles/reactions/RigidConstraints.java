@@ -8,7 +8,7 @@ import particles.law.Particles;
 import particles.law.Reaction;
 import particles.law.Require;
 import particles.law.Violation;
-import particles.reactions.Rows.Kind;
+import particles.reactions.Row.Kind;
 import particles.reactions.wires.Curve;
 import particles.view.SpringView;
 
@@ -94,7 +94,7 @@ public final class RigidConstraints implements Reaction, SpringView {
 
     @Override
     public String getName() {
-        if (rows.begin(Kind.WIRE) == rows.count) {
+        if (rows.begin(Kind.WIRE) == rows.list.size()) {
             return springCount() == 0 ? "collisions" : "rods";
         }
         return springCount() == 0 ? "wires" : "rods and wires";
@@ -102,7 +102,7 @@ public final class RigidConstraints implements Reaction, SpringView {
 
     @Override
     public boolean isActive() {
-        return rows.count > 0;
+        return !rows.list.isEmpty();
     }
 
     @Override
@@ -158,17 +158,17 @@ public final class RigidConstraints implements Reaction, SpringView {
     @Override
     public Violation getViolation(double[] state, double since) {
         Violation worst = Violation.NONE;
-        rows.evaluate(state, true);
-        for (int r = 0; r < rows.count; r++) {
-            String from = "'" + particles.id(rows.first[r]) + "'";
-            if (rows.kind[r] == Kind.WIRE) {
-                double off = Math.abs(rows.value[r]);
+        for (Row row : rows.list) {
+            row.evaluate(state, true);
+            String from = "'" + particles.id(row.first) + "'";
+            if (row.kind == Kind.WIRE) {
+                double off = Math.abs(row.value);
                 worst = worst.or(new Violation(off, from + " is " + Digits.few(off) + " m off its wire"));
             } else {
-                double more = rows.distance(r, state) - rows.length[r];
-                worst = worst.or(new Violation(Math.abs(more) / rows.length[r],
-                        (rows.kind[r] == Kind.BALLS ? "the contact" : "the rod") + " from " + from + " to '"
-                                + particles.id(rows.second[r]) + "' is " + Digits.few(Math.abs(more)) + " m too "
+                double more = row.distance(state) - row.length;
+                worst = worst.or(new Violation(Math.abs(more) / row.length,
+                        (row.kind == Kind.BALLS ? "the contact" : "the rod") + " from " + from + " to '"
+                                + particles.id(row.second) + "' is " + Digits.few(Math.abs(more)) + " m too "
                                 + (more > 0 ? "long" : "short")));
             }
         }
@@ -187,17 +187,17 @@ public final class RigidConstraints implements Reaction, SpringView {
 
     @Override
     public int from(int s) {
-        return rows.first[s];
+        return rows.get(s).first;
     }
 
     @Override
     public int to(int s) {
-        return rows.second[s];
+        return rows.get(s).second;
     }
 
     @Override
     public double restLength(int s) {
-        return rows.length[s];
+        return rows.get(s).length;
     }
 
     /** {@inheritDoc} A rod's is infinite. */

@@ -16,18 +16,18 @@ import particles.law.Particles;
 final class RowGraph {
     private final List<List<Integer>> neighbours = new ArrayList<>();       // by row
 
-    RowGraph(Rows rows, Particles particles) {
+    RowGraph(List<Row> rows, Particles particles) {
         Map<Integer, List<Integer>> rowsOf = new HashMap<>();               // by movable particle
-        for (int r = 0; r < rows.count; r++) {
-            for (int i : new int[] {rows.first[r], rows.second[r]}) {
+        for (int r = 0; r < rows.size(); r++) {
+            for (int i : new int[] {rows.get(r).first, rows.get(r).second}) {
                 if (i >= 0 && !particles.isFixed(i)) {
                     rowsOf.computeIfAbsent(i, p -> new ArrayList<>()).add(r);
                 }
             }
         }
-        for (int r = 0; r < rows.count; r++) {
-            List<Integer> all = new ArrayList<>(rowsOf.getOrDefault(rows.first[r], List.of()));
-            all.addAll(rowsOf.getOrDefault(rows.second[r], List.of()));
+        for (Row row : rows) {
+            List<Integer> all = new ArrayList<>(rowsOf.getOrDefault(row.first, List.of()));
+            all.addAll(rowsOf.getOrDefault(row.second, List.of()));
             neighbours.add(all);
         }
     }

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.law.Vector3;
-import particles.reactions.Rows.Kind;
+import particles.reactions.Row.Kind;
 import particles.reactions.contact.Friction;
 
 /**
@@ -74,65 +74,63 @@ final class SlidingFriction {
         return v < stepBegin.length && Vector3.at(stepBegin, v).norm1() <= RestingContacts.ROUNDING;
     }
 
-    /** Whether two rows are contacts of one particle with surfaces. */
-    private static boolean areTogether(Rows rows, int j, int k) {
-        return j >= 0 && j < rows.count && rows.kind[j] == Kind.SURFACE && rows.first[j] == rows.first[k];
-    }
-
     /**
      * Whether the friction of some contact is not a known vector times its own normal force, so that the forces have to
      * be solved without friction first: for a particle on several surfaces, or one that starts from rest or may stop.
      */
-    boolean isIndirect(Rows rows, double[] state) {
-        for (int r = 0; r < rows.count; r++) {
-            int i = rows.first[r];
-            if (isRough(rows, r) && (areTogether(rows, r - 1, r) || areTogether(rows, r + 1, r)
-                    || rows.friction(r).law() == Friction.Law.COULOMB
-                            && (mayStop(i) || startsFromRest(i) || isAtRest(rows, r, state)))) {
+    boolean isIndirect(Row[] rows, double[] state) {
+        for (int r = 0; r < rows.length; r++) {
+            Row row = rows[r];
+            int i = row.first;
+            if (isRough(row) && (r > 0 && rows[r - 1].isContactOf(row)
+                    || r + 1 < rows.length && rows[r + 1].isContactOf(row)
+                    || row.surface.friction().law() == Friction.Law.COULOMB
+                            && (mayStop(i) || startsFromRest(i) || isAtRest(row, state)))) {
                 return true;
             }
         }
         return false;
     }
 
-    private static boolean isRough(Rows rows, int r) {
-        return rows.kind[r] == Kind.SURFACE && rows.friction(r).law() != Friction.Law.NONE;
+    private static boolean isRough(Row row) {
+        return row.kind == Kind.SURFACE && row.surface.friction().law() != Friction.Law.NONE;
     }
 
     /** Whether a particle on a surface does not move along it. */
-    private static boolean isAtRest(Rows rows, int r, double[] state) {
-        Vector3 v = Vector3.at(state, Particles.STRIDE * rows.first[r] + 3);
-        Vector3 along = v.minus(Vector3.at(rows.gradient, 6 * r).times(rows.rate[r]));
+    private static boolean isAtRest(Row row, double[] state) {
+        Vector3 v = Vector3.at(state, Particles.STRIDE * row.first + 3);
+        Vector3 along = v.minus(Vector3.at(row.gradient, 0).times(row.rate));
         return along.norm1() <= ROUNDING * v.norm1();
     }
 
     /**
-     * Adds the friction of a contact to {@link Rows#pull}, once for each evaluation of the rows: along all surfaces
+     * Adds the friction of a contact to {@link Row#pull}, once for each evaluation of the rows: along all surfaces
      * that push its particle.
      *
-     * @param r         the row
-     * @param pushKnown whether {@link Rows#push} holds the normal forces without friction
+     * @param pushKnown whether {@link Row#push} holds the normal forces without friction
      * @param force     the force that will move the particle, without friction (N), from entry 6 i + 3 on
      */
-    void add(Rows rows, int r, boolean pushKnown, double[] force, double[] state) {
-        if (!isRough(rows, r)) {
+    void add(Row[] rows, Row row, boolean pushKnown, double[] force, double[] state) {
+        if (!isRough(row)) {
             return;
         }
         surfaces = 0;
-        keepAlong(Vector3.at(rows.gradient, 6 * r));
+        keepAlong(Vector3.at(row.gradient, 0));
         double all = 0;                                 // the particle's Coulomb friction
-        for (int j = 0; pushKnown && j < rows.count; j++) {
-            if (areTogether(rows, j, r)) {
-                all += rows.friction(j).ofCoulomb(rows.push[j]);
-                if (j != r && rows.push[j] != 0) {
-                    keepAlong(Vector3.at(rows.gradient, 6 * j));
+        for (int r = 0; pushKnown && r < rows.length; r++) {
+            Row other = rows[r];
+            if (other.isContactOf(row)) {
+                all += other.surface.friction().ofCoulomb(other.push);
+                if (other != row && other.push != 0) {
+                    keepAlong(Vector3.at(other.gradient, 0));
                 }
             }
         }
-        double push = pushKnown && rows.push[r] > 0 ? rows.push[r] : 1;
-        double share = all > 0 ? rows.friction(r).ofCoulomb(rows.push[r]) / all : 1;
-        Vector3 friction = find(rows.friction(r), push, share, force, state, Particles.STRIDE * rows.first[r] + 3);
-        Vector3.at(rows.pull, 6 * r).minus(friction).put(rows.pull, 6 * r);
+        Friction law = row.surface.friction();
+        double push = pushKnown && row.push > 0 ? row.push : 1;
+        double share = all > 0 ? law.ofCoulomb(row.push) / all : 1;
+        Vector3 friction = find(law, push, share, force, state, Particles.STRIDE * row.first + 3);
+        Vector3.at(row.pull, 0).minus(friction).put(row.pull, 0);
     }
 
     /** Lets the particle slide only along one more surface, with a normal. */

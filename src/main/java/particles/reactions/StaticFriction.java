@@ -79,10 +79,9 @@ final class StaticFriction {
         List<Cone> cones = new ArrayList<>();
         held().forEach(i -> {
             size += Vector3.at(total, place(i)).norm1();
-            Rows rows = queries.push(i, state, total).rows;
-            for (int r = 0; r < rows.count; r++) {
-                cones.add(new Cone(place(i), Vector3.at(rows.gradient, 6 * r), rows.friction(r).staticCoefficient(),
-                        new double[3]));
+            for (Row row : queries.push(i, state, total).rows) {
+                cones.add(new Cone(place(i), Vector3.at(row.gradient, 0),
+                        row.surface.friction().staticCoefficient(), new double[3]));
             }
         });
         Block links = queries.linksBetween(block, held().toArray());
@@ -108,17 +107,16 @@ final class StaticFriction {
     /** Finds the loads that leave the smallest accelerations of held particles, J W (F + J<sup>T</sup> load) = 0. */
     private void putLoads(Block links) {
         System.arraycopy(balanced, 0, left, 0, left.length);
-        Rows rows = links.rows;
-        for (int r = 0; r < rows.count; r++) {
-            links.right[r] = 0;
+        for (Row row : links.rows) {
+            row.right = 0;
             for (int k = 0; k < 2; k++) {
-                int i = (k == 0 ? rows.first : rows.second)[r];
+                int i = row.particle(k);
                 if (i >= 0 && block.held.get(i)) {
-                    links.right[r] -= block.weight(i) * Rows.dot(rows.gradient, 6 * r + 3 * k, left, place(i));
+                    row.right -= block.weight(i) * Row.dot(row.gradient, 3 * k, left, place(i));
                 }
             }
         }
-        links.solve(Block.NONE, true);
+        links.solve(row -> true, true);
         links.addForces(left);
     }
 
