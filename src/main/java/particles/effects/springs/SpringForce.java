@@ -6,7 +6,6 @@ import particles.law.DifferentiableEffect;
 import particles.law.DivisibleEffect;
 import particles.law.Particles;
 import particles.law.Require;
-import particles.view.SpringView;
 
 /**
  * Damped springs between pairs of particles, the slides' "Damped Spring Force": on particle i, due to j,
@@ -25,9 +24,8 @@ import particles.view.SpringView;
  * <p>Potential energy k (|r| - l)&sup2; / 2, dissipated power k_d (d|r|/dt)&sup2;. Source: COMPSCI 715 (2003), slides
  * "Spring Force" and "Damped Spring Force".
  */
-public final class SpringForce implements DivisibleEffect, DifferentiableEffect, SpringView {
+public final class SpringForce extends SpringTable implements DivisibleEffect, DifferentiableEffect {
     private final Particles particles;
-    private final SpringTable table = new SpringTable();
     private boolean damped;
     private final SpringJacobian derivative = new SpringJacobian();
 
@@ -57,7 +55,7 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
         Require.notNegative("a spring's stiffness", stiffness);
         Require.notNegative("a spring's rest length", restLength);
         Require.notNegative("a spring's damping", damping);
-        table.add(i, j, stiffness, restLength, damping);
+        add(i, j, stiffness, restLength, damping);
         damped |= damping > 0;
     }
 
@@ -73,29 +71,13 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
     }
 
     @Override
-    public int size() {
-        return table.count;
-    }
-
-    @Override
     public boolean dependsOnVelocity() {
         return damped;
     }
 
     @Override
-    public int countBlocks() {
-        table.arrange();
-        return table.blocks;
-    }
-
-    /** @return the first spring of a part; it ends where the next one begins */
-    public int getPartStart(int part) {
-        return table.starts[part];
-    }
-
-    @Override
     public void addPart(int part, double[] state, double time, double[] force) {
-        SpringKernel.addForces(table, state, force, getPartStart(part), getPartStart(part + 1));
+        SpringKernel.addForces(this, state, force, getPartStart(part), getPartStart(part + 1));
     }
 
     @Override
@@ -108,17 +90,17 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
 
     @Override
     public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
-        for (int s = 0; s < table.count; s++) {
-            derivative.add(state, table, s, derivatives);
+        for (int s = 0; s < count; s++) {
+            derivative.add(state, this, s, derivatives);
         }
     }
 
     @Override
     public double getPotentialEnergy(double[] state, double time) {
         double energy = 0;
-        for (int s = 0; s < table.count; s++) {
-            double stretch = table.length(state, s) - table.restLength[s];
-            energy += table.stiffness[s] * stretch * stretch / 2;
+        for (int s = 0; s < count; s++) {
+            double stretch = length(state, s) - restLength[s];
+            energy += stiffness[s] * stretch * stretch / 2;
         }
         return energy;
     }
@@ -126,66 +108,12 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
     @Override
     public double getDissipatedPower(double[] state, double time) {
         double power = 0;
-        for (int s = 0; damped && s < table.count; s++) {
-            if (table.damping[s] > 0) {
-                double rate = table.lengthRate(state, s);
-                power += table.damping[s] * rate * rate;
+        for (int s = 0; damped && s < count; s++) {
+            if (damping[s] > 0) {
+                double rate = lengthRate(state, s);
+                power += damping[s] * rate * rate;
             }
         }
         return power;
-    }
-
-    /**
-     * @param state the particles' state
-     * @param s     a spring
-     * @return its present length |r| (m)
-     */
-    public double length(double[] state, int s) {
-        return table.length(state, s);
-    }
-
-    /** {@inheritDoc} A spring is removed with either of its ends. */
-    @Override
-    public void reindex(int[] newIndex) {
-        table.reindex(newIndex);
-    }
-
-    /**
-     * Removes springs.
-     *
-     * @param gone for each spring, whether to remove it
-     */
-    public void removeSprings(boolean[] gone) {
-        table.remove(gone);
-    }
-
-    @Override
-    public int springCount() {
-        return table.count;
-    }
-
-    @Override
-    public int from(int s) {
-        return table.from[s] / Particles.STRIDE;
-    }
-
-    @Override
-    public int to(int s) {
-        return table.to[s] / Particles.STRIDE;
-    }
-
-    @Override
-    public double restLength(int s) {
-        return table.restLength[s];
-    }
-
-    @Override
-    public double stiffness(int s) {
-        return table.stiffness[s];
-    }
-
-    @Override
-    public double damping(int s) {
-        return table.damping[s];
     }
 }

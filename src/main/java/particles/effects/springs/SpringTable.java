@@ -5,6 +5,7 @@ import java.util.stream.IntStream;
 import particles.law.DivisibleEffect;
 import particles.law.Particles;
 import particles.law.Vector3;
+import particles.view.SpringView;
 
 /**
  * The data of all springs in flat arrays, sorted into the order in which their forces are evaluated fastest. Springs
@@ -14,7 +15,7 @@ import particles.law.Vector3;
  * particles to itself and all springs with both ends in it, and the rest has those between two ranges. The division
  * does not depend on the number of threads, and each particle's force is summed in the order of the table.
  */
-final class SpringTable {
+class SpringTable implements SpringView {
     /** For fewer springs, waking another thread takes longer than evaluating them. */
     private static final int SPRINGS_PER_BLOCK = 4096;
     /** With more blocks, one thread would evaluate a larger rest alone: in a cloth of 128 x 128, 5 % with eight. */
@@ -31,8 +32,8 @@ final class SpringTable {
     // how many particles begin springs, in the order of the table
     private int owners;
     private boolean arranged;
-    int blocks = 1;                                     // as the next, valid after arrange()
-    int[] starts = {};                                  // the first spring of each part, and where the last one ends
+    private int blocks = 1;
+    private int[] starts = {};                          // the first spring of each part, and where the last one ends
 
     void add(int i, int j, double stiffness, double restLength, double damping) {
         if (count == from.length) {
@@ -52,8 +53,8 @@ final class SpringTable {
         arranged = false;
     }
 
-    /** A spring is removed with either of its ends. */
-    void reindex(int[] newIndex) {
+    /** A spring is removed with either of its ends; called after particles were removed. */
+    public final void reindex(int[] newIndex) {
         boolean[] gone = new boolean[count];
         for (int s = 0; s < count; s++) {
             int i = newIndex[from[s] / Particles.STRIDE];
@@ -62,10 +63,15 @@ final class SpringTable {
             from[s] = Particles.STRIDE * i;
             to[s] = Particles.STRIDE * j;
         }
-        remove(gone);
+        removeSprings(gone);
     }
 
-    void remove(boolean[] gone) {
+    /**
+     * Removes springs.
+     *
+     * @param gone for each spring, whether to remove it
+     */
+    public final void removeSprings(boolean[] gone) {
         put(IntStream.range(0, count).filter(s -> !gone[s]).toArray());
         arranged = false;
     }
@@ -73,10 +79,12 @@ final class SpringTable {
     /**
      * Sorts the springs by their first particle, so that its position, velocity and force stay in registers for all of
      * its springs; then divides them into blocks.
+     *
+     * @return the number of blocks
      */
-    void arrange() {
+    public final int countBlocks() {
         if (arranged) {
-            return;
+            return blocks;
         }
         arranged = true;
         put(order(from));
@@ -98,6 +106,12 @@ final class SpringTable {
         for (int s = 0; s < count; s++) {
             owners += s == 0 || from[s] != from[s - 1] ? 1 : 0;
         }
+        return blocks;
+    }
+
+    /** @return the first spring of a part; it ends where the next one begins */
+    public final int getPartStart(int part) {
+        return starts[part];
     }
 
     /** The part of each spring: the block in whose range both its ends are, or the rest. */
@@ -128,8 +142,12 @@ final class SpringTable {
         return count >= 2L * owners;
     }
 
-    /** |r| of spring s (m). */
-    double length(double[] state, int s) {
+    /**
+     * @param state the particles' state
+     * @param s     a spring
+     * @return its present length |r| (m)
+     */
+    public final double length(double[] state, int s) {
         Vector3 r = way(state, s, 0);
         double square = r.dot(r);
         return SpringKernel.isOrdinary(square) ? Math.sqrt(square) : r.length();
@@ -155,6 +173,41 @@ final class SpringTable {
         restLength = permuted(restLength, order);
         damping = permuted(damping, order);
         count = order.length;
+    }
+
+    /** @return the number of springs */
+    public final int size() {
+        return count;
+    }
+
+    @Override
+    public final int springCount() {
+        return count;
+    }
+
+    @Override
+    public final int from(int s) {
+        return from[s] / Particles.STRIDE;
+    }
+
+    @Override
+    public final int to(int s) {
+        return to[s] / Particles.STRIDE;
+    }
+
+    @Override
+    public final double restLength(int s) {
+        return restLength[s];
+    }
+
+    @Override
+    public final double stiffness(int s) {
+        return stiffness[s];
+    }
+
+    @Override
+    public final double damping(int s) {
+        return damping[s];
     }
 
     private static double[] permuted(double[] values, int[] order) {

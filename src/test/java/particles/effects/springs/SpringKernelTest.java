@@ -125,13 +125,13 @@ class SpringKernelTest {
         for (int from : new int[] {0, 0, 1}) {
             table.add(from, 2, 0, 0, 0);
         }
-        table.arrange();
+        table.countBlocks();
         assertFalse(table.isGrouped(), "3 springs of 2 particles");
         table.add(1, 3, 0, 0, 0);
-        table.arrange();
+        table.countBlocks();
         assertTrue(table.isGrouped(), "4 springs of 2 particles");
-        table.remove(new boolean[] {true, false, false, false});
-        table.arrange();
+        table.removeSprings(new boolean[] {true, false, false, false});
+        table.countBlocks();
         assertFalse(table.isGrouped(), "counted again: 3 of 2");
     }
 }
