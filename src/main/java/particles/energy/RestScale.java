@@ -1,7 +1,6 @@
 package particles.energy;
 
 import java.util.DoubleSummaryStatistics;
-import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.law.Vector3;
@@ -28,14 +27,13 @@ final class RestScale {
         for (int i = 0; i < particles.count(); i++) {
             sum = particles.isFixed(i) ? sum : sum.plus(Vector3.at(force, Particles.STRIDE * i + 3));
         }
-        Vector3 direction = sum;
         double weight = Math.sqrt(sum.dot(sum));
         if (!(weight > 0)) {
             return 0;
         }
-        DoubleSummaryStatistics along = IntStream.range(0, particles.count())
-                .mapToDouble(i -> Vector3.at(state, Particles.STRIDE * i).dot(direction) / weight).summaryStatistics();
-        double height = along.getMax() - along.getMin();
-        return weight * (height > ROUND_OFF * Math.max(along.getMax(), -along.getMin()) ? height : 1);
+        DoubleSummaryStatistics along = particles.along(state, sum);
+        double most = along.getMax() / weight;
+        double least = along.getMin() / weight;
+        return weight * (most - least > ROUND_OFF * Math.max(most, -least) ? most - least : 1);
     }
 }

@@ -2,7 +2,9 @@ package particles.law;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * The constant data of all particles: id, mass, whether they are fixed. Positions and velocities are in the state: the
@@ -139,6 +141,15 @@ public final class Particles {
             }
         }
         return fastest;
+    }
+
+    /**
+     * @param direction a direction, of length 1 for coordinates in metres
+     * @return statistics of all particles' coordinates along it
+     */
+    public DoubleSummaryStatistics along(double[] state, Vector3 direction) {
+        return IntStream.range(0, count()).mapToDouble(i -> Vector3.at(state, STRIDE * i).dot(direction))
+                .summaryStatistics();
     }
 
     /** The sum of m v&sup2;/2 over all particles that are not fixed, in the order of their indices (J). */

@@ -1,6 +1,7 @@
 package particles.scene;
 
 import java.util.Collections;
+import java.util.DoubleSummaryStatistics;
 import particles.ParticleSystem;
 import particles.effects.springs.SpringForce;
 import particles.law.Effect;
@@ -79,14 +80,7 @@ final class EnergyEstimate {
     }
 
     private static double extent(ParticleSystem system, Vector3 direction) {
-        double[] state = system.getOwnState();
-        double least = Double.POSITIVE_INFINITY;
-        double most = Double.NEGATIVE_INFINITY;
-        for (int x = 0; x < system.getStateSize(); x += Particles.STRIDE) {
-            double along = direction.x() * state[x] + direction.y() * state[x + 1] + direction.z() * state[x + 2];
-            least = Math.min(least, along);
-            most = Math.max(most, along);
-        }
-        return most - least;
+        DoubleSummaryStatistics along = system.getParticles().along(system.getOwnState(), direction);
+        return along.getMax() - along.getMin();
     }
 }
