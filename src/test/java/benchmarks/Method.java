@@ -10,7 +10,7 @@ import org.hipparchus.ode.nonstiff.DormandPrince54Integrator;
 import org.hipparchus.ode.nonstiff.EulerIntegrator;
 import org.hipparchus.ode.nonstiff.GraggBulirschStoerIntegrator;
 import org.hipparchus.ode.nonstiff.MidpointIntegrator;
-import particles.scene.format.Tolerances;
+import particles.scene.format.SolverDescription.Tolerances;
 
 /** One of our solvers or of Hipparchus' integrators, applied to a workload. */
 interface Method {

@@ -23,7 +23,7 @@ import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SolverDescription;
-import particles.scene.format.Tolerances;
+import particles.scene.format.SolverDescription.Tolerances;
 import particles.spec.ClassNames;
 import particles.spec.Ordered;
 import particles.spec.Reading;

@@ -6,7 +6,7 @@ import java.util.function.UnaryOperator;
 import particles.scene.checks.RunLimits;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
-import particles.scene.format.SolverFormat;
+import particles.scene.format.SolverDescription;
 import particles.spec.Key;
 import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
@@ -37,7 +37,7 @@ public final class Overrides {
         }
         Place place = Place.of(option.apply(name));
         if (name.equals("solver")) {
-            SolverFormat.NAME.type().readOption(text, place.toString(), problems)
+            SolverDescription.NAME.type().readOption(text, place.toString(), problems)
                     .ifPresent(value -> changes.add(scene -> scene.withSolver(value)
                             .with(SceneFormat.SOLVER, scene.values().get(SceneFormat.SOLVER), place)));
         } else {

@@ -18,7 +18,7 @@ import particles.scene.checks.MemoryEstimate;
 import particles.scene.checks.RunLimits;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneDescription.Contents;
-import particles.scene.format.SolverFormat;
+import particles.scene.format.SolverDescription;
 import particles.scene.parts.Lattice;
 import particles.scene.parts.LatticeSurface;
 import particles.scene.parts.ParticleDescription;
@@ -50,7 +50,7 @@ public final class SceneBuilder {
      */
     public static Scene build(SceneDescription scene) {
         Problems problems = new Problems();
-        SolverFormat.check(scene, problems);
+        SolverDescription.check(scene, problems);
         RunLimits.check(scene.values(), problems);
         MemoryEstimate.check(scene, Runtime.getRuntime().maxMemory(), problems);
         problems.throwIfAny();

@@ -12,7 +12,7 @@ import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SolverDescription;
-import particles.scene.format.Tolerances;
+import particles.scene.format.SolverDescription.Tolerances;
 
 /** Runs a scene with different solvers. A run that fails is a result too, with the time and the reason. */
 public final class SceneRun {

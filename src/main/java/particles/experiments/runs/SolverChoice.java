@@ -7,7 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.NoSuchElementException;
 import java.util.Optional;
-import particles.scene.format.Tolerances;
+import particles.scene.format.SolverDescription.Tolerances;
 
 /**
  * A solver in an experiment: a name, and its catalogue entry if it has one.

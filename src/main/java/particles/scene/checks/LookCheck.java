@@ -7,7 +7,6 @@ import java.util.OptionalInt;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import particles.effects.SharedKeys;
-import particles.scene.format.MarkFormat;
 import particles.scene.format.RenderFormat;
 import particles.scene.format.SceneFormat;
 import particles.scene.parts.ParticleDescription;
@@ -57,8 +56,8 @@ final class LookCheck {
         scene.find(SceneFormat.LOOK).ifPresent(look -> {
             RenderFormat.check(look, problems);
             look.list(RenderFormat.MARKS).stream()
-                    .filter(mark -> mark.find(MarkFormat.PARTICLE).flatMap(known.getIndex()::shape).isEmpty())
-                    .forEach(mark -> known.has(mark, MarkFormat.PARTICLE));
+                    .filter(mark -> mark.find(RenderFormat.MARKED).flatMap(known.getIndex()::shape).isEmpty())
+                    .forEach(mark -> known.has(mark, RenderFormat.MARKED));
         });
     }
 }

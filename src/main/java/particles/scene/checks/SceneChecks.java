@@ -13,8 +13,7 @@ import particles.scene.format.SceneDescription.Contents;
 import particles.scene.format.SceneDescription.Drawing;
 import particles.scene.format.SceneFormat;
 import particles.scene.format.SolverDescription;
-import particles.scene.format.SolverFormat;
-import particles.scene.format.Tolerances;
+import particles.scene.format.SolverDescription.Tolerances;
 import particles.scene.parts.ConstraintDescription;
 import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.SpringDescription;
@@ -59,13 +58,13 @@ public final class SceneChecks {
                 .ifPresent(phase -> checkPhase(phase, problems, known));
         LookCheck.check(scene, problems, known);
         Optional<Tolerances> tolerances = scene.find(SceneFormat.SOLVER).filter(Values::isSound)
-                .flatMap(values -> SolverFormat.tolerances(values, problems));
+                .flatMap(values -> SolverDescription.tolerances(values, problems));
         RunLimits.check(scene, problems);
         if (problems.count() > 0) {
             return Optional.empty();
         }
         return Optional.of(new SceneDescription(scene,
-                new SolverDescription(scene.get(SceneFormat.SOLVER).get(SolverFormat.NAME), tolerances),
+                new SolverDescription(scene.get(SceneFormat.SOLVER).get(SolverDescription.NAME), tolerances),
                 new Contents(index, springs, rigid, List.copyOf(scene.get(SceneFormat.EFFECTS)),
                         List.copyOf(scene.get(SceneFormat.RULES))),
                 new Drawing(camera, LookCheck.of(scene, index)),

@@ -1,6 +1,8 @@
 package particles.scene.format;
 
 import java.util.List;
+import java.util.OptionalInt;
+import particles.scene.parts.SpringDescription;
 import particles.spec.Key;
 import particles.spec.ListType;
 import particles.spec.MappingType;
@@ -9,6 +11,7 @@ import particles.spec.NumberType;
 import particles.spec.TextType;
 import particles.spec.Values;
 import particles.spec.messages.Problems;
+import particles.view.ParticleMark;
 import particles.view.ParticleStyle;
 import particles.view.ParticleStyle.Kind;
 import particles.view.RenderOptions;
@@ -57,7 +60,15 @@ public final class RenderFormat {
     static final Key<Double> VELOCITY_ARROWS = NumberType.notNegative("s").withDefault("velocityArrows", 0.0,
             "Draws each particle's velocity as an arrow, as long as its path in this time (s) at its present speed;"
             + " 0 for no arrows.");
-    public static final Key<List<Values>> MARKS = ListType.of("a mark", MarkFormat.TYPE)
+    public static final Key<String> MARKED = SpringDescription.ANY_ID.required("particle",
+            "The particle that is drawn in this way, or the id of a shape for all of its particles.");
+    private static final Key<String> MARK_COLOUR = COLOUR.optional("colour",
+            "The colour of the particle and its trail; by default that of its kind.");
+    private static final Key<Double> MARK_RADIUS = NumberType.notNegative("m").withDefault("radius", 0.0,
+            "The radius of its ball (m); 0 for the radius of all others.");
+    private static final Key<String> LABEL = TextType.prose().optional("label", "A text beside it.");
+    public static final Key<List<Values>> MARKS = ListType.of("a mark",
+            MappingType.of("a mark", MARKED, MARK_COLOUR, MARK_RADIUS, LABEL))
             .withDefault("marks", List.of(), "Particles with a colour, a size or a label of their own.");
 
     static final MappingType TYPE = MappingType.of("the look", PARTICLES, PARTICLES_AS, AGE_COLOURS, TRAIL, SKY,
@@ -81,7 +92,13 @@ public final class RenderFormat {
                 .orElse(ParticleStyle.STANDARD.ageColours());
         boolean night = values.find(SKY).map("night"::equals).orElse(kind == Kind.GLOW);
         return new ParticleStyle(kind, colours, values.get(TRAIL), night, values.get(VELOCITY_ARROWS),
-                values.get(MARKS).stream().map(MarkFormat::of).toList());
+                values.get(MARKS).stream().map(RenderFormat::mark).toList());
+    }
+
+    private static ParticleMark mark(Values values) {
+        OptionalInt colour = values.find(MARK_COLOUR).map(RenderFormat::rgb).map(OptionalInt::of)
+                .orElse(OptionalInt.empty());
+        return new ParticleMark(values.get(MARKED), colour, values.get(MARK_RADIUS), values.find(LABEL).orElse(""));
     }
 
     /** Reports keys that cannot be combined. */
@@ -104,7 +121,7 @@ public final class RenderFormat {
         return COLOUR.withDefault(name, String.format("#%06x", standard), sentence);
     }
 
-    static int rgb(String colour) {
+    private static int rgb(String colour) {
         return Integer.parseInt(colour.substring(1), 16);
     }
 }

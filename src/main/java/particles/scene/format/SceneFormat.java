@@ -27,7 +27,7 @@ public final class SceneFormat {
     public static final Key<String> TITLE = TextType.prose().required("title", "The scene's title, a few words.");
     public static final Key<String> TEACHES = TextType.prose().required("teaches",
             "The lesson of the scene, in a sentence or two.");
-    public static final Key<Values> SOLVER = SolverFormat.TYPE.required("solver",
+    public static final Key<Values> SOLVER = SolverDescription.TYPE.required("solver",
             "The method that solves the equations of motion.");
     public static final Key<Double> DELTA_T = NumberType.positive("s").required("deltaT", "The time step (s).");
     public static final Key<Double> DURATION = NumberType.notNegative("s").required("duration",
