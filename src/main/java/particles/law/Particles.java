@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
-import java.util.stream.IntStream;
 
 /**
  * The constant data of all particles: id, mass, whether they are fixed. Positions and velocities are in the state: the
@@ -148,8 +147,11 @@ public final class Particles {
      * @return statistics of all particles' coordinates along it
      */
     public DoubleSummaryStatistics along(double[] state, Vector3 direction) {
-        return IntStream.range(0, count()).mapToDouble(i -> Vector3.at(state, STRIDE * i).dot(direction))
-                .summaryStatistics();
+        DoubleSummaryStatistics along = new DoubleSummaryStatistics();
+        for (int x = 0; x < STRIDE * count(); x += STRIDE) {
+            along.accept(direction.x() * state[x] + direction.y() * state[x + 1] + direction.z() * state[x + 2]);
+        }
+        return along;
     }
 
     /** The sum of m v&sup2;/2 over all particles that are not fixed, in the order of their indices (J). */
