@@ -66,8 +66,10 @@ public final class SceneStabilityCharts {
             double factor = 1;
             for (int k = 1; k <= POINTS && factor < TOP; k++) {
                 double deltaT = largest * k / POINTS;
+                double before = factor;
                 factor = theory.factor(theory.growingMost(deltaT), deltaT);
-                line.add(new double[] {deltaT, Math.min(TOP, factor)});
+                double above = factor > TOP ? (factor - TOP) / (factor - before) : 0;     // of the last piece
+                line.add(new double[] {deltaT - above * largest / POINTS, Math.min(TOP, factor)});
             }
             series.add(Series.of(limit.solver().label(), Mark.LINE, line));
             series.add(Series.point(limit.solver().label(), Mark.POINTS, limit.measured(), 1));

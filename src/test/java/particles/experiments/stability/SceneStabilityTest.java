@@ -16,6 +16,7 @@ import particles.experiments.spectrum.Spectrum;
 import particles.experiments.stability.SceneStability.Limit;
 import particles.scene.TestScenes;
 import particles.scene.format.SceneDescription;
+import particles.view.ChartData.Series;
 
 /** On chains of n unit masses between two walls, whose largest omega is 2 sin(n pi / (2 (n + 1))). */
 class SceneStabilityTest {
@@ -67,6 +68,16 @@ class SceneStabilityTest {
         assertEquals(1, limit.measuredGrowth() / growth, 2e-3, limit.toString());
         assertTrue(limit.note().endsWith(" grows most") && limit.note().startsWith("the mode of"), limit.toString());
         assertStarts(SceneStability.table(List.of(limit), 0.1).rows().get(0).get(1).toString(), "always grows: 1.9");
+    }
+
+    /** The factor is 2 where y = omega deltaT has 1 - y^6/72 + y^8/576 = 4; without interpolation, 4.16. */
+    @Test
+    void curvesOfGrowthEndAtTheirTop() {
+        SceneDescription scene = chain(1, "");
+        Series rk4 = SceneStabilityCharts.growth(SceneStability.spectrum(scene), limits(scene, "rk4")).series().get(0);
+        double y = Math.sqrt(2) * rk4.x()[rk4.x().length - 1];
+        assertEquals(4, 1 - Math.pow(y, 6) / 72 + Math.pow(y, 8) / 576, 1e-3);
+        assertEquals(2, rk4.y()[rk4.y().length - 1]);
     }
 
     /**
