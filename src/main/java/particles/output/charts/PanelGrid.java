@@ -7,6 +7,7 @@ import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.jfree.chart.block.RectangleConstraint;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.title.LegendTitle;
@@ -39,8 +40,8 @@ public final class PanelGrid {
     private final LegendTitle legend;
     private final int width;
     private final double cellWidth;
-    private final double cellHeight;
-    private final int rows;
+    /** The tops of the rows below the title, and the bottom of the last one. */
+    private final double[] tops;
     private final boolean legendInCell;
     private final boolean compared;
 
@@ -60,17 +61,20 @@ public final class PanelGrid {
             chart.setPadding(new RectangleInsets(4, 4, 4, 8));
         }
         boolean round = charts.stream().allMatch(FittedChart::hasEqualUnits);
-        int tallest = panels.stream().flatMap(panel -> panel.charts().stream()).mapToInt(data -> data.rows().size())
-                .max().orElse(0);
         double shape = round ? Math.min(TALLEST_SHAPE, shape(charts.get(0).getXYPlot())) : 1;
         compared = panels.stream().allMatch(panel ->
                 panel.charts().get(0).scale().equals(panels.get(0).charts().get(0).scale()));
         columns = shape > TALL ? panels.size() : columns(panels.size());
-        rows = (charts.size() + columns - 1) / columns;
+        int rows = (charts.size() + columns - 1) / columns;
         width = Math.max(LEAST_WIDTH, columns * (round ? CELL : columns > 2 ? CHART_CELL : WIDE_CELL));
         cellWidth = (width - 2.0 * MARGIN) / columns;
-        cellHeight = (round ? 1.02 + AXES * (shape - 1) : HEIGHT_OF_WIDTH) * cellWidth
-                + (tallest == 0 ? 0 : Charts.ROW * (tallest + 1));
+        double cellHeight = (round ? 1.02 + AXES * (shape - 1) : HEIGHT_OF_WIDTH) * cellWidth;
+        tops = new double[rows + 1];
+        for (int row = 0; row < rows; row++) {
+            int tallest = panels.stream().skip((long) row * columns).limit(columns)
+                    .flatMap(panel -> panel.charts().stream()).mapToInt(data -> data.rows().size()).max().orElse(0);
+            tops[row + 1] = tops[row] + cellHeight + (tallest == 0 ? 0 : Charts.ROW * (tallest + 1));
+        }
         legendInCell = rows * columns > charts.size();
     }
 
@@ -87,8 +91,8 @@ public final class PanelGrid {
     /** Pads charts on the same axes until their frames are equal: text around them takes different room. */
     private void alignPanels(Graphics2D g) {
         for (int trial = 0; trial < TRIALS; trial++) {
-            List<Rectangle2D> frames = charts.stream().map(chart -> chart.frame(g,
-                    new Rectangle2D.Double(0, 0, cellWidth, cellHeight))).toList();
+            List<Rectangle2D> frames = IntStream.range(0, charts.size()).mapToObj(k -> charts.get(k).frame(g,
+                    new Rectangle2D.Double(0, 0, cellWidth, height(k / columns)))).toList();
             Rectangle2D common = frames.stream().reduce(Rectangle2D::createIntersection).orElseThrow();
             for (int k = 0; k < charts.size(); k++) {
                 RectangleInsets padding = charts.get(k).getPadding();
@@ -99,6 +103,10 @@ public final class PanelGrid {
                         padding.getRight() + frame.getMaxX() - common.getMaxX()));
             }
         }
+    }
+
+    private double height(int row) {
+        return tops[row + 1] - tops[row];
     }
 
     /** @return the page with all panels */
@@ -114,7 +122,8 @@ public final class PanelGrid {
                 ? cellWidth : width - 2.0 * MARGIN), new Range(0, TALLEST)));
         trial.dispose();
         double head = LINE * (lines.size() + 1);
-        double bottom = head + rows * cellHeight;
+        int last = tops.length - 2;
+        double bottom = head + tops[last + 1];
         int height = (int) Math.ceil(bottom + (legendInCell ? 0 : size.height) + MARGIN);
         return new ChartPage(width, height, false, g -> {
             g.setColor(Color.WHITE);
@@ -128,11 +137,11 @@ public final class PanelGrid {
             }
             for (int k = 0; k < charts.size(); k++) {
                 charts.get(k).draw(g, new Rectangle2D.Double(MARGIN + k % columns * cellWidth,
-                        head + k / columns * cellHeight, cellWidth, cellHeight));
+                        head + tops[k / columns], cellWidth, height(k / columns)));
             }
             double left = legendInCell ? MARGIN + (columns - 1) * cellWidth + (cellWidth - size.width) / 2
                     : (width - size.width) / 2;
-            double top = legendInCell ? head + (rows - 0.5) * cellHeight - size.height / 2 : bottom;
+            double top = legendInCell ? head + (tops[last] + tops[last + 1] - size.height) / 2 : bottom;
             legend.draw(g, new Rectangle2D.Double(left, top, size.width, size.height));
         });
     }
