@@ -1,6 +1,7 @@
 package particles.output.charts;
 
 import deSolvers.text.Digits;
+import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.math.BigDecimal;
@@ -10,6 +11,7 @@ import java.text.NumberFormat;
 import java.text.ParsePosition;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.jfree.chart.axis.AxisState;
 import org.jfree.chart.axis.LogAxis;
 import org.jfree.chart.axis.NumberTick;
@@ -20,12 +22,13 @@ import org.jfree.chart.ui.TextAnchor;
 
 /**
  * A logarithmic axis with ticks at powers of ten. Where JFreeChart finds less than three, they are closer; an axis with
- * less than three powers of ten has ticks at 1, 2 and 5 times those.
+ * less than three powers of ten has ticks at 1, 2 and 5 times those, or, where labels are too wide, at 1 and 3 times.
  */
 final class DecadeAxis extends LogAxis {
     private static final long serialVersionUID = 1L;
     private static final int FEWEST = 3;
     private static final int[] DIGITS = {1, 2, 5};
+    private static final int[] FEWER_DIGITS = {1, 3};
 
     DecadeAxis() {
         setNumberFormatOverride(new PowerFormat());
@@ -46,16 +49,26 @@ final class DecadeAxis extends LogAxis {
         double low = Math.log10(getLowerBound());
         double decades = Math.log10(getUpperBound()) - low;
         int step = Math.max(1, (int) (decades / FEWEST));
-        for (int power = step * (int) Math.floor(low / step); power <= low + decades; power += step) {
-            for (int digit : decades < FEWEST ? DIGITS : new int[] {1}) {
+        int first = step * (int) Math.floor(low / step);
+        double room = RectangleEdge.isTopOrBottom(edge) ? area.getWidth() * Math.log10(2) / decades
+                : Double.POSITIVE_INFINITY;
+        FontMetrics metrics = g2.getFontMetrics(getTickLabelFont());
+        boolean narrow = IntStream.rangeClosed(first, (int) Math.ceil(low + decades)).anyMatch(power ->
+                metrics.stringWidth(label(2 * Math.pow(10, power))) > room);
+        int[] between = narrow ? FEWER_DIGITS : DIGITS;
+        for (int power = first; power <= low + decades; power += step) {
+            for (int digit : decades < FEWEST ? between : new int[] {1}) {
                 double value = digit * Math.pow(10, power);
                 if (getRange().contains(value)) {
-                    ticks.add(new NumberTick(value, getNumberFormatOverride().format(value), anchor, TextAnchor.CENTER,
-                            0));
+                    ticks.add(new NumberTick(value, label(value), anchor, TextAnchor.CENTER, 0));
                 }
             }
         }
         return ticks;
+    }
+
+    private String label(double value) {
+        return getNumberFormatOverride().format(value);
     }
 
     /** Number format of powers of ten on a logarithmic axis: 100, 0.01, 1e6. */
