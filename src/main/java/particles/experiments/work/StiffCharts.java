@@ -107,14 +107,14 @@ public final class StiffCharts {
         String flat = Optional.ofNullable(powers.remove(0.0)).map(SolverChoice::few).orElse("");
         String growing = powers.entrySet().stream().map(power -> "k^" + Digits.few(power.getKey()) + " ("
                 + SolverChoice.few(power.getValue()) + ")").collect(joining(", "));
-        return what + (growing.isEmpty() ? flat.isEmpty() ? "" : " stay the same at any stiffness with " + flat
+        return what + (growing.isEmpty() ? flat.isEmpty() ? "" : " stay about the same at any stiffness with " + flat
                 : " grow as " + growing + (flat.isEmpty() ? "" : ", not with " + flat));
     }
 
     /** What becomes of the stiff vibration, by the last value of each solver and by the largest. */
     private static String vibration(List<Series> drawn) {
-        String borrowed = "up to " + Digits.few(drawn.stream().mapToDouble(StiffCharts::largest)
-                .filter(Double::isFinite).max().orElse(1), 1) + " times is borrowed";
+        String borrowed = "reaches " + Digits.few(drawn.stream().mapToDouble(StiffCharts::largest)
+                .filter(Double::isFinite).max().orElse(1), 1) + " times its energy";
         return "The stiff vibration " + drawn.stream().collect(groupingBy(series -> largest(series) > KEPT ? borrowed
                 : fate(finite(series)), LinkedHashMap::new, mapping(Series::name, toList()))).entrySet().stream()
                 .map(fate -> fate.getKey() + " with " + SolverChoice.few(fate.getValue())).collect(joining(", "));

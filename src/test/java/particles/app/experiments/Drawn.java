@@ -8,8 +8,8 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import particles.experiments.runs.FittedLine;
 
 /**
@@ -21,7 +21,7 @@ import particles.experiments.runs.FittedLine;
  * @param series   by name the points
  */
 record Drawn(String title, String quantity, Map<String, List<double[]>> series) {
-    private static final String OUTSIDE_QUOTES = ",(?=(?:[^\"]*\"[^\"]*\")*[^\"]*$)";
+    private static final Pattern CELL = Pattern.compile("(?<=^|,)(?:\"[^\"]*\"|[^,\"])*");
     /** Ends the name of a series that shows the points of another one again. */
     static final String AGAIN = " again";
     private static final int BAR = 3;
@@ -50,7 +50,7 @@ record Drawn(String title, String quantity, Map<String, List<double[]>> series) 
     }
 
     private static List<String> cells(String line) {
-        return Stream.of((line + ",").split(OUTSIDE_QUOTES)).map(cell -> cell.replace("\"", "")).toList();
+        return CELL.matcher(line).results().map(cell -> cell.group().replace("\"", "")).toList();
     }
 
     /** @return the points of a solver's first series that can be drawn */

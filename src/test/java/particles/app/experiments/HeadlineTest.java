@@ -51,7 +51,7 @@ class HeadlineTest {
     private static final String NAME = "[a-z][a-z0-9-]*";
     private static final String NAMES = "(" + NAME + "(?:(?:, | and )" + NAME + ")*|\\d+ solvers)";
     /** Names at the end of a claim end where the headline does, or another claim begins. */
-    private static final String END = "(?=$|; |, (?:not|stays|is gone|up to|fades|at no) )";
+    private static final String END = "(?=$|; |, (?:not|stays|is gone|reaches|fades|at no) )";
     private static final String NUMBER = "(-?[0-9.]+(?:e-?[0-9]+)?)";
 
     /** What a printed report has room for in two lines. */
@@ -65,7 +65,7 @@ class HeadlineTest {
         "energyDrift --scene=3 --solvers=rk4,verlet,midpoint",
         "stiffGallery --decades=5 --solvers=euler,rk4,verlet,radau",
         "effectCost --columns=3 --rounds=1", "stability --scene=4",
-        "workPrecision --problem=kepler --solvers=rk4,euler,dormand-prince"})
+        "workPrecision --problem=pendulum --solvers=radau,step-doubling"})
     void chartsCanBeReadAndHeadlinesSayWhatTheirNumbersShow(String task) throws IOException {
         int judged = 0;
         Path out = top.resolve("out");
@@ -156,16 +156,16 @@ class HeadlineTest {
     /** A headline that says more than its numbers is found: each of these is a true one with one thing changed. */
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-            A spring: rk4 is cheapest for 0.01 and 1e-6                 | evaluations of the derivative
-            A spring: verlet is cheapest for 0.01 and 1e-6              | evaluations of the derivative
-            A spring: verlet and rk4 tie for 0.01                       | evaluations of the derivative
-            A spring: verlet is cheapest for 0.01, none has 1e-6        | evaluations of the derivative
-            A spring: verlet is the best                                | evaluations of the derivative
-            Evaluations for 1 % grow as k^0.4 (rk4)                     | evaluations for 1 %
-            Evaluations for 1 % stay the same at any stiffness with rk4 | evaluations for 1 %
-            A net: rk4 gains 15 %                                       | energy error / scale
-            A net: rk4 stays within 1e-3 %                              | energy error / scale
-            A net: verlet and rk4 lose 96 %                             | energy error / scale
+            A spring: rk4 is cheapest for 0.01 and 1e-6                       | evaluations of the derivative
+            A spring: verlet is cheapest for 0.01 and 1e-6                    | evaluations of the derivative
+            A spring: verlet and rk4 tie for 0.01                             | evaluations of the derivative
+            A spring: verlet is cheapest for 0.01, none has 1e-6              | evaluations of the derivative
+            A spring: verlet is the best                                      | evaluations of the derivative
+            Evaluations for 1 % grow as k^0.4 (rk4)                           | evaluations for 1 %
+            Evaluations for 1 % stay about the same at any stiffness with rk4 | evaluations for 1 %
+            A net: rk4 gains 15 %                                             | energy error / scale
+            A net: rk4 stays within 1e-3 %                                    | energy error / scale
+            A net: verlet and rk4 lose 96 %                                   | energy error / scale
             """)
     void aFalseHeadlineFails(String title, String quantity) throws IOException {
         Path csv = top.resolve("made.csv");
@@ -269,11 +269,11 @@ class HeadlineTest {
             new Claim("Evaluations for (?:1 %|stability) grow as (?=k)"),
             new Claim("k\\^" + NUMBER + " \\(" + NAMES + "\\)", (said, drawn) ->
                     exponents(said.text(2), said.number(1), drawn)),
-            new Claim("(?:Evaluations for (?:1 %|stability) stay the same at any stiffness|not) with " + NAMES + END,
-                    (said, drawn) -> exponents(said.text(1), 0, drawn)),
+            new Claim("(?:Evaluations for (?:1 %|stability) stay about the same at any stiffness|not) with " + NAMES
+                    + END, (said, drawn) -> exponents(said.text(1), 0, drawn)),
             new Claim("The stiff vibration (?=\\w)"),
-            Claim.each("(?=[^,]* with " + NAMES + END + ")(is gone|stays|fades|up to " + NUMBER
-                    + " times is borrowed) with " + NAMES + END, (solver, said, drawn) ->
+            Claim.each("(?=[^,]* with " + NAMES + END + ")(is gone|stays|fades|reaches " + NUMBER
+                    + " times its energy) with " + NAMES + END, (solver, said, drawn) ->
                     vibration(said, last(drawn.of(solver))[1], largest(drawn.of(solver)))),
             Claim.each(NAMES + " (gains?|loses?|stays? within) " + NUMBER + " (%|times the energy)",
                     (solver, said, drawn) -> energy(said.text(2), drawn.of(solver), said.part(3))),
@@ -286,12 +286,11 @@ class HeadlineTest {
             new Claim("the other (\\d+) are off by at most " + NUMBER + " (%|times the energy)", (said, drawn) ->
                     near(said.part(2), solvers(drawn).map(solver -> largest(drawn.of(solver))).sorted()
                             .skip((long) said.number(1) - 1).findFirst().orElseThrow(), 0.06 * said.part(2))),
-            new Claim("(\\w.*?) makes? a step of springs more than 10 times as long", (said, drawn) ->
-                    (said.text(1).equals("Nothing") ? 0
+            new Claim("(\\w.*?) makes? a step of springs more than (\\d+) times as long; all else less than (\\d+)"
+                    + " times", (said, drawn) -> (said.text(1).equals("Nothing") ? 0
                             : said.text(1).replaceAll(", (exact|hand-written)", "").split(", | and ").length)
-                            == bars(drawn).filter(times -> times >= 10).count()),
-            new Claim("all else less than (\\d+) times", (said, drawn) -> bars(drawn).filter(times -> times < 10)
-                    .allMatch(times -> times < said.number(1))),
+                            == bars(drawn).filter(times -> times >= said.number(2)).count()
+                            && bars(drawn).allMatch(times -> times >= said.number(2) || times < said.number(3))),
             new Claim("rk4 takes less than half the time up to (\\d+) steps", (said, drawn) ->
                     halves("rk4", "linearised-euler", said.number(1), drawn)),
             new Claim("linearised-euler (?:takes less than half the time )?from (\\d+)", (said, drawn) ->

@@ -38,7 +38,7 @@ class EffectCostTest {
             assertEquals(costs.get(k).name(), told.get(k));
         }
         ChartData chart = EffectCost.chart(costs);
-        assertEquals(7, chart.rows().size(), "six, and all others together");
+        assertEquals(9, chart.rows().size(), "eight that are dear, and all others together");
         assertEquals(17, EffectCost.table(costs).rows().size());
         assertEquals(1.0, (double) EffectCost.table(costs).rows().get(1).get(2));
         assertEquals("2", EffectCost.overLoop(costs));
@@ -66,7 +66,7 @@ class EffectCostTest {
         assertTrue(chart.xLog());
         assertArrayEquals(new double[] {1, 28}, Arrays.copyOfRange(chart.series().get(0).x(), 6, 8));
         assertArrayEquals(new double[] {2, 2}, Arrays.copyOfRange(chart.series().get(0).y(), 6, 8));
-        assertEquals("Cohesion makes a step of springs more than 10 times as long; all else less than 2 times",
+        assertEquals("Cohesion makes a step of springs more than 5 times as long; all else less than 3 times",
                 chart.title());
     }
 
