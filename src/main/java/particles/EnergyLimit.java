@@ -31,7 +31,7 @@ public record EnergyLimit(double joules) implements Rule {
             return false;
         }
         throw new SimulationException(End.ENERGY_LIMIT, system.getTime(), system.getParticles().fastest(state),
-                "the kinetic energy is " + Digits.few(energy) + " J, above the limit of " + Digits.few(joules)
-                + " J");
+                Digits.format("the kinetic energy is %s J, above the limit of %s J", Digits.few(energy),
+                Digits.few(joules)));
     }
 }

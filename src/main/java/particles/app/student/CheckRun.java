@@ -53,12 +53,7 @@ record CheckRun(Check check, Path folder, Screen screen) {
 
     /** Reports a check that did not finish, and ends the process, in which the class's thread may still be running. */
     private void giveUp(Finding failure, String printed) {
-        Runtime.getRuntime().halt(show(unfinished(failure), printed).code());
-    }
-
-    /** Reports a check whose process was ended before it wrote a report. */
-    void write(Finding failure) {
-        writeReport(unfinished(failure));
+        Runtime.getRuntime().halt(show(unfinished(check, failure), printed).code());
     }
 
     /** Writes the report and shows the verdict. */
@@ -67,7 +62,7 @@ record CheckRun(Check check, Path folder, Screen screen) {
                 !finding.isWrong() || finding.kind() == Kind.UNDECIDED) ? ExitCode.STOPPED : ExitCode.BAD_INPUT;
         List<String> lines;
         try {
-            lines = CheckReport.lines(checked, printed, writeReport(checked));
+            lines = CheckReport.lines(checked, printed, write(check, checked, folder));
         } catch (OutputException e) {
             lines = List.of(e.getMessage());
             code = ExitCode.TROUBLE;
@@ -76,12 +71,17 @@ record CheckRun(Check check, Path folder, Screen screen) {
         return code;
     }
 
-    private Checked unfinished(Finding failure) {
+    /** Reports a check whose process was ended before it wrote a report. */
+    static void writeUnfinished(Check check, Path folder, Finding failure) {
+        write(check, unfinished(check, failure), folder);
+    }
+
+    private static Checked unfinished(Check check, Finding failure) {
         return new Checked(check.subject(), "The check did not finish.", List.of(failure));
     }
 
     /** @return the report's file */
-    private Path writeReport(Checked checked) {
+    private static Path write(Check check, Checked checked, Path folder) {
         Path report = check.report(folder);
         try (OutputFolder files = OutputFolder.open(folder, report.getFileName().toString())) {
             ResultPageWriter.write(files, new ResultPage(check.command(), checked.subject() + ": " + checked.identity(),

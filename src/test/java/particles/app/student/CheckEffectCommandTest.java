@@ -8,16 +8,13 @@ import static particles.Texts.assertStarts;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.app.CheckProcess;
 import particles.app.cli.ExitCode;
-import particles.app.cli.OptionStyle;
-import particles.app.cli.Screen;
+import particles.app.student.CheckEffectCommand.EffectRun;
 import particles.effects.EffectContext;
 import particles.effects.EffectKind;
 import particles.law.Effect;
@@ -85,8 +82,7 @@ class CheckEffectCommandTest {
     }
 
     private static String here(ExitCode expected, String effect, Path folder) {
-        return Screen.of(expected, List.of(new CheckEffectCommand()), OptionStyle.SHELL, "checkEffect",
-                "--effect=" + effect, "--inThisProcess", "--out=" + folder.resolve("report"));
+        return Checks.here(expected, new EffectRun(effect), folder);
     }
 
     @Test
@@ -111,7 +107,7 @@ class CheckEffectCommandTest {
     @ParameterizedTest
     @ValueSource(classes = {Exits.class, ExitsAtOnce.class})
     void aClassThatEndsTheProgramIsFoundOut(Class<?> planted, @TempDir Path folder) throws Exception {
-        String found = CheckProcess.failureOf("checkEffect", "--effect=", planted, folder);
+        String found = Checks.failureOf(new EffectRun(planted.getName()), planted, folder);
         assertMatches(found, "failure: the class ends the whole program .System.exit., in "
                 + planted.getSimpleName() + "[.](getForce|<init>), line \\d+ of CheckEffectCommandTest.java");
     }

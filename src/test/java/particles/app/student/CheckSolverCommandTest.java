@@ -17,10 +17,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import particles.app.CheckProcess;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
+import particles.output.charts.ChartFormat;
 import particles.teaching.GuardedRun;
 import particles.teaching.figures.SolverFigures;
 import particles.teaching.solvers.SolverCheck;
@@ -153,9 +153,12 @@ class CheckSolverCommandTest {
         }
     }
 
+    private static Check check(String solver) {
+        return new CheckSolverCommand.SolverRun(solver, AskedMethods.ANY, ChartFormat.PAGE);
+    }
+
     private static String here(ExitCode expected, String solver, Path folder) {
-        return Screen.of(expected, List.of(new CheckSolverCommand()), OptionStyle.SHELL, "checkSolver",
-                "--solver=" + solver, "--inThisProcess", "--out=" + folder.resolve("report"));
+        return Checks.here(expected, check(solver), folder);
     }
 
     @Test
@@ -241,9 +244,8 @@ class CheckSolverCommandTest {
             Hoards    | it asks for more memory than the 247 MB that there are, in Hoards.stepState
             """)
     void aClassThatDoesNotComeBackIsFoundOut(String planted, String failure, @TempDir Path folder) throws Exception {
-        String found = CheckProcess.failureOf("checkSolver", "--solver=",
-                Class.forName(CheckSolverCommandTest.class.getName() + "$" + planted), folder);
-        assertStarts(found, "failure: " + failure);
+        Class<?> solver = Class.forName(CheckSolverCommandTest.class.getName() + "$" + planted);
+        assertStarts(Checks.failureOf(check(solver.getName()), solver, folder), "failure: " + failure);
     }
 
     @Tag("slow")
