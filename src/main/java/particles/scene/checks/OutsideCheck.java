@@ -3,8 +3,7 @@ package particles.scene.checks;
 import deSolvers.text.Digits;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Optional;
-import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.effects.SharedKeys;
 import particles.law.Obstacle;
 import particles.law.Sphere;
@@ -12,7 +11,6 @@ import particles.law.Vector3;
 import particles.scene.parts.ParticleDescription;
 import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RuleKind;
-import particles.scene.parts.ShapeDescription;
 import particles.spec.Chosen;
 import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
@@ -39,46 +37,35 @@ record OutsideCheck(Chosen<RuleKind> rule, Obstacle solid, double all, Problems 
                 .mapToDouble(rule -> rule.values().get(SharedKeys.BALL_RADIUS)).findFirst().orElse(Double.NaN);
         List<OutsideCheck> checks = sound.stream().flatMap(rule -> rule.kind().obstacle(rule.values()).stream()
                 .map(solid -> new OutsideCheck(rule, solid, all, problems))).toList();
-        checks.forEach(check -> index.getParticles().forEach(check::check));
-        for (ShapeDescription shape : index.getShapes()) {
-            List<Vector3> positions = IntStream.range(0, (int) shape.lattice().size())
-                    .mapToObj(shape.lattice()::position).toList();
-            checks.forEach(check -> check.check(shape, positions));
-        }
+        checks.forEach(check -> index.getParticles().forEach(particle -> check.check(Stream.of(particle))));
+        index.getShapes().forEach(shape -> checks.forEach(check -> check.check(shape.particles())));
     }
 
-    /** Reports the free particle of a shape that is deepest inside the solid, if one is. */
-    private void check(ShapeDescription shape, List<Vector3> positions) {
-        IntStream.range(0, positions.size())
-                .filter(n -> !shape.fixed().get(n) && distance(positions.get(n), shape.radius()) < 0).boxed()
-                .min(Comparator.comparingDouble(n -> distance(positions.get(n), shape.radius())))
-                .map(shape::particle).ifPresent(this::check);
+    /** Reports the free particle that is deepest inside the solid, if one is. */
+    private void check(Stream<ParticleDescription> particles) {
+        particles.filter(particle -> !particle.fixed() && distance(particle) < 0)
+                .min(Comparator.comparingDouble(this::distance))
+                .ifPresent(particle -> problems.add(particle.place(), inside(particle)));
     }
 
-    private void check(ParticleDescription particle) {
-        double distance = distance(particle.position(), particle.radius());
-        if (!particle.fixed() && distance < 0) {
-            problems.add(particle.place(), inside(particle, -distance));
-        }
-    }
-
-    private String inside(ParticleDescription particle, double depth) {
+    private String inside(ParticleDescription particle) {
         boolean hollow = solid instanceof Sphere sphere && sphere.hollow();
-        double radius = radius(particle.radius());
+        double radius = radius(particle);
         String ball = radius > 0 ? ", a ball of radius " + Digits.exact(radius) + " m," : "";
-        return Wording.quote(particle.id()) + ball + " begins " + Digits.exact(depth) + " m "
+        return Wording.quote(particle.id()) + ball + " begins " + Digits.exact(-distance(particle)) + " m "
                 + (hollow ? "outside the hollow '" : "inside the '") + rule.kind().getName() + "' of line "
                 + rule.place().line() + "; it has to begin " + (hollow ? "inside" : "outside");
     }
 
     /** The radius with which a particle touches solids (m): 0 if particles are not hard balls, which all may be. */
-    private double radius(Optional<Double> own) {
-        return Double.isNaN(all) ? 0 : own.orElse(all);
+    private double radius(ParticleDescription particle) {
+        return Double.isNaN(all) ? 0 : particle.radius().orElse(all);
     }
 
     /** Distance of a ball's surface from the solid (m); round-off counts as 0. */
-    private double distance(Vector3 at, Optional<Double> own) {
-        double distance = solid.distance(at.x(), at.y(), at.z()) - radius(own);
+    private double distance(ParticleDescription particle) {
+        Vector3 at = particle.position();
+        double distance = solid.distance(at.x(), at.y(), at.z()) - radius(particle);
         return Math.abs(distance) <= 1e-9 * (1 + at.length()) ? 0 : distance;
     }
 }
