@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import particles.teaching.Formula;
 
 /**
@@ -23,9 +24,17 @@ record StabilityFunction(double[] above, double[] below) {
     /** The number of coefficients used: those of higher powers are lost in round-off. */
     private static final int KNOWN = 9;
     private static final double ROUNDING = 1e-13;
-    private static final int[][] DEGREES = {{1, 0}, {0, 1}, {2, 0}, {1, 1}, {3, 0}, {0, 2}, {1, 2}, {2, 1}, {4, 0}, {2,
-            2},
-            {5, 0}, {6, 0}};
+    private static final int[][] DEGREES = {{1, 0}, {0, 1}, {2, 0}, {1, 1}, {3, 0}, {0, 2}, {1, 2}, {2, 1}, {4, 0},
+            {2, 2}, {5, 0}, {6, 0}};
+    /** Coefficients above and below the line, and the methods that have them. */
+    private static final String OWNERS = """
+            1 1 | 1 | that of the Euler method
+            1 1 1/2 | 1 | the same for all methods of order 2 with two evaluations, such as midpoint
+            1 1 1/2 1/6 | 1 | the same for all methods of order 3 with three evaluations
+            1 1 1/2 1/6 1/24 | 1 | the same for all methods of order 4 with four evaluations, such as RK4
+            1 | 1 -1 | that of backward Euler
+            1 1/2 | 1 -1/2 | that of the trapezoidal rule and of implicit midpoint
+            """;
 
     /**
      * @param maker makes solvers whose step treats all entries of the state alike
@@ -36,8 +45,7 @@ record StabilityFunction(double[] above, double[] below) {
         double[] taylor = taylor(maker);
         for (int[] degree : DEGREES) {
             Optional<StabilityFunction> found = fraction(taylor, degree[0], degree[1]).filter(f -> f.has(taylor,
-                    ROUNDING
-                    + 10 * noise));
+                    ROUNDING + 10 * noise));
             if (found.isPresent()) {
                 return found;
             }
@@ -117,24 +125,20 @@ record StabilityFunction(double[] above, double[] below) {
 
     /** @return the method that has this function, such as {@code that of Euler}; empty if it is unknown */
     String owner() {
-        if (below.length == 1) {
-            boolean exponential = true;
-            double factorial = 1;
-            for (int k = 0; k < above.length; k++) {
-                factorial *= Math.max(1, k);
-                exponential &= Formula.same(above[k] * factorial, 1);
-            }
-            List<String> owners = List.of("", "that of the Euler method",
-                    "the same for all methods of order 2 with two evaluations, such as midpoint",
-                    "the same for all methods of order 3 with three evaluations",
-                    "the same for all methods of order 4 with four evaluations, such as RK4");
-            return exponential && above.length <= owners.size() ? owners.get(above.length - 1) : "";
+        Optional<String> known = OWNERS.lines().map(line -> line.split(" *[|] *")).filter(row -> same(above, row[0])
+                && same(below, row[1])).map(row -> row[2]).findFirst();
+        if (known.isPresent() || below.length == 1) {
+            return known.orElse("");
         }
         double theta = -below[1];
         boolean ofTheta = below.length == 2 && above.length <= 2 && Formula.same(above[0], 1)
                 && Formula.same(above.length == 1 ? 0 : above[1], 1 - theta);
-        return !ofTheta ? "" : Formula.same(theta, 1) ? "that of backward Euler"
-                : Formula.same(theta, 0.5) ? "that of the trapezoidal rule and of implicit midpoint"
-                : "that of the theta method with theta = " + Formula.number(theta);
+        return ofTheta ? "that of the theta method with theta = " + Formula.number(theta) : "";
+    }
+
+    private static boolean same(double[] coefficients, String fractions) {
+        String[] known = fractions.split(" ");
+        return known.length == coefficients.length && IntStream.range(0, known.length).allMatch(k -> Formula.number(
+                coefficients[k]).equals(known[k]));
     }
 }
