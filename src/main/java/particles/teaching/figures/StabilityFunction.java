@@ -5,9 +5,9 @@ import deSolvers.problems.StepMatrix;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
-import java.util.stream.IntStream;
 import particles.teaching.Formula;
 
 /**
@@ -26,15 +26,12 @@ record StabilityFunction(double[] above, double[] below) {
     private static final double ROUNDING = 1e-13;
     private static final int[][] DEGREES = {{1, 0}, {0, 1}, {2, 0}, {1, 1}, {3, 0}, {0, 2}, {1, 2}, {2, 1}, {4, 0},
             {2, 2}, {5, 0}, {6, 0}};
-    /** Coefficients above and below the line, and the methods that have them. */
-    private static final String OWNERS = """
-            1 1 | 1 | that of the Euler method
-            1 1 1/2 | 1 | the same for all methods of order 2 with two evaluations, such as midpoint
-            1 1 1/2 1/6 | 1 | the same for all methods of order 3 with three evaluations
-            1 1 1/2 1/6 1/24 | 1 | the same for all methods of order 4 with four evaluations, such as RK4
-            1 | 1 -1 | that of backward Euler
-            1 1/2 | 1 -1/2 | that of the trapezoidal rule and of implicit midpoint
-            """;
+    private static final Map<String, String> OWNERS = Map.of("1 + z", "that of the Euler method",
+            "1 + z + z^2/2", "the same for all methods of order 2 with two evaluations, such as midpoint",
+            "1 + z + z^2/2 + z^3/6", "the same for all methods of order 3 with three evaluations",
+            "1 + z + z^2/2 + z^3/6 + z^4/24", "the same for all methods of order 4 with four evaluations, such as RK4",
+            "1 / (1 - z)", "that of backward Euler",
+            "(1 + z/2) / (1 - z/2)", "that of the trapezoidal rule and of implicit midpoint");
 
     /**
      * @param maker makes solvers whose step treats all entries of the state alike
@@ -125,20 +122,9 @@ record StabilityFunction(double[] above, double[] below) {
 
     /** @return the method that has this function, such as {@code that of Euler}; empty if it is unknown */
     String owner() {
-        Optional<String> known = OWNERS.lines().map(line -> line.split(" *[|] *")).filter(row -> same(above, row[0])
-                && same(below, row[1])).map(row -> row[2]).findFirst();
-        if (known.isPresent() || below.length == 1) {
-            return known.orElse("");
-        }
-        double theta = -below[1];
-        boolean ofTheta = below.length == 2 && above.length <= 2 && Formula.same(above[0], 1)
-                && Formula.same(above.length == 1 ? 0 : above[1], 1 - theta);
-        return ofTheta ? "that of the theta method with theta = " + Formula.number(theta) : "";
-    }
-
-    private static boolean same(double[] coefficients, String fractions) {
-        String[] known = fractions.split(" ");
-        return known.length == coefficients.length && IntStream.range(0, known.length).allMatch(k -> Formula.number(
-                coefficients[k]).equals(known[k]));
+        boolean ofTheta = above.length == 2 && below.length == 2 && Formula.same(above[0], 1)
+                && Formula.same(above[1] - below[1], 1);
+        return OWNERS.getOrDefault(text(), ofTheta ? "that of the theta method with theta = " + Formula.number(
+                -below[1]) : "");
     }
 }
