@@ -23,15 +23,13 @@ import particles.scene.format.SceneDescription;
 import particles.view.Camera;
 import particles.view.ChartData;
 
-/** Watches a race, and makes its film. The panels take their shape from where the reference goes. */
+/** Watches a race, and makes its film. The panels have the shape of the scene's own frames, or fill the page. */
 final class RacePictures implements Race.ObserverFactory, AutoCloseable {
     /**
      * The margin around the reference's box, as a part of its largest extent; a solver that leaves the box is still
      * visible for a while.
      */
     private static final double ROOM = 0.06;
-    private static final double WIDEST = 16.0 / 9;
-    private static final double NARROWEST = 0.9;
 
     private final int panels;
     private final double rate;
@@ -69,8 +67,7 @@ final class RacePictures implements Race.ObserverFactory, AutoCloseable {
         Vector3 high = extent.high().plus(around);
         Optional<Camera> own = scene.drawing().camera();
         Frames frames = scene.output().frames();
-        double aspect = Math.max(NARROWEST, Math.min(WIDEST, own.isPresent() ? (double) frames.width() / frames.height()
-                : (high.x() - low.x() + high.z() - low.z()) / Math.max(room, high.y() - low.y())));
+        double aspect = own.isPresent() ? (double) frames.width() / frames.height() : RaceFilm.aspect(panels);
         camera = Optional.of(own.orElseGet(() -> CameraFraming.around(low, high, aspect)));
         film = Optional.of(new RaceFilm(panels, aspect, rate, playback));
     }

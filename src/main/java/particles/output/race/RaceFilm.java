@@ -19,11 +19,15 @@ import particles.view.ChartData;
 
 /**
  * The film of a race: the runs of several solvers beside each other, each over the translucent ghost of the reference,
- * with a chart over the same time below. The runs are recorded one after the other, then the film is written.
+ * with a chart over the same time. The runs are recorded one after the other, then the film is written.
  */
 public final class RaceFilm implements AutoCloseable {
     /** The grey of the ghost. */
     private static final int GREY = 0x6f747c;
+    /** Pixels of the film for one of the page. */
+    private static final double SCALE = 4.0 / 3;
+    private static final int WIDTH = (int) (SCALE * RacePage.WIDTH);
+    private static final int HEIGHT = (int) (SCALE * RacePage.HEIGHT);
     /** A page, its panels and its copies for the file. */
     private static final long BYTES_PER_PIXEL = 20;
 
@@ -35,8 +39,8 @@ public final class RaceFilm implements AutoCloseable {
 
     /** What one thread draws on; a chart cannot be drawn by two threads at a time. */
     private record Canvas(BufferedImage image, StripChart chart) {
-        Canvas(RacePage page, ChartData strip) {
-            this(new BufferedImage(page.width(), page.height(), BufferedImage.TYPE_INT_RGB), new StripChart(strip));
+        Canvas(ChartData strip) {
+            this(new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB), new StripChart(strip));
         }
     }
 
@@ -68,9 +72,17 @@ public final class RaceFilm implements AutoCloseable {
      * @param playback the number of frames shown per second (1/s)
      */
     public RaceFilm(int panels, double aspect, double rate, double playback) {
-        page = RacePage.ofFilm(panels, aspect);
+        page = RacePage.of(panels, aspect);
         this.rate = rate;
         this.playback = playback;
+    }
+
+    /**
+     * @param panels the number of runs besides the reference
+     * @return the width divided by the height of the panels that have the most room
+     */
+    public static double aspect(int panels) {
+        return RacePage.aspect(panels);
     }
 
     /**
@@ -92,7 +104,7 @@ public final class RaceFilm implements AutoCloseable {
 
     private Observer film(FrameSetup stage, int colour) {
         FrameSetup coloured = new FrameSetup(stage.camera(), stage.look().inOneColour(colour), stage.scenery(), "", "");
-        films.add(new PanelFilm(coloured, page.panelWidth(), page.panelHeight(), rate));
+        films.add(new PanelFilm(coloured, scaled(page.panelWidth()), scaled(page.panelHeight()), rate));
         return films.get(films.size() - 1).getObserver();
     }
 
@@ -108,13 +120,14 @@ public final class RaceFilm implements AutoCloseable {
         close();
         PanelFilm ghost = films.get(0);
         int[] backdrop = ghost.getRenderer().renderBackdrop();
-        try (GifAnimation gif = new GifAnimation(folder, page.width(), page.height(), page.width(), playback);
-                Pipeline<Canvas> pipeline = new Pipeline<>(Pipeline.threads(BYTES_PER_PIXEL * page.width()
-                        * page.height()), () -> new Canvas(page, strip))) {
+        try (GifAnimation gif = new GifAnimation(folder, WIDTH, HEIGHT, WIDTH, playback);
+                Pipeline<Canvas> pipeline = new Pipeline<>(Pipeline.threads(BYTES_PER_PIXEL * WIDTH * HEIGHT), () ->
+                        new Canvas(strip))) {
             for (int k = 0; k < ghost.count(); k++) {
                 int index = k;
                 pipeline.add(canvas -> {
                     Graphics2D g = canvas.image.createGraphics();
+                    g.scale(SCALE, SCALE);
                     page.draw(g, head, index / rate, panels(index, backdrop), canvas.chart);
                     g.dispose();
                     Runnable rest = gif.prepare(index, pixels(canvas.image));
@@ -130,15 +143,14 @@ public final class RaceFilm implements AutoCloseable {
     /**
      * @param head  the text at the top
      * @param strip the data of the chart
-     * @return a page of 16:9 with the end of the film, to be drawn when that is written
+     * @return a page with the end of the film, to be drawn when that is written
      */
     public ChartPage sheet(Head head, ChartData strip) {
         PanelFilm ghost = films.get(0);
         int last = ghost.count() - 1;
-        RacePage still = page.sheet(films.size() - 1);
         List<BufferedImage> panels = panels(last, ghost.getRenderer().renderBackdrop());
-        return new ChartPage(still.width(), still.height(), true, g ->
-                still.draw(g, head, last / rate, panels, new StripChart(strip)));
+        return new ChartPage(RacePage.WIDTH, RacePage.HEIGHT, true, g ->
+                page.draw(g, head, last / rate, panels, new StripChart(strip)));
     }
 
     /** @return each run's picture, over the ghost */
@@ -147,12 +159,17 @@ public final class RaceFilm implements AutoCloseable {
         films.get(0).get(index, shape);
         List<BufferedImage> panels = new ArrayList<>();
         for (PanelFilm film : films.subList(1, films.size())) {
-            BufferedImage panel = page.panel();
+            BufferedImage panel = new BufferedImage(scaled(page.panelWidth()), scaled(page.panelHeight()),
+                    BufferedImage.TYPE_INT_RGB);
             film.get(index, pixels(panel));
             GhostLayer.add(pixels(panel), shape, backdrop);
             panels.add(panel);
         }
         return panels;
+    }
+
+    private static int scaled(int length) {
+        return (int) Math.round(SCALE * length);
     }
 
     private static int[] pixels(BufferedImage image) {

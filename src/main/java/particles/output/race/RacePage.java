@@ -18,21 +18,18 @@ import particles.output.charts.StripChart;
 import particles.output.text.FontCheck;
 
 /**
- * A picture of a race: a title and the time, panels in a grid, and a chart in the free cells or below.
+ * A picture of a race, 16:9: a title and the time, panels in a grid, and a chart in the free cells or below.
  *
- * @param width       the width of the picture (pixels)
- * @param height      its height
  * @param columns     the number of panels in a row
  * @param panelWidth  the width of a panel
  * @param panelHeight its height
  * @param strip       the rectangle of the chart
  */
-record RacePage(int width, int height, int columns, int panelWidth, int panelHeight, Rectangle2D strip) {
-    private static final int WIDTH = 1000;
-    private static final int SHEET_WIDTH = 960;
-    private static final int SHEET_HEIGHT = 540;
-    private static final int WIDEST = 640;
-    private static final int LEAST_STRIP = 170;
+record RacePage(int columns, int panelWidth, int panelHeight, Rectangle2D strip) {
+    static final int WIDTH = 960;
+    static final int HEIGHT = 540;
+    private static final double WIDEST = 16.0 / 9;
+    private static final int STRIP = 200;
     private static final int GAP = 8;
     private static final int HEAD = 72;
     private static final int CLOCK_WIDTH = 130;
@@ -40,7 +37,6 @@ record RacePage(int width, int height, int columns, int panelWidth, int panelHei
     private static final int LABEL = 38;
     private static final float LEAST_TYPE = 8;
     private static final int SMALL_PANEL = 220;
-    private static final int STRIP = 230;
     private static final Color GONE = new Color(255, 255, 255, 120);
     private static final Font TITLE = FontCheck.font(Font.BOLD, 17);
     private static final Font CLOCK = FontCheck.font(Font.PLAIN, 17);
@@ -51,32 +47,26 @@ record RacePage(int width, int height, int columns, int panelWidth, int panelHei
     /**
      * @param panels the number of panels
      * @param aspect the width of each divided by its height
-     * @return the page of a film; its height is even, as films need it
+     * @return the page; the chart is in the free cells of the last row, or below if there are none
      */
-    static RacePage ofFilm(int panels, double aspect) {
+    static RacePage of(int panels, double aspect) {
         int columns = columns(panels);
-        int wide = Math.min(WIDEST, (WIDTH - (columns + 1) * GAP) / columns);
-        int high = (int) Math.max(wide / 2.5, Math.min(wide, wide / aspect));
-        int all = bottom(panels, high) + (panels % columns > 0 ? 0 : STRIP);
-        return of(WIDTH, (all + 1) / 2 * 2, panels, wide, high);
+        int wide = (int) Math.min(pitch(columns) - GAP, aspect * highest(panels));
+        int high = (int) (wide / aspect);
+        int bottom = HEAD + rows(panels) * (LABEL + high + GAP);
+        int left = GAP + panels % columns * pitch(columns);
+        return new RacePage(columns, wide, high, panels % columns == 0
+                ? new Rectangle2D.Double(0, bottom, WIDTH, HEIGHT - bottom)
+                : new Rectangle2D.Double(left, bottom - GAP - high - LABEL, WIDTH - left, high + LABEL));
     }
 
-    /** @return a page of 16:9 for the same panels */
-    RacePage sheet(int panels) {
-        int rows = (panels + columns - 1) / columns;
-        int most = (SHEET_HEIGHT - HEAD - (panels % columns > 0 ? 0 : LEAST_STRIP)) / rows - LABEL - GAP;
-        int wide = Math.min((SHEET_WIDTH - (columns + 1) * GAP) / columns, most * panelWidth / panelHeight);
-        return of(SHEET_WIDTH, SHEET_HEIGHT, panels, wide, wide * panelHeight / panelWidth);
+    /** @return the width of a panel that fills its cell divided by its height */
+    static double aspect(int panels) {
+        return Math.min(WIDEST, (pitch(columns(panels)) - GAP) / (double) highest(panels));
     }
 
-    /** A page of this size, with the chart in the free cells of the last row, or below if there are none. */
-    private static RacePage of(int width, int height, int panels, int wide, int high) {
-        int columns = columns(panels);
-        int bottom = bottom(panels, high);
-        int left = GAP + panels % columns * pitch(width, columns);
-        return new RacePage(width, height, columns, wide, high, panels % columns == 0
-                ? new Rectangle2D.Double(0, bottom, width, height - bottom)
-                : new Rectangle2D.Double(left, bottom - GAP - high - LABEL, width - left, high + LABEL));
+    private static int highest(int panels) {
+        return (HEIGHT - HEAD - (panels % columns(panels) > 0 ? 0 : STRIP)) / rows(panels) - LABEL - GAP;
     }
 
     /** Up to three panels are in one row; most other numbers leave a cell free. */
@@ -84,18 +74,13 @@ record RacePage(int width, int height, int columns, int panelWidth, int panelHei
         return panels <= 3 ? panels : (int) Math.ceil(Math.sqrt(panels + 1));
     }
 
-    private static int bottom(int panels, int high) {
-        return HEAD + (panels + columns(panels) - 1) / columns(panels) * (LABEL + high + GAP);
-    }
-
-    /** @return an empty picture of a panel's size */
-    BufferedImage panel() {
-        return new BufferedImage(panelWidth, panelHeight, BufferedImage.TYPE_INT_RGB);
+    private static int rows(int panels) {
+        return (panels + columns(panels) - 1) / columns(panels);
     }
 
     /** From a panel to the next; the text above each may be wider than the panel. */
-    private static int pitch(int width, int columns) {
-        return (width - GAP) / columns;
+    private static int pitch(int columns) {
+        return (WIDTH - GAP) / columns;
     }
 
     /**
@@ -111,19 +96,19 @@ record RacePage(int width, int height, int columns, int panelWidth, int panelHei
         g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BICUBIC);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
         g.setColor(Color.WHITE);
-        g.fillRect(0, 0, width, height);
+        g.fillRect(0, 0, WIDTH, HEIGHT);
         // the equal budget, with room for the clock, and below it the winner and the ghost
         g.setColor(ChartStyle.TEXT);
-        drawFitting(g, TITLE, head.title(), GAP, 24, width - CLOCK_WIDTH - 2 * GAP);
-        drawFitting(g, FINDING, head.finding(), GAP, 45, width - 2 * GAP);
+        drawFitting(g, TITLE, head.title(), GAP, 24, WIDTH - CLOCK_WIDTH - 2 * GAP);
+        drawFitting(g, FINDING, head.finding(), GAP, 45, WIDTH - 2 * GAP);
         g.setColor(ChartStyle.AXIS);
-        drawFitting(g, SMALL, head.ghost(), GAP, 63, width - 2 * GAP);
+        drawFitting(g, SMALL, head.ghost(), GAP, 63, WIDTH - 2 * GAP);
         g.setFont(CLOCK);
         g.setColor(ChartStyle.TEXT);
         g.drawString(String.format(Locale.ROOT, "t = %.2f s", time),
-                width - GAP - g.getFontMetrics().stringWidth("t = 0000.00 s"), 24);
+                WIDTH - GAP - g.getFontMetrics().stringWidth("t = 0000.00 s"), 24);
         for (int k = 0; k < panels.size(); k++) {
-            int x = GAP + k % columns * pitch(width, columns);
+            int x = GAP + k % columns * pitch(columns);
             int y = HEAD + k / columns * (LABEL + panelHeight + GAP);
             drawLabel(g, head.words().get(k), x, y);
             g.drawImage(panels.get(k), x, y + LABEL, panelWidth, panelHeight, null);
@@ -154,9 +139,9 @@ record RacePage(int width, int height, int columns, int panelWidth, int panelHei
         g.fill(look.shape());
         g.translate(-x - 18, -y - 12);
         g.setColor(ChartStyle.TEXT);
-        drawFitting(g, NAME, words.name(), x + 40, y + 17, pitch(width, columns) - GAP - 40);
+        drawFitting(g, NAME, words.name(), x + 40, y + 17, pitch(columns) - GAP - 40);
         g.setColor(ChartStyle.AXIS);
-        drawFitting(g, SMALL, words.text(), x + 2, y + 32, pitch(width, columns) - GAP - 2);
+        drawFitting(g, SMALL, words.text(), x + 2, y + 32, pitch(columns) - GAP - 2);
     }
 
     /** A run that has left the race stays visible, faint, with the time at which it left. */
