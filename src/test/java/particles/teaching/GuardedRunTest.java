@@ -140,7 +140,7 @@ class GuardedRunTest {
     @Test
     void whatTheJvmPutsBetweenIsNobodysPlace() {
         StackTraceElement lambda =
-                new StackTraceElement("particles.app.student.CheckCommand$$Lambda$22/0x00007f5e08027988", "call",
+                new StackTraceElement("particles.app.student.CheckRun$$Lambda$22/0x00007f5e08027988", "call",
                 null, -1);
         StackTraceElement ours = new StackTraceElement("particles.ParticleSystem", "getState", "ParticleSystem.java",
                 90);
