@@ -41,7 +41,6 @@ final class FittedChart extends JFreeChart {
     private final boolean tellsUnits;
     private final transient Range x;
     private final transient Range y;
-    private double leastRoom;
     private final TextTitle units = new TextTitle("", ChartStyle.TICKS);
 
     /**
@@ -93,25 +92,15 @@ final class FittedChart extends JFreeChart {
         labels.clear();
     }
 
-    /** @return the room at the right that the names of lines need, in pixels of the layout */
-    double labelRoom(Graphics2D g) {
-        return Math.max(leastRoom, labels.stream().mapToDouble(part -> part.width(g)).max().orElse(0));
-    }
-
-    /** @param room the room at the right, equal for charts beside each other */
-    void keepRoom(double room) {
-        leastRoom = room;
-    }
-
     @Override
     public void draw(Graphics2D g, Rectangle2D area, Point2D anchor, ChartRenderingInfo info) {
         ChartRenderingInfo seen = info == null ? new ChartRenderingInfo() : info;
-        double room = labelRoom(g);
         breakTitle(g, NARROWER * (area.getWidth() - getPadding().getLeft() - getPadding().getRight()));
         if (equalUnits || tellsUnits) {
             fitUnits(area);
         } else {
             RectangleInsets least = XYPlot.DEFAULT_INSETS;
+            double room = labels.stream().mapToDouble(part -> part.width(g)).max().orElse(0);
             getXYPlot().setInsets(new RectangleInsets(least.getTop(), least.getLeft(), least.getBottom(),
                     least.getRight() + room));
         }

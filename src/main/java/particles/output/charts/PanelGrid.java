@@ -113,8 +113,6 @@ public final class PanelGrid {
     public ChartPage page() {
         Graphics2D trial = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
         List<String> lines = ChartStyle.wrapped(title, trial.getFontMetrics(ChartStyle.TITLE), width - 4.0 * MARGIN);
-        double room = charts.stream().mapToDouble(chart -> chart.labelRoom(trial)).max().orElse(0);
-        charts.forEach(chart -> chart.keepRoom(room));
         if (compared) {
             alignPanels(trial);
         }
