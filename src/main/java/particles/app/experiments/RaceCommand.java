@@ -42,8 +42,9 @@ public final class RaceCommand extends ExperimentCommand {
      * cloth, is over its first part unless a duration is asked for.
      */
     private static final double MOST_WORK = 1e7;
-    /** The part of the time that the runs take, and not the film. */
-    private static final double RUNS = 0.6;
+    /** Measured: the runs take as long as so many frames of the film, and those of the most work so many more. */
+    private static final int LEAST_FRAMES = 12;
+    private static final int MORE_FRAMES = 54;
 
     @Mixin
     private final SceneOptions options = new SceneOptions();
@@ -85,13 +86,17 @@ public final class RaceCommand extends ExperimentCommand {
 
     /** @return the scene's duration, or a round part of it that is not too much work (s) */
     static double affordable(SceneDescription scene) {
-        double work = SceneBuilder.build(scene).system().getStateSize() * 4.0 * scene.duration()
-                / scene.deltaT();
+        double work = work(scene);
         if (!(work > MOST_WORK)) {
             return scene.duration();
         }
         return new BigDecimal(scene.duration() * MOST_WORK / work).round(new MathContext(2, RoundingMode.DOWN))
                 .doubleValue();
+    }
+
+    /** The evaluations of rk4, times the size of the state. */
+    private static double work(SceneDescription scene) {
+        return SceneBuilder.build(scene).system().getStateSize() * 4.0 * scene.duration() / scene.deltaT();
     }
 
     @Override
@@ -114,11 +119,13 @@ public final class RaceCommand extends ExperimentCommand {
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         List<SolverChoice> solvers = options.solvers();
         int count = frameCount(scene.get());
+        double runs = LEAST_FRAMES + MORE_FRAMES * Math.min(1, work(scene.get()) / MOST_WORK);
+        double ran = runs / (runs + count);
         try (RacePictures pictures = new RacePictures(solvers.size(), count / scene.get().duration(), PLAYBACK)) {
             Result race = new Race(scene.get(), solvers, count, Outcome::seconds).run(pictures,
-                    (part, what) -> progress.reached(RUNS * part, what));
+                    (part, what) -> progress.reached(ran * part, what));
             return page(race, count, pictures.write(folder, race,
-                    part -> progress.reached(RUNS + (1 - RUNS) * part, "drawing the animation")));
+                    part -> progress.reached(ran + (1 - ran) * part, "drawing the animation")));
         }
     }
 
