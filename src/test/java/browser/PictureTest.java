@@ -8,9 +8,12 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.openqa.selenium.OutputType;
 
 /** What the page draws: the scene with its labels and arrows, and plots. */
@@ -60,7 +63,7 @@ class PictureTest extends LabPageTestCase {
     @Test
     void theGroundIsDarkWhereTheLampDoesNotReachIt() {
         page.openScene("10-jelly-block");
-        page.await("a shadow", () -> pixels("#view canvas", "b > r + 5 && b < r + 40 && b > 90 && b < 140") > 1000);
+        page.await("a shadow", () -> pixels("#view canvas", "r > b + 4 && r < b + 12 && r > 115 && r < 140") > 1000);
         page.screenshot("shadow");
     }
 
@@ -81,6 +84,50 @@ class PictureTest extends LabPageTestCase {
         assertEquals(1, value("view.balls.count"));
         assertEquals(0.13 / 3, value("view.radius(0)"), 1e-12);
         page.screenshot("fire");
+    }
+
+    /** As in the frames: springs are coils of tubes, ten pieces a turn; rods are bars. */
+    @ParameterizedTest
+    @CsvSource({"02-one-spring, 160", "40-rigid-pendulum, 1"})
+    void springsAndRodsAreTubes(String scene, int tubes) {
+        page.openScene(scene);
+        until("view.springs.count === " + tubes);
+    }
+
+    @Test
+    void aBlockHasEdgesAndHidesItsSprings() {
+        page.openScene("10-jelly-block");
+        until("view.surfaces[0].geometry.attributes.normal.array.some(part => part !== 0)");
+        assertEquals(6, value("""
+                new Set([...view.surfaces[0].geometry.attributes.normal.array].map((part, k, all) => k % 3 ? '' :
+                  [0, 1, 2].map(axis => Math.round(100 * all[k + axis]) + 0).join()).filter(Boolean)).size"""));
+        assertEquals(0, value("""
+                view.shownSprings.filter(s => view.structure.springs.slice(2 * s, 2 * s + 2)
+                  .some(end => view.surfaces[0].triangles.includes(end))).length"""));
+    }
+
+    @Test
+    void runsBesideEachOtherAreBothSeenInTheNextSceneToo() {
+        page.click("addPanel");
+        until("document.querySelector('figure canvas')");
+        page.openScene("47-pile-of-balls");
+        page.click("start");
+        until("number('clock') > 0.02");
+        page.click("start");
+        for (String canvas : List.of("#view canvas", "figure canvas")) {
+            page.await("balls", () -> pixels(canvas, "r > 120 && r > 1.5 * b") > 500);
+        }
+        page.screenshot("two-runs");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"light, 169, 195, 220", "dark, 8, 11, 20"})
+    void theSkyIsThatOfTheFrames(String scheme, int red, int green, int blue) {
+        page.driver().executeCdpCommand("Emulation.setEmulatedMedia",
+                Map.of("features", List.of(Map.of("name", "prefers-color-scheme", "value", scheme))));
+        page.openScene("02-one-spring");
+        page.await("the sky", () -> pixels("#view canvas", "Math.abs(r - %d) + Math.abs(g - %d) + Math.abs(b - %d) < 4"
+                .formatted(red, green, blue)) > 500);
     }
 
     @Test

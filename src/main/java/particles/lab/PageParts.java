@@ -27,9 +27,9 @@ public final class PageParts {
 
     /** The scripts of the page that import each other, in an order in which each comes after its imports. */
     private static final List<String> OWN_MODULES = List.of("dom", "packing", "address", "gallery", "keys", "camera",
-            "blobs", "glow", "lines", "marks", "scenery", "view", "plots", "editor", "parameters", "saving", "settings",
-            "panels", "phase", "nearest", "player", "stability", "tables", "words", "hand", "inspector", "lecture",
-            "main");
+            "sky", "blobs", "glow", "marks", "tubes", "scenery", "surface", "trails", "view", "plots", "editor",
+            "parameters", "saving", "settings", "panels", "phase", "nearest", "player", "stability", "tables", "words",
+            "hand", "inspector", "lecture", "main");
     private static final Pattern PLACE = Pattern.compile("<!--\\{(\\w+)}-->");
 
     private PageParts() {

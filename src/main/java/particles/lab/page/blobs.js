@@ -1,5 +1,6 @@
 // The surface of a liquid, as in the frames: where the field of metaballs has a certain value, found by surface nets.
 import * as THREE from 'three';
+import {solid} from './sky.js';
 
 const REACH = 2, LEVEL = (1 - 1 / REACH ** 2) ** 3;     // a single ball's surface is where its radius says
 const FINEST = 4;                       // pixels; the frames have finer cells, and more time
@@ -9,8 +10,7 @@ const CORNERS = [0, 1, 2, 3, 4, 5, 6, 7].map(corner => STEPS.map((step, axis) =>
 
 export class Blobs {
   constructor(color) {
-    this.object = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshPhongMaterial({color, shininess: 60,
-      specular: 0x2a2a2a}));
+    this.object = new THREE.Mesh(new THREE.BufferGeometry(), solid({color}, 1.6));
     this.object.frustumCulled = false;
     this.object.castShadow = true;
   }

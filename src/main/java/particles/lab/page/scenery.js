@@ -1,23 +1,25 @@
 // What does not move: planes, balls and wires.
 import * as THREE from 'three';
-
-const WIRE = 0x6c7683;
+import {light, solid} from './sky.js';
+import {wire} from './tubes.js';
 
 const LINES = 7;                        // about so many lines of the ground in the height of the picture
+const DARKEST_SHADOW = 0.56;            // of the light beside it
 const HAZE = 5;                         // in so many heights of the picture the ground fades into the haze
 
-/** @returns the balls and wires to draw */
-export const scenery = facts => [...facts.spheres.map(ball), ...facts.wires.map(wire)];
+/** @returns the spheres and wires to draw; ball: the radius of balls; reach: how far one that rests reaches (m) */
+export const scenery = (facts, ball, reach) => [...facts.spheres.map(one => sphere(one, reach)),
+  ...facts.wires.map(points => wire(points, ball))];
 
 /** A plane with a grid and shadows, which fades into the haze. */
 export class Ground {
   /** It is drawn lower by a radius: the centre of a ball that rests is on the plane, so its picture touches it. */
-  constructor({point, normal}, radius) {
+  constructor({point, normal}, radius, sky, lamp, up) {
     this.normal = new THREE.Vector3(...normal).normalize();
     this.point = new THREE.Vector3(...point).addScaledVector(this.normal, -radius);
     const along = this.normal.clone().cross(Math.abs(this.normal.x) < 0.7 ? new THREE.Vector3(1, 0, 0)
         : new THREE.Vector3(0, 0, 1)).normalize();
-    const material = new THREE.MeshLambertMaterial({color: 0x9aa6b2, side: THREE.DoubleSide, transparent: true});
+    const material = new THREE.ShadowMaterial({side: THREE.DoubleSide});
     this.grid = {value: new THREE.Vector4()};
     this.mesh = new THREE.Mesh(new THREE.PlaneGeometry(), material);
     this.mesh.quaternion.setFromRotationMatrix(new THREE.Matrix4().makeBasis(along.clone().cross(this.normal), along,
@@ -25,15 +27,22 @@ export class Ground {
     this.mesh.receiveShadow = true;
     this.mesh.renderOrder = -1;         // before all else that is transparent
     material.onBeforeCompile = shader => {
-      shader.uniforms.grid = this.grid;
+      Object.assign(shader.uniforms, {ground: sky.colours.ground, line: sky.colours.line, grid: this.grid,
+        light: {value: light(this.normal, lamp, up)},
+        darkest: {value: lamp.dot(this.normal) > 0.05 ? DARKEST_SHADOW : 1}});
       shader.vertexShader = 'uniform vec4 grid;\nvarying vec2 place;\n' + shader.vertexShader.replace(
           '#include <begin_vertex>', '#include <begin_vertex>\nplace = 6.0 * grid.w * position.xy;');
-      shader.fragmentShader = 'uniform vec4 grid;\nvarying vec2 place;\n' + shader.fragmentShader.replace(
-          '#include <color_fragment>', `
+      shader.fragmentShader = `
+          uniform vec3 ground, line;
+          uniform vec4 grid;
+          uniform float light, darkest;
+          varying vec2 place;
+          ` + shader.fragmentShader.replace('#include <colorspace_fragment>', `
           vec2 at = (place + grid.xy) / grid.z, pixel = fwidth(at);
-          vec2 line = clamp(1.0 - abs(fract(at + 0.5) - 0.5) / pixel, 0.0, 1.0) * min(vec2(1.0), 0.25 / pixel);
-          diffuseColor.rgb *= 1.0 - 0.35 * max(line.x, line.y);
-          diffuseColor.a = exp(-dot(place, place) / (grid.w * grid.w));`);
+          vec2 near = clamp(1.0 - abs(fract(at + 0.5) - 0.5) / pixel, 0.0, 1.0) * min(vec2(1.0), 0.25 / pixel);
+          float shadow = gl_FragColor.a;
+          gl_FragColor = vec4(mix(ground, line, max(near.x, near.y)) * light * mix(1.0, darkest, shadow),
+              exp(-dot(place, place) / (grid.w * grid.w)));`);
     };
   }
 
@@ -53,17 +62,12 @@ function spacing(least) {
   return [1, 2, 5, 10].map(digit => digit * decade).find(value => value >= least * (1 - 1e-9));
 }
 
-function ball({centre, radius, hollow}) {
-  const mesh = new THREE.Mesh(new THREE.SphereGeometry(radius, 48, 32), new THREE.MeshLambertMaterial({
-    color: 0x8fa3b8, side: hollow ? THREE.BackSide : THREE.FrontSide, transparent: hollow,
-    opacity: hollow ? 0.5 : 1}));
+/** A ball is drawn smaller, and of a hollow its far wall larger, so that balls that rest touch it. */
+function sphere({centre, radius, hollow}, reach) {
+  const drawn = hollow ? radius + reach : Math.max(0.3 * radius, radius - reach);
+  const mesh = new THREE.Mesh(new THREE.SphereGeometry(drawn, 48, 32),
+      hollow ? solid({color: 0xdfe4e8, side: THREE.BackSide}, 0, 0.35) : solid({color: 0xaebccb}));
   mesh.position.set(...centre);
   mesh.castShadow = !hollow;
   return mesh;
-}
-
-function wire(points) {
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute('position', new THREE.Float32BufferAttribute(points, 3));
-  return new THREE.Line(geometry, new THREE.LineBasicMaterial({color: WIRE}));
 }

@@ -3,9 +3,12 @@ import * as THREE from 'three';
 import {Blobs} from './blobs.js';
 import {SceneCamera} from './camera.js';
 import {glow} from './glow.js';
-import {Springs, Trails} from './lines.js';
 import {Marks} from './marks.js';
 import {Ground, scenery} from './scenery.js';
+import {Sky, solid} from './sky.js';
+import {Surface, cornersOfClosed} from './surface.js';
+import {Trails} from './trails.js';
+import {Copies, Springs} from './tubes.js';
 
 const LABEL_GAP = 6;                    // pixels
 const FEW_BALLS = 100;
@@ -65,22 +68,30 @@ class View {
     this.fastest = 0;
     this.camera.open(facts, structure, state);
     this.ball = this.radiusOfBalls(structure);
-    this.grounds = facts.planes.map(plane => new Ground(plane, this.reach(structure)));
+    const reach = this.reach(structure), up = this.camera.camera.up.clone().normalize(), lampward = this.findLamp(up);
+    this.sky = new Sky(up, facts.planes.length > 0 && facts.camera?.perspective !== false);
+    this.grounds = facts.planes.map(plane => new Ground(plane, reach, this.sky, lampward, up));
     this.lamp?.dispose();
-    this.lamp = new THREE.DirectionalLight(0xffffff, 2.2);
+    this.lamp = new THREE.DirectionalLight();
     this.lamp.castShadow = facts.planes.length > 0;
     this.lamp.shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
     this.scene.add(this.lamp, this.lamp.target);
-    this.towardsLamp = this.findLamp();
+    this.towardsLamp = lampward;
     this.shine();
+    const hemisphere = new THREE.HemisphereLight();
+    hemisphere.position.copy(up);
     this.springs = new Springs();
     this.trails = new Trails();
-    this.springs.object.castShadow = true;
     this.blobs = new Blobs(facts.look.colours[0]);
-    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8894a5, 1.6), this.springs.object, this.trails.object,
-        this.blobs.object, ...this.grounds.map(ground => ground.mesh), ...scenery(facts));
-    this.balls = this.spots = null;
-    this.surfaces = facts.surfaces.map(surface => this.addSurface(surface, facts.look));
+    this.blobs.object.visible = facts.look.kind === 'blobs';
+    this.trails.object.visible = facts.look.trail > 0;
+    this.surfaces = facts.surfaces.map(surface => new Surface(surface, facts.look.colours.slice(2)));
+    this.balls = new Copies(new THREE.SphereGeometry(1, 16, 12), solid({}));
+    this.areMany = false;
+    this.spots = new Copies(new THREE.PlaneGeometry(2, 2), glow(), false);
+    this.scene.add(hemisphere, this.sky.mesh, this.springs.object, this.trails.object, this.blobs.object,
+        this.balls.object, this.spots.object, ...this.grounds.map(ground => ground.mesh),
+        ...this.surfaces.map(surface => surface.object), ...scenery(facts, this.ball, reach));
     this.resize();
   }
 
@@ -99,10 +110,10 @@ class View {
   }
 
   /** The lamp is where the frames have it: above, in front and to the left of where the scene is first seen from. */
-  findLamp() {
+  findLamp(up) {
     const {camera} = this.camera;
     const [right, , back] = [0, 1, 2].map(k => new THREE.Vector3().setFromMatrixColumn(camera.matrixWorld, k));
-    return camera.up.clone().addScaledVector(right, -0.35).addScaledVector(back, 0.75).normalize();
+    return up.clone().addScaledVector(right, -0.35).addScaledVector(back, 0.75).normalize();
   }
 
   /** Lights what is seen now, and places the ground there. */
@@ -125,75 +136,26 @@ class View {
         || this.camera.controls.target.distanceTo(this.lamp.target.position) > this.litHeight;
   }
 
-  /** Balls; many are small, and without a graphics processor their triangles would take a quarter of a second. */
-  makeBalls(count) {
-    const pieces = count > FEW_BALLS ? [8, 6] : [16, 12];
-    this.balls = this.instances(this.balls, count, new THREE.SphereGeometry(1, ...pieces),
-        () => new THREE.MeshLambertMaterial());
-    this.spots = this.instances(this.spots, count, new THREE.PlaneGeometry(2, 2), glow);
-    this.balls.castShadow = true;
-  }
-
-  instances(before, count, geometry, newMaterial) {
-    const mesh = new THREE.InstancedMesh(geometry, before?.material ?? newMaterial(), count);
-    mesh.frustumCulled = false;
-    this.scene.add(mesh);
-    if (before) {
-      this.scene.remove(before);
-      before.geometry.dispose();
-      before.dispose();
-    }
-    return mesh;
-  }
-
-  addSurface(surface, look) {
-    const geometry = new THREE.BufferGeometry();
-    const sides = [[look.colours[2], THREE.FrontSide], [look.colours[3], THREE.BackSide]];
-    for (const [color, side] of sides) {
-      const mesh = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({color, side}));
-      mesh.frustumCulled = false;
-      mesh.castShadow = true;
-      this.scene.add(mesh);
-    }
-    return {surface, geometry};
-  }
-
   // ---- particles and springs that come and go ----
 
   setStructure(structure) {
     this.structure = structure;
     this.ball = this.radiusOfBalls(structure);
-    const count = structure.ids.length, pairs = structure.springs, look = this.facts.look;
+    const pairs = structure.springs, look = this.facts.look;
     const inSurface = new Set(this.facts.surfaces.flatMap(surface => surface.triangles));
     this.isShown = structure.ids.map((id, i) => look.particles === 'always'
         || look.particles === 'beside_surfaces' && !inSurface.has(i));
+    const hidden = cornersOfClosed(this.facts.surfaces), isBeside = ([a, b]) => !(inSurface.has(a) && inSurface.has(b))
+        && !hidden.has(a) && !hidden.has(b);
     this.shownSprings = structure.restLengths.map((length, s) => s).filter(s => look.springs === 'always'
-        || look.springs === 'beside_surfaces' && !(inSurface.has(pairs[2 * s]) && inSurface.has(pairs[2 * s + 1])));
-    if (!this.balls || count > this.balls.instanceMatrix.count) {
-      this.makeBalls(this.balls ? 2 * count : Math.max(16, count));
+        || look.springs === 'beside_surfaces' && isBeside(pairs.slice(2 * s, 2 * s + 2)));
+    // without a graphics processor the triangles of many round balls would take a quarter of a second
+    if (this.areMany !== structure.ids.length > FEW_BALLS) {
+      this.areMany = !this.areMany;
+      this.balls.setShape(new THREE.SphereGeometry(1, ...(this.areMany ? [8, 6] : [16, 12])));
     }
-    this.setTriangles();
+    this.surfaces.forEach(surface => surface.tear(pairs));
     this.setNames();
-  }
-
-  /** A triangle of springs that keeps fewer than two of them is torn. */
-  setTriangles() {
-    const pairs = this.structure.springs, edges = new Set();
-    for (let s = 0; s < pairs.length; s += 2) {
-      edges.add(pairs[s] + ' ' + pairs[s + 1]).add(pairs[s + 1] + ' ' + pairs[s]);
-    }
-    for (const {surface, geometry} of this.surfaces) {
-      const kept = [];
-      for (let t = 0; t < surface.triangles.length; t += 3) {
-        const [a, b, c] = surface.triangles.slice(t, t + 3);
-        const held = edges.has(a + ' ' + b) + edges.has(b + ' ' + c) + edges.has(c + ' ' + a);
-        if (!surface.ofSprings || held >= 2) {
-          kept.push(a, b, c);
-        }
-      }
-      geometry.setIndex(kept);
-      geometry.setAttribute('position', new THREE.Float32BufferAttribute(3 * this.structure.ids.length, 3));
-    }
   }
 
   setNames() {
@@ -222,8 +184,9 @@ class View {
   place() {
     this.renderer.shadowMap.needsUpdate = true;
     const {state, time} = this.moment, {fixed, births, lives} = this.structure, look = this.facts.look;
-    const wet = [], meshes = [this.balls, this.spots];
-    meshes.forEach(mesh => { mesh.count = 0; });
+    const wet = [];
+    this.balls.clear();
+    this.spots.clear();
     for (let i = 0; i < this.structure.ids.length; i++) {
       if (!this.isShown[i]) {
         continue;
@@ -232,31 +195,20 @@ class View {
         wet.push([...state.subarray(6 * i, 6 * i + 3)]);
         continue;
       }
-      const mesh = look.kind === 'glow' && !fixed[i] ? this.spots : this.balls;
       const mark = look.marks[this.structure.ids[i]];
       const size = this.radius(i);
       this.matrix.makeScale(size, size, size).setPosition(state[6 * i], state[6 * i + 1], state[6 * i + 2]);
-      mesh.setMatrixAt(mesh.count, this.matrix);
-      mesh.setColorAt(mesh.count, mark?.colour !== undefined ? this.colour.set(mark.colour)
+      (look.kind === 'glow' && !fixed[i] ? this.spots : this.balls).add(this.matrix,
+          mark?.colour !== undefined ? this.colour.set(mark.colour)
           : this.particleColour(look, fixed[i], (time - births[i]) / (lives[i] ?? Infinity)));
-      mesh.count++;
     }
     if (look.kind === 'blobs') {
       this.blobs.place(wet, this.ball, this.camera.viewHeight / this.element.clientHeight,
           this.camera.target.toArray());
     }
-    for (const mesh of meshes.filter(some => some.count > 0)) {
-      mesh.instanceMatrix.needsUpdate = mesh.instanceColor.needsUpdate = true;
-    }
-    for (const {geometry} of this.surfaces) {
-      const positions = geometry.attributes.position;
-      for (let i = 0; i < this.structure.ids.length; i++) {
-        positions.setXYZ(i, state[6 * i], state[6 * i + 1], state[6 * i + 2]);
-      }
-      positions.needsUpdate = true;
-      geometry.computeVertexNormals();
-    }
-    this.springs.place(state, this.structure, this.shownSprings, look.strainRange, 0.62 * this.ball);
+    this.surfaces.forEach(surface => surface.place(state));
+    this.springs.place(state, this.structure, this.shownSprings, look.strainRange, this.ball,
+        this.camera.camera.getWorldDirection(new THREE.Vector3()).negate());
     if (look.trail > 0) {
       const colours = this.structure.ids.map((id, i) => this.isShown[i] && !fixed[i]
           ? new THREE.Color(look.marks[id]?.colour ?? look.colours[0]) : null);
@@ -355,9 +307,7 @@ class View {
     this.renderer.setSize(this.element.clientWidth, this.element.clientHeight);
     this.camera.resize();
     const dark = this.facts?.look.night || matchMedia('(prefers-color-scheme: dark)').matches;
-    if (this.scene) {
-      this.scene.background = new THREE.Color(dark ? 0x0d1117 : 0xdfe7ef);
-    }
+    this.sky?.setNight(dark);
     this.stale = true;
   }
 }

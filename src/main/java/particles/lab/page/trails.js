@@ -1,0 +1,56 @@
+// The trails of particles.
+import * as THREE from 'three';
+
+const TRAIL_SAMPLES = 600, TRAIL_OPACITY = 0.85;
+
+/** The paths that particles took in the last few seconds; they fade. */
+export class Trails {
+  constructor() {
+    this.object = new THREE.LineSegments(new THREE.BufferGeometry(),
+        new THREE.LineBasicMaterial({vertexColors: true, transparent: true}));
+    this.object.frustumCulled = false;
+    this.samples = [];
+  }
+
+  /** colours: one a particle, null where it has no trail */
+  place(state, time, ids, colours, duration) {
+    const last = this.samples[this.samples.length - 1];
+    if (last && time < last.time) {
+      this.samples = [];
+    }
+    if (!last || time < last.time || time - last.time >= duration / TRAIL_SAMPLES) {
+      this.samples.push({time, places: new Map(ids.map((id, i) => [id, [...state.subarray(6 * i, 6 * i + 3)]]))});
+    }
+    this.samples = this.samples.filter(sample => sample.time >= time - duration);
+    const positions = [], faded = [];
+    for (const [i, id] of ids.entries()) {
+      let to = [...state.subarray(6 * i, 6 * i + 3)], toTime = time;
+      for (let k = this.samples.length - 1; colours[i] && to && k >= 0; k--) {
+        const from = this.samples[k].places.get(id), fromTime = this.samples[k].time;
+        if (from) {
+          positions.push(...from, ...to);
+          for (const end of [fromTime, toTime]) {
+            const {r, g, b} = colours[i];
+            faded.push(r, g, b, TRAIL_OPACITY * (1 - (time - end) / duration));
+          }
+        }
+        [to, toTime] = [from, fromTime];
+      }
+    }
+    this.set(positions, faded);
+  }
+
+  /** Replaces what is drawn; the memory grows and is used again. */
+  set(positions, colours) {
+    const geometry = this.object.geometry;
+    for (const [name, values, size] of [['position', positions, 3], ['color', colours, 4]]) {
+      if (!geometry.attributes[name] || geometry.attributes[name].array.length < values.length) {
+        geometry.dispose();
+        geometry.setAttribute(name, new THREE.BufferAttribute(new Float32Array(2 * values.length + 2 * size), size));
+      }
+      geometry.attributes[name].array.set(values);
+      geometry.attributes[name].needsUpdate = true;
+    }
+    geometry.setDrawRange(0, positions.length / 3);
+  }
+}
