@@ -55,16 +55,13 @@ final class FrameText {
 
     /** Draws a ground behind the text in each corner, since a blow-up spreads over the whole picture. */
     private void drawBacking(Graphics2D g, int width, int height, List<Rectangle2D> boxes) {
-        Map<Boolean, Map<Boolean, List<Rectangle2D>>> corners = boxes.stream().collect(
-                Collectors.groupingBy(box -> box.getCenterX() < width / 2.0,
-                        Collectors.groupingBy(box -> box.getCenterY() < height / 2.0)));
+        Map<List<Boolean>, Rectangle2D> corners = boxes.stream().collect(Collectors.toMap(
+                box -> List.of(box.getCenterX() < width / 2.0, box.getCenterY() < height / 2.0), box -> box,
+                Rectangle2D::createUnion));
         double room = 8 * unit;
         g.setColor(new Color(sky.text.halo().getRed(), sky.text.halo().getGreen(), sky.text.halo().getBlue(), BACKING));
-        corners.values().forEach(side -> side.values().forEach(corner -> {
-            Rectangle2D all = corner.stream().reduce(Rectangle2D::createUnion).orElseThrow();
-            g.fill(new RoundRectangle2D.Double(all.getX() - room, all.getY() - room, all.getWidth() + 2 * room,
-                    all.getHeight() + 2 * room, 2 * room, 2 * room));
-        }));
+        corners.values().forEach(all -> g.fill(new RoundRectangle2D.Double(all.getX() - room, all.getY() - room,
+                all.getWidth() + 2 * room, all.getHeight() + 2 * room, 2 * room, 2 * room)));
     }
 
     /** @return the rectangles that words and the scale of strain take up (pixels); bodies should stay clear of them */

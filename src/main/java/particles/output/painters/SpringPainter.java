@@ -72,15 +72,15 @@ public record SpringPainter(RoundShapes shapes, RenderOptions look, DrawnSizes s
         Vector3 second = along.cross(first);
         int turns = (int) Math.max(4, Math.min(16, Math.rint(rest / (1.5 * sizes.coil()))));
         int segments = turns * SEGMENTS_A_TURN;
-        double[] helix = new double[3 * (segments + 1)];
+        Place[] helix = new Place[segments + 1];
         for (int k = 0; k <= segments; k++) {
             double t = (double) k / segments;
             double inside = Math.min(t, 1 - t);
             double radius = sizes.coil() * Math.max(0, Math.min(1, (inside - STRAIGHT) / (WIDE - STRAIGHT)));
             double angle = 2 * Math.PI * turns * (t - STRAIGHT) / (1 - 2 * STRAIGHT);
-            from.plus(whole.times(t)).plus(second.times(radius * Math.sin(angle)))
-                    .plus(first.times(radius * Math.cos(angle))).put(helix, 3 * k);
+            helix[k] = view.place(from.plus(whole.times(t)).plus(second.times(radius * Math.sin(angle)))
+                    .plus(first.times(radius * Math.cos(angle))));
         }
-        return shapes.tubes(view.places(helix, segments + 1), sizes.wire(), rgb);
+        return shapes.tubes(helix, sizes.wire(), rgb);
     }
 }

@@ -35,10 +35,10 @@ public record WirePainter(RoundShapes shapes, double radius, List<Place[]> wires
     static WirePainter of(RoundShapes shapes, List<CurveView> curves, Vector3 target, double radius) {
         CameraProjection view = shapes.view();
         return new WirePainter(shapes, radius, curves.stream().map(curve -> points(curve, view, target))
-                .map(wire -> view.places(wire, wire.length / 3)).toList());
+                .toList());
     }
 
-    private static double[] points(CurveView curve, CameraProjection view, Vector3 target) {
+    private static Place[] points(CurveView curve, CameraProjection view, Vector3 target) {
         double from = 0;
         double to = curve.length();
         if (to == Double.POSITIVE_INFINITY) {
@@ -49,11 +49,10 @@ public record WirePainter(RoundShapes shapes, double radius, List<Place[]> wires
             to = nearest + reach;
         }
         int pieces = (int) Math.max(FEWEST, Math.min(MOST, Math.ceil(PIECES * (to - from) / view.viewHeight)));
-        double[] points = new double[3 * (pieces + 1)];
-        for (int k = 0; k <= pieces; k++) {
-            curve.at(from + (to - from) * k / pieces).put(points, 3 * k);
-        }
-        return points;
+        double start = from;
+        double range = to - from;
+        return IntStream.rangeClosed(0, pieces).mapToObj(k -> view.place(curve.at(start + range * k / pieces)))
+                .toArray(Place[]::new);
     }
 
     /** Draws all wires. */

@@ -1,6 +1,5 @@
 package particles.output.raster;
 
-import java.util.stream.IntStream;
 import particles.law.Vector3;
 import particles.view.Camera;
 
@@ -81,15 +80,6 @@ public final class CameraProjection {
         double scale = scale(depth);
         return new Place(width / 2.0 + scale * from.dot(right), height / 2.0 - scale * from.dot(up), depth, scale,
                 nearness(depth), isInFront(depth));
-    }
-
-    /**
-     * @param points the points, three coordinates each (m)
-     * @param count  their number
-     * @return where the camera sees each of them
-     */
-    public Place[] places(double[] points, int count) {
-        return IntStream.range(0, count).mapToObj(i -> place(Vector3.at(points, 3 * i))).toArray(Place[]::new);
     }
 
     /** @return a direction in space as the camera sees it */

@@ -6,6 +6,8 @@ import java.util.Arrays;
 public final class LightLayer {
     private static final int STEPS_PER_UNIT = 256;
     private static final double MOST = 8;
+    /** Where the channels of a colour are: red, green, blue. */
+    private static final int[] SHIFTS = {16, 8, 0};
 
     private final int width;
     private final int height;
@@ -45,9 +47,10 @@ public final class LightLayer {
         int x1 = Raster.last(x + radius, width - 1);
         int y0 = Raster.first(y - radius, 0);
         int y1 = Raster.last(y + radius, height - 1);
-        float red = (float) (brightness * (rgb >> 16 & 255) / 255);
-        float green = (float) (brightness * (rgb >> 8 & 255) / 255);
-        float blue = (float) (brightness * (rgb & 255) / 255);
+        float[] colour = new float[3];
+        for (int c = 0; c < 3; c++) {
+            colour[c] = (float) (brightness * (rgb >> SHIFTS[c] & 255) / 255);
+        }
         for (int py = y0; py <= y1; py++) {
             double dy = (py + 0.5 - y) / radius;
             for (int px = x0; px <= x1; px++) {
@@ -56,9 +59,9 @@ public final class LightLayer {
                 int p = py * width + px;
                 if (rest > 0 && foreground.shows(at.near(), px, py)) {
                     float share = (float) (rest * rest);
-                    light[3 * p] += share * red;
-                    light[3 * p + 1] += share * green;
-                    light[3 * p + 2] += share * blue;
+                    for (int c = 0; c < 3; c++) {
+                        light[3 * p + c] += share * colour[c];
+                    }
                 }
             }
         }
@@ -66,14 +69,11 @@ public final class LightLayer {
 
     /** Brightens a picture. */
     public void addTo(int[] pixels) {
-        for (int p = 0; p < pixels.length; p++) {
-            float red = light[3 * p];
-            float green = light[3 * p + 1];
-            float blue = light[3 * p + 2];
-            if (red + green + blue > 0) {
-                int c = pixels[p];
-                pixels[p] = brighter(c >> 16 & 255, red) << 16 | brighter(c >> 8 & 255, green) << 8 | brighter(c & 255,
-                        blue);
+        for (int k = 0; k < light.length; k++) {
+            if (light[k] > 0) {
+                int shift = SHIFTS[k % 3];
+                int channel = pixels[k / 3] >> shift & 255;
+                pixels[k / 3] += brighter(channel, light[k]) - channel << shift;
             }
         }
     }
