@@ -9,22 +9,16 @@ import particles.view.Surface;
 public final class IntactTriangles {
     private final Surface surface;
     private long[] springs = {};                        // sorted; in a large cloth, a set would take 80 bytes for each
-    private final boolean[] whole;
+    private int[] whole = {};
     private FrameStructure structure;
 
     /** Creates a search for the triangles of this surface. */
     public IntactTriangles(Surface surface) {
         this.surface = surface;
-        whole = new boolean[surface.triangles().length / 3];
     }
 
-    /** @return the corners of all triangles, whole or not */
-    int[] getCorners() {
-        return surface.triangles();
-    }
-
-    /** @return for each triangle whether it is drawn; valid until springs change */
-    public boolean[] in(FrameState state) {
+    /** @return the corners of the triangles that are drawn, three each; valid until springs change */
+    public int[] in(FrameState state) {
         if (structure != state.structure()) {
             structure = state.structure();
             find(structure.springs(), structure.ids().length);
@@ -36,13 +30,14 @@ public final class IntactTriangles {
         springs = IntStream.range(0, surface.ofSprings() ? list.count() : 0)
                 .mapToLong(s -> pair(list.from()[s], list.to()[s])).sorted().toArray();
         int[] corners = surface.triangles();
-        for (int t = 0; t < whole.length; t++) {
-            int a = corners[3 * t];
-            int b = corners[3 * t + 1];
-            int c = corners[3 * t + 2];
-            boolean there = Math.max(a, Math.max(b, c)) < particles;      // particles may have been removed
-            whole[t] = there && (!surface.ofSprings() || edge(a, b) + edge(b, c) + edge(c, a) >= 2);
-        }
+        whole = IntStream.iterate(0, t -> t < corners.length, t -> t + 3)
+                .filter(t -> isWhole(corners[t], corners[t + 1], corners[t + 2], particles))
+                .flatMap(t -> Arrays.stream(corners, t, t + 3)).toArray();
+    }
+
+    private boolean isWhole(int a, int b, int c, int particles) {
+        return Math.max(a, Math.max(b, c)) < particles         // some may have been removed
+                && (!surface.ofSprings() || edge(a, b) + edge(b, c) + edge(c, a) >= 2);
     }
 
     private int edge(int a, int b) {

@@ -24,25 +24,18 @@ public record SurfacePainter(RoundShapes shapes, RenderOptions look, List<Intact
     private void paint(IntactTriangles surface, FrameState state, Place[] places) {
         Vector3[] normals = new Vector3[state.particles()];
         Arrays.fill(normals, Vector3.ZERO);
-        int[] corners = surface.getCorners();
-        boolean[] whole = surface.in(state);
-        for (int t = 0; t + 2 < corners.length; t += 3) {
-            if (whole[t / 3]) {
-                Vector3 normal = normal(state, corners, t);
-                for (int c = t; c < t + 3; c++) {
-                    normals[corners[c]] = normals[corners[c]].plus(normal);     // weighted by area
-                }
+        int[] corners = surface.in(state);
+        for (int t = 0; t < corners.length; t += 3) {
+            Vector3 normal = normal(state, corners, t);
+            for (int c = t; c < t + 3; c++) {
+                normals[corners[c]] = normals[corners[c]].plus(normal);     // weighted by area
             }
         }
-        for (int i = 0; i < normals.length; i++) {
-            normals[i] = unit(normals[i]);
-        }
+        Arrays.setAll(normals, i -> unit(normals[i]));
         int[] colours = new int[normals.length];
-        for (int t = 0; t + 2 < corners.length; t += 3) {
-            if (whole[t / 3]) {
-                shade(corners, t, isFront(corners, t, places), normal(state, corners, t), normals, colours);
-                shapes.raster().triangle(corners, t, places, colours);
-            }
+        for (int t = 0; t < corners.length; t += 3) {
+            shade(corners, t, isFront(corners, t, places), normal(state, corners, t), normals, colours);
+            shapes.raster().triangle(corners, t, places, colours);
         }
     }
 
