@@ -79,8 +79,9 @@ class PictureTest extends LabPageTestCase {
     @Test
     void aFixedParticleAmongGlowingOnesIsASmallBall() {
         page.openScene("28-fire");
+        until("text('particle') === 'none yet'");
         page.click("start");
-        until("view.spots.count > 50");
+        until("view.spots.count > 50 && value('particle').length > 0");
         assertEquals(1, value("view.balls.count"));
         assertEquals(0.13 / 3, value("view.radius(0)"), 1e-12);
         page.screenshot("fire");

@@ -44,7 +44,7 @@ export class PhaseSpace {
   }
 
   forget() {
-    $('particle').replaceChildren();
+    $('particle').replaceChildren(new Option('none yet', ''));
   }
 
   /** The particles that can move; in a scene with births they come and go. */
