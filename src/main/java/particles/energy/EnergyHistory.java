@@ -1,11 +1,14 @@
 package particles.energy;
 
 import java.util.ArrayList;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.Collectors;
 import particles.ParticleSystem;
 import particles.law.Effect;
+import particles.law.Particles;
+import particles.law.Vector3;
 import particles.view.ChartData;
 import particles.view.ChartData.Series;
 
@@ -21,6 +24,8 @@ public final class EnergyHistory extends StridedRecorder {
 
     /** If energies grow beyond this factor, earlier ones look like 0 on a linear axis. */
     private static final double MUCH = 1000;
+    /** Relative to coordinates: particles at one level may differ by this in height. */
+    private static final double SAME_LEVEL = 1e-12;
     /** Of the largest energy. */
     private static final double ROUND_OFF = 1e-16;
 
@@ -68,9 +73,33 @@ public final class EnergyHistory extends StridedRecorder {
     @Override
     public void started(ParticleSystem system) {
         system.getEffects().forEach(effect -> parts.add(new Part(effect)));
-        restScale = RestScale.of(system);
+        restScale = restScale(system);
         super.started(system);
         restScale -= lowestInternal;
+    }
+
+    /**
+     * The energy scale of a scene in which nothing moves, weight times height (J): the length of the sum of all
+     * effects' forces on the particles that can move, times the extent of all particles along it, or times 1 m where
+     * they have none beyond round-off; 0 without force.
+     */
+    private static double restScale(ParticleSystem system) {
+        Particles particles = system.getParticles();
+        double[] state = system.getOwnState();
+        double[] force = new double[system.getStateSize()];
+        system.addUpEffects(state, system.getTime(), force);
+        Vector3 sum = Vector3.ZERO;
+        for (int i = 0; i < particles.count(); i++) {
+            sum = particles.isFixed(i) ? sum : sum.plus(Vector3.at(force, Particles.STRIDE * i + 3));
+        }
+        double weight = Math.sqrt(sum.dot(sum));
+        if (!(weight > 0)) {
+            return 0;
+        }
+        DoubleSummaryStatistics along = particles.along(state, sum);
+        double most = along.getMax() / weight;
+        double least = along.getMin() / weight;
+        return weight * (most - least > SAME_LEVEL * Math.max(most, -least) ? most - least : 1);
     }
 
     @Override

@@ -20,7 +20,6 @@ import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneDescription.Contents;
 import particles.scene.format.SolverDescription;
 import particles.scene.parts.Lattice;
-import particles.scene.parts.LatticeSurface;
 import particles.scene.parts.ParticleDescription;
 import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RuleKind;
@@ -136,7 +135,7 @@ public final class SceneBuilder {
                         lattice.position(to).minus(lattice.position(from)).length(), family.damping()));
             }
             if (shape.surface()) {
-                cloths.add(LatticeSurface.of(lattice, first,
+                cloths.add(lattice.surface(first,
                         shape.springs().stream().anyMatch(family -> family.sort() == SpringFamily.Sort.STRUCTURAL)));
             }
         }

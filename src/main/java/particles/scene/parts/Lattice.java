@@ -4,8 +4,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.law.Vector3;
+import particles.view.Surface;
 
 /**
  * A regular grid of particles in one, two or three directions: a rope, a cloth or a block. The first index varies
@@ -88,5 +90,38 @@ public record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vect
     /** @return the range of ids, for messages */
     public String range() {
         return idOf(0) + " to " + idOf((int) size() - 1);
+    }
+
+    /**
+     * Makes the surface that a lattice in two or three directions spans: a cloth itself, or the six sides of a block.
+     *
+     * @param first     the index of its first particle in the system
+     * @param ofSprings whether springs connect neighbours along its directions
+     * @return its surface
+     */
+    public Surface surface(int first, boolean ofSprings) {
+        IntStream.Builder triangles = IntStream.builder();
+        if (counts.size() == 2) {
+            addSheet(triangles, first, 1, 0);           // front: the viewer sees [0,0] top left
+        } else {
+            for (int d = 0; d < 3; d++) {
+                addSheet(triangles, first, (d + 2) % 3, (d + 1) % 3);
+                addSheet(triangles, first + (counts.get(d) - 1) * stride(d), (d + 1) % 3, (d + 2) % 3);
+            }
+        }
+        return new Surface(triangles.build().toArray(), ofSprings);
+    }
+
+    /** Adds the sheet through a corner along directions u and v; its front is on the side of u x v. */
+    private void addSheet(IntStream.Builder triangles, int corner, int u, int v) {
+        int right = stride(u);
+        int down = stride(v);
+        for (int i = 0; i + 1 < counts.get(u); i++) {
+            for (int j = 0; j + 1 < counts.get(v); j++) {
+                int a = corner + i * right + j * down;
+                int c = a + right + down;
+                IntStream.of(a, a + right, c, a, c, a + down).forEach(triangles);
+            }
+        }
     }
 }
