@@ -209,7 +209,10 @@ public abstract class AdaptiveSolver extends DESolver {
                     // two halves rather than a long and a tiny one
                     : subStep > remaining / 2 ? remaining / 2 : subStep;
             if (!slopeKnown) {
-                evaluate(source, state, direction * done, slope);
+                source.setState(state);
+                source.setOffset(direction * done);
+                source.getStateDerivative(slope);       // at the end of the last sub-step
+                source.requireFinite(slope);
                 slopeKnown = true;
             }
             double error = attempt(source, state, slope, direction * done, direction * h, newState);
@@ -232,13 +235,6 @@ public abstract class AdaptiveSolver extends DESolver {
                 rejected = true;
             }
         }
-    }
-
-    private void evaluate(StepTransaction source, double[] at, double offset, double[] result) {
-        source.setState(at);
-        source.setOffset(offset);
-        source.getStateDerivative(result);              // at the end of the last sub-step
-        source.requireFinite(result);
     }
 
     /** Makes the new state the current one. */

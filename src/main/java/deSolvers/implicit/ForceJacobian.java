@@ -84,8 +84,8 @@ public final class ForceJacobian implements ForceDerivatives {
             held[i] = inverse == 0;
             masses[i] = held[i] ? 1 : 1 / inverse;
             if (held[i]) {
-                Arrays.fill(stiffness.getValues(), 9 * pattern.rowStart(i), 9 * pattern.rowStart(i + 1), 0);
-                Arrays.fill(damping.getValues(), 9 * pattern.rowStart(i), 9 * pattern.rowStart(i + 1), 0);
+                stiffness.clearRow(i);
+                damping.clearRow(i);
             }
         }
     }

@@ -13,31 +13,27 @@ final class NewtonUpdate {
     private static final double ROUND_OFF = 2 * Math.ulp(1.0);
     /** The round-off within f, beside that of the terms of its sums. */
     private static final double WITHIN = 100;
-    private static final double SMALLEST_UNSCALED = 1e-100;
-    private static final double LARGEST_UNSCALED = 1e100;
 
     private NewtonUpdate() {
     }
 
     /**
-     * Solves the linearised equation. A residual whose square would under- or overflow is scaled for the linear solver.
+     * Solves the linearised equation. For the linear solver, the residual is scaled by a power of two, which changes no
+     * digit, so that its square neither under- nor overflows.
      *
-     * @param residual r(m); unchanged but for round-off
+     * @param residual r(m); the same afterwards
      * @param result   receives the update
      * @return false if there is none
      */
     static boolean solve(ShiftedJacobian jacobian, double[] residual, double[] result, double tolerance) {
-        double largest = largest(residual);
-        if (largest > SMALLEST_UNSCALED && largest < LARGEST_UNSCALED || largest == 0) {
-            return jacobian.solve(residual, result, tolerance);
-        }
+        double scale = Math.scalb(1.0, Math.max(Double.MIN_EXPONENT, Math.getExponent(largest(residual))));
         for (int i = 0; i < residual.length; i++) {
-            residual[i] /= largest;
+            residual[i] /= scale;
         }
         boolean solved = jacobian.solve(residual, result, tolerance);
         for (int i = 0; i < residual.length; i++) {
-            residual[i] *= largest;
-            result[i] *= largest;
+            residual[i] *= scale;
+            result[i] *= scale;
         }
         return solved;
     }

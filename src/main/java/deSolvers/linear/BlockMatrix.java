@@ -79,6 +79,11 @@ public final class BlockMatrix implements LinearOperator {
         }
     }
 
+    /** Sets the blocks of row i to 0. */
+    public void clearRow(int i) {
+        Arrays.fill(values, 9 * pattern.rowStart[i], 9 * pattern.rowStart[i + 1], 0);
+    }
+
     /**
      * Multiplies a row of blocks from the left.
      *
