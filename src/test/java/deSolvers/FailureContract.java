@@ -115,9 +115,9 @@ public abstract class FailureContract extends ContractBasics {
     @Test
     void anExceptionOfTheSourceRestoresStateAndTimeBitForBit() {
         for (SpySource.Call call : SpySource.Call.values()) {
-            assertRestored(call, 200, call.compareTo(SpySource.Call.DIMENSION) < 0, () -> new SpySource(windy(1)));
+            assertRestored(call, 100, call.compareTo(SpySource.Call.DIMENSION) < 0, () -> new SpySource(windy(1)));
             for (int blocks : new int[] {1, 11}) {
-                assertRestored(call, 50, EnumSet.of(SpySource.Call.INC_TIME, SpySource.Call.DERIVATIVE,
+                assertRestored(call, 25, EnumSet.of(SpySource.Call.INC_TIME, SpySource.Call.DERIVATIVE,
                         SpySource.Call.SET_STATE).contains(call), () -> new ArraySpySource(windy(blocks)));
             }
         }

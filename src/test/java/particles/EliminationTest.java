@@ -22,7 +22,7 @@ class EliminationTest {
 
     /** At the stiffness where elimination takes over, both ways take about the same work. */
     @ParameterizedTest
-    @ValueSource(ints = {20, 24, 32})
+    @ValueSource(ints = {20, 24})
     void aClothIsEliminatedOnceIterationsTakeMoreWork(int edge) {
         SolverWork softer = work(Cloth.hanging(edge, 100, 0));
         assertEquals(0, softer.factorisations);
@@ -32,7 +32,7 @@ class EliminationTest {
             if (stiffer.factorisations != softer.factorisations) {
                 changes++;
                 double ratio = (double) stiffer.blockOperations / softer.blockOperations;
-                // Measured 0.97, 1.00 and 1.04 of the work of 47, 57 and 78 iterations.
+                // Measured 0.97 and 1.00 of the work of 47 and 57 iterations.
                 assertBetween(0.93, 1.07, ratio, stiffness);
             }
             softer = stiffer;

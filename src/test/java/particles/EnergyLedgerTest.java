@@ -105,10 +105,10 @@ class EnergyLedgerTest {
         return Math.log(errors[0] / errors[1]) / Math.log(4);
     }
 
-    /** Bound: within 0.2 of the order. Measured: 1.01, 0.99, 2.11, 2.02, 3.86, 0.99, 2.00, 4.13, 4.00. */
+    /** Bound: within 0.2 of the order. Measured: 1.01, 0.97, 2.11, 2.02, 3.86, 0.99, 2.00, 4.13, 4.00. */
     @ParameterizedTest
-    @CsvSource({"euler, 1, 0.001", "symplectic-euler, 1, 0.001", "midpoint, 2, 0.0002", "verlet, 2, 0.008",
-            "rk4, 4, 0.01", "backward-euler, 1, 0.001", "implicit-midpoint, 2, 0.016", "adams, 4, 0.002",
+    @CsvSource({"euler, 1, 0.002", "symplectic-euler, 1, 0.002", "midpoint, 2, 0.0002", "verlet, 2, 0.008",
+            "rk4, 4, 0.01", "backward-euler, 1, 0.002", "implicit-midpoint, 2, 0.016", "adams, 4, 0.002",
             "yoshida4, 4, 0.016"})
     void numericalErrorFallsWithTheSolversOrder(String solver, int order, double h) {
         assertEquals(order, slope(EVERYTHING, solver, h, 1.03), 0.2);

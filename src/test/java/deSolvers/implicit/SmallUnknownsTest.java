@@ -91,7 +91,7 @@ class SmallUnknownsTest {
 
     /** Pairs of a large and a small entry, 12 powers of ten apart: by differences. */
     @ParameterizedTest
-    @CsvSource({"1e3, 1e-3, 1", "1e3, 1e-3, 301", "1e6, 1e-6, 301", "1e8, 1e-6, 1"})
+    @CsvSource({"1e3, 1e-3, 1", "1e3, 1e-3, 101", "1e6, 1e-6, 301", "1e8, 1e-6, 1"})
     void smallEntriesOfALargeSystem(double large, double small, int pairs) {
         DoubleUnaryOperator f = y -> -100 * (y - small) * (1 + (y - small) * (y - small) / (small * small));
         double[] start = new double[2 * pairs];
