@@ -4,6 +4,7 @@ import static deSolvers.implicit.RadauTableau.S6;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import org.hipparchus.linear.Array2DRowRealMatrix;
 import org.junit.jupiter.api.Test;
 
 /** The numbers of the method against each other: order conditions, and the split of its matrix. */
@@ -63,15 +64,7 @@ class RadauTableauTest {
     }
 
     private static double[][] product(double[][] a, double[][] b) {
-        double[][] c = new double[3][3];
-        for (int i = 0; i < 3; i++) {
-            for (int j = 0; j < 3; j++) {
-                for (int k = 0; k < 3; k++) {
-                    c[i][j] += a[i][k] * b[k][j];
-                }
-            }
-        }
-        return c;
+        return new Array2DRowRealMatrix(a).multiply(new Array2DRowRealMatrix(b)).getData();
     }
 
     /** The polynomial goes through the stages, and with z = c it is u itself. */
