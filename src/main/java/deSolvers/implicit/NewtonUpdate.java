@@ -26,7 +26,7 @@ final class NewtonUpdate {
      * @return false if there is none
      */
     static boolean solve(ShiftedJacobian jacobian, double[] residual, double[] result, double tolerance) {
-        double scale = Math.scalb(1.0, Math.max(Double.MIN_EXPONENT, Math.getExponent(largest(residual))));
+        double scale = Math.max(Double.MIN_NORMAL, Math.ulp(largest(residual)));
         for (int i = 0; i < residual.length; i++) {
             residual[i] /= scale;
         }
