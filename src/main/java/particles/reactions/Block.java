@@ -198,11 +198,11 @@ final class Block {
         }
     }
 
-    /** A single particle needs no distances, and its matrix stays 1 on one surface. */
+    /** The matrix of a single particle stays 1 on one surface. */
     private void evaluate(double[] state) {
         assembled &= rows.length == 1 && !isJoined();
         for (Row row : rows) {
-            row.evaluate(state, isJoined());
+            row.evaluate(state);
             row.bend *= isJoined() ? 1 : system.mass(particles[0]);
         }
     }
@@ -273,24 +273,6 @@ final class Block {
         for (Row row : rows) {
             row.addForce(force);
         }
-    }
-
-    /** The power of the friction in the solution (W). */
-    double frictionPower(double[] state) {
-        double power = 0;
-        for (Row row : rows) {
-            power += row.frictionPower(state);
-        }
-        return power;
-    }
-
-    /** The power with which moving anchors drive the rods in the solution (W). */
-    double anchorPower(double[] state) {
-        double power = 0;
-        for (Row row : rows) {
-            power -= row.force * row.rateOfAnchors(state, system.getInverseMasses());
-        }
-        return power;
     }
 
     /**

@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntPredicate;
-import java.util.function.ToDoubleBiFunction;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.SimulationException;
@@ -146,14 +146,13 @@ final class Blocks {
         }
     }
 
-    /** The sum of a power over some blocks (W). */
-    double power(List<Block> some, double[] state, double time, double[] force,
-            ToDoubleBiFunction<Block, double[]> power) {
+    /** The sum of a power over the rows of some blocks (W). */
+    double power(List<Block> some, double[] state, double time, double[] force, ToDoubleFunction<Row> power) {
         prepare(state, time);
         double sum = 0;
         for (Block block : some) {
             solve(block, state, time, force);
-            sum += power.applyAsDouble(block, state);
+            sum += Arrays.stream(block.rows).mapToDouble(power).reduce(0, Double::sum);
         }
         return sum;
     }
@@ -301,11 +300,6 @@ final class Blocks {
      */
     void correct(Block block, double[] state, int place, boolean mayOpen, int pairs) {
         block.take(state, pairs);
-        for (Row row : block.rows) {
-            if (place == 0) {
-                row.evaluate(state, true);
-            }
-        }
         correctTaken(block, state, place, mayOpen);
     }
 

@@ -29,7 +29,12 @@ final class ConstraintCorrection {
     /** Corrects positions, then velocities; returns whether anything was changed. */
     boolean project(double[] state, double time) {
         boolean moved = positions(state, time);
-        return velocities(state) | moved;
+        boolean changed = rows.stream().anyMatch(row -> Math.abs(row.rate)        // known since the last correction
+                > FINE * (1 + Vector3.at(state, Particles.STRIDE * row.first + 3).norm1()));
+        if (changed) {
+            correct(state, 3);
+        }
+        return changed || moved;
     }
 
     /** @return whether anything was moved */
@@ -38,7 +43,7 @@ final class ConstraintCorrection {
         for (int iteration = 0;; iteration++) {
             double error = 0;
             for (Row row : rows) {
-                row.evaluate(state, true);
+                row.evaluate(state);
                 double place = Vector3.at(state, Particles.STRIDE * row.first).norm1();
                 error = Math.max(error, Math.abs(row.value) / (row.length + place));
             }
@@ -56,20 +61,6 @@ final class ConstraintCorrection {
             before = error;
             correct(state, 0);
         }
-    }
-
-    /** @return whether anything was changed */
-    private boolean velocities(double[] state) {
-        boolean changed = false;
-        for (Row row : rows) {
-            row.evaluate(state, true);
-            double speed = Vector3.at(state, Particles.STRIDE * row.first + 3).norm1();
-            changed |= Math.abs(row.rate) > FINE * (1 + speed);
-        }
-        if (changed) {
-            correct(state, 3);
-        }
-        return changed;
     }
 
     private void correct(double[] state, int place) {

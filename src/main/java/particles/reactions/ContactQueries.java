@@ -13,7 +13,7 @@ import particles.reactions.Row.Kind;
 import particles.reactions.contact.ContactModes;
 
 /** Answers questions of rules between steps: how large a normal force is, and whether static friction can hold. */
-final class ContactQueries {
+public final class ContactQueries {
     private final ParticleSystem system;
     private final RestingContacts contacts;
     private final ContactModes modes;
@@ -55,8 +55,16 @@ final class ContactQueries {
         return atRest.get();
     }
 
-    /** As {@link RestingContacts#pressure}. */
-    double pressure(int surface, int particle, double[] state, double[] force) {
+    /**
+     * The normal force of a surface on a particle that touches it.
+     *
+     * @param surface  the surface's index
+     * @param particle the particle's index
+     * @param state    the particles' state
+     * @param force    the total force of all effects (N)
+     * @return the normal force (N); if it is 0, minus the force that pulls the particle off
+     */
+    public double pressure(int surface, int particle, double[] state, double[] force) {
         Block block = blocks.of(particle);
         if (block.isJoined()) {
             blocks.prepare(state, system.getTime());
@@ -101,14 +109,21 @@ final class ContactQueries {
         return driven;
     }
 
-    /** As {@link RestingContacts#holdMargin}. */
-    double holdMargin(int particle, double[] state, double[] force) {
+    /**
+     * The margin by which static friction can hold a particle.
+     *
+     * @param particle its index
+     * @param state    the particles' state
+     * @param force    the total force of all effects (N)
+     * @return the largest static friction minus the tangential force (N); negative if friction cannot hold it, or if
+     *         nothing presses on it and no forces of rods and balls balance all others
+     */
+    public double holdMargin(int particle, double[] state, double[] force) {
         Block block = blocks.of(particle);
         if (!block.isJoined()) {
             return marginAlone(particle, state, force);
         }
         blocks.prepare(state, system.getTime());
-        blocks.getRows().evaluate(state);
         if (isDriven(block, particle, state)) {
             return -1;
         }

@@ -128,6 +128,11 @@ public final class RestingContacts implements Reaction {
         return impacts;
     }
 
+    /** @return what is asked of these contacts between steps */
+    public ContactQueries getQueries() {
+        return queries;
+    }
+
     /**
      * Corrects the velocities of a particle or its linkage after one of them was changed: no rod is stretched, no
      * touched surface is entered or left, and sticking particles stay.
@@ -281,8 +286,8 @@ public final class RestingContacts implements Reaction {
 
     @Override
     public double getPower(double[] state, double time, double[] force) {
-        return blocks.power(blocks.joined(), state, time, force, Block::frictionPower)
-                + blocks.power(blocks.touching(), state, time, force, Block::frictionPower);
+        return blocks.power(blocks.joined(), state, time, force, row -> row.frictionPower(state))
+                + blocks.power(blocks.touching(), state, time, force, row -> row.frictionPower(state));
     }
 
     @Override
@@ -308,32 +313,6 @@ public final class RestingContacts implements Reaction {
     public void reindex(int[] newIndex) {
         modes.reindex(newIndex);
         sliding.forget();
-    }
-
-    /**
-     * The margin by which static friction can hold a particle.
-     *
-     * @param particle its index
-     * @param state    the particles' state
-     * @param force    the total force of all effects (N)
-     * @return the largest static friction minus the tangential force (N); negative if friction cannot hold it, or if
-     *         nothing presses on it and no forces of rods and balls balance all others
-     */
-    public double holdMargin(int particle, double[] state, double[] force) {
-        return queries.holdMargin(particle, state, force);
-    }
-
-    /**
-     * The normal force of a surface on a particle that touches it.
-     *
-     * @param surface  the surface's index
-     * @param particle the particle's index
-     * @param state    the particles' state
-     * @param force    the total force of all effects (N)
-     * @return the normal force (N); if it is 0, minus the force that pulls the particle off
-     */
-    public double pressure(int surface, int particle, double[] state, double[] force) {
-        return queries.pressure(surface, particle, state, force);
     }
 
     /**

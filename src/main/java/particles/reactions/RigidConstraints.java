@@ -123,7 +123,8 @@ public final class RigidConstraints implements Reaction, SpringView {
     /** {@inheritDoc} Only moving anchors do work; energy changed by errors of the lengths counts as error. */
     @Override
     public double getPower(double[] state, double time, double[] force) {
-        return blocks.power(blocks.joined(), state, time, force, Block::anchorPower);
+        return blocks.power(blocks.joined(), state, time, force,
+                row -> -row.force * row.rateOfAnchors(state, particles.getInverseMasses()));
     }
 
     /**
@@ -159,7 +160,7 @@ public final class RigidConstraints implements Reaction, SpringView {
     public Violation getViolation(double[] state, double since) {
         Violation worst = Violation.NONE;
         for (Row row : rows.list) {
-            row.evaluate(state, true);
+            row.evaluate(state);
             String from = "'" + particles.id(row.first) + "'";
             if (row.kind == Kind.WIRE) {
                 double off = Math.abs(row.value);

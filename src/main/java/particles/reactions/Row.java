@@ -73,31 +73,25 @@ final class Row {
         return row;
     }
 
-    /**
-     * Evaluates the row, without friction yet.
-     *
-     * @param withDistance whether the value of a contact with a surface is needed
-     */
-    void evaluate(double[] state, boolean withDistance) {
+    /** Evaluates the row, without friction yet. */
+    void evaluate(double[] state) {
         int x = STRIDE * first;
         if (second >= 0) {
             evaluateLink(state, x, STRIDE * second);
-        } else if (kind == Kind.SURFACE) {
-            surface.normal(state, first).put(gradient, 0);
-            rate = dot(gradient, 0, state, x + 3);
-            if (withDistance) {
-                value = surface.distance(state, first);
-            }
-            if (!surface.obstacle().isFlat()) {
-                bend = surface.obstacle().curvature(state[x], state[x + 1], state[x + 2])
-                        * (dot(state, x + 3, state, x + 3) - rate * rate);
-            }
-        } else {
+        } else if (kind == Kind.WIRE) {
             Vector3 at = Vector3.at(state, x);
             value = curve.value(function, at);
             bend = curve.bend(function, at, Vector3.at(state, x + 3));
             curve.gradient(function, at).put(gradient, 0);
             rate = dot(gradient, 0, state, x + 3);
+        } else {
+            surface.normal(state, first).put(gradient, 0);
+            rate = dot(gradient, 0, state, x + 3);
+            value = surface.distance(state, first);
+            if (!surface.obstacle().isFlat()) {
+                bend = surface.obstacle().curvature(state[x], state[x + 1], state[x + 2])
+                        * (dot(state, x + 3, state, x + 3) - rate * rate);
+            }
         }
         System.arraycopy(gradient, 0, pull, 0, gradient.length);
     }
@@ -181,6 +175,7 @@ final class Row {
         if (second < 0 || inverseMasses[first] != 0 && inverseMasses[second] != 0) {
             return false;
         }
+        evaluate(state);
         int k = inverseMasses[first] == 0 ? 0 : 1;
         int v = STRIDE * particle(k) + 3;
         double turn = dot(state, v, state, v) / length;

@@ -57,11 +57,4 @@ final class Rows {
         }
         return r;
     }
-
-    /** Evaluates all rows. */
-    void evaluate(double[] state) {
-        for (Row row : list) {
-            row.evaluate(state, true);
-        }
-    }
 }

@@ -130,7 +130,7 @@ final class StaticFriction {
     }
 
     /**
-     * As {@link RestingContacts#holdMargin}; after a search, what may be left of the force less what is. Forces that
+     * As {@link ContactQueries#holdMargin}; after a search, what may be left of the force less what is. Forces that
      * others balance hold a particle even if nothing presses it on.
      */
     double margin(int particle) {

@@ -90,8 +90,8 @@ public final class Collisions implements EventRule {
         Violation[] worst = {Violation.NONE};
         findPairs(system, state, new double[system.getParticles().count()], (i, j) -> {
             double depth = -gap(state, i, j);
-            worst[0] = depth <= slack(state, i) ? worst[0] : worst[0].or(new Violation(depth / reach(i, j), "'"
-                    + system.getParticles().id(i) + "' and '" + system.getParticles().id(j) + "' overlap by "
+            worst[0] = depth <= Impacts.slack(state, i) ? worst[0] : worst[0].or(new Violation(depth / reach(i, j),
+                    "'" + system.getParticles().id(i) + "' and '" + system.getParticles().id(j) + "' overlap by "
                     + Digits.few(depth) + " m"));
         });
         return worst[0];
@@ -150,7 +150,7 @@ public final class Collisions implements EventRule {
         for (int i = 0; i < n; i++) {
             for (int k = grid.findLater(i, near) - 1; k >= 0; k--) {
                 int j = near[k];
-                if (gap(state, i, j) <= moves[i] + moves[j] + slack(state, i)
+                if (gap(state, i, j) <= moves[i] + moves[j] + Impacts.slack(state, i)
                         && !(particles.isFixed(i) && particles.isFixed(j)) && !links.contains(List.of(i, j))) {
                     pair.take(i, j);
                 }
@@ -162,7 +162,7 @@ public final class Collisions implements EventRule {
     private void findMeeting(Motion motion, int i, int j, double rounding, List<Event> found) {
         double[] begin = motion.getStartState();
         double gap = gap(begin, i, j);
-        boolean begins = gap <= slack(begin, i);
+        boolean begins = gap <= Impacts.slack(begin, i);
         double below = begins ? Math.max(0, rounding + ExactImpacts.DEEP * reach(i, j) - gap) : 0;
         double h = motion.getEndTime() - motion.getStartTime();
         crossing.begin(begin, motion.getEndState(), h, i);
@@ -189,7 +189,7 @@ public final class Collisions implements EventRule {
     private void settle(ParticleSystem system, double near) {
         double[] state = system.getOwnState();
         findPairs(system, state, new double[system.getParticles().count()], (i, j) -> {
-            if (gap(state, i, j) <= near / TOUCHING * slack(state, i)
+            if (gap(state, i, j) <= near / TOUCHING * Impacts.slack(state, i)
                     && Math.abs(rate(state, i, j)) <= balls.restSpeed) {
                 touching.touch(i, j, reach(i, j));
             }
@@ -261,9 +261,5 @@ public final class Collisions implements EventRule {
 
     private static Vector3 apart(double[] state, int i, int j, int place) {
         return Vector3.at(state, STRIDE * j + place).minus(Vector3.at(state, STRIDE * i + place));
-    }
-
-    private static double slack(double[] state, int i) {
-        return TOUCHING * (1 + Vector3.at(state, STRIDE * i).norm1());
     }
 }

@@ -111,13 +111,13 @@ public final class ExactImpacts extends Impacts implements EventRule {
         double[] state = motion.getEndState();
         for (int p = 0; p < surfaces.size(); p++) {
             int surface = p;
-            if (modes.get(p, i) != Mode.FREE && contacts.pressure(p, i, state, force) < 0) {
+            if (modes.get(p, i) != Mode.FREE && contacts.getQueries().pressure(p, i, state, force) < 0) {
                 found.add(new Change(end, true, s -> pressure(s, surface, i), s -> letGo(s, surface, i)));
                 return;
             }
         }
         if (modes.isSticking(i)) {
-            if (contacts.holdMargin(i, state, force) < 0) {
+            if (contacts.getQueries().holdMargin(i, state, force) < 0) {
                 found.add(new Change(end, true, s -> holdMargin(s, i), s -> slide(s, i)));
             }
             return;

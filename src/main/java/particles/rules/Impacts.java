@@ -84,11 +84,11 @@ abstract class Impacts implements Rule {
     }
 
     final double pressure(ParticleSystem system, int p, int i) {
-        return contacts.pressure(p, i, system.getOwnState(), forces(system));
+        return contacts.getQueries().pressure(p, i, system.getOwnState(), forces(system));
     }
 
     final double holdMargin(ParticleSystem system, int i) {
-        return contacts.holdMargin(i, system.getOwnState(), forces(system));
+        return contacts.getQueries().holdMargin(i, system.getOwnState(), forces(system));
     }
 
     /**
@@ -211,10 +211,8 @@ abstract class Impacts implements Rule {
         moveAlong(normal, state, STRIDE * i + 3, -normal.dot(velocity(state, i)));
     }
 
-    /** Adds a multiple of a direction to the three entries that begin at an index. */
+    /** Adds a multiple of a direction to the vector that begins at an index. */
     static void moveAlong(Vector3 direction, double[] state, int place, double amount) {
-        state[place] += amount * direction.x();
-        state[place + 1] += amount * direction.y();
-        state[place + 2] += amount * direction.z();
+        Vector3.at(state, place).plus(direction.times(amount)).put(state, place);
     }
 }

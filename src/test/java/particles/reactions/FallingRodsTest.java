@@ -142,12 +142,12 @@ class FallingRodsTest {
         assertEquals(1, trestle.at(12), 1e-8);
         double[] state = trestle.getState();
         RestingContacts contacts = trestle.contacts();
-        assertEquals(mu * G, contacts.holdMargin(0, state, trestle.effects()), 1e-9);
+        assertEquals(mu * G, contacts.getQueries().holdMargin(0, state, trestle.effects()), 1e-9);
         contacts.getModes().set(0, 0, Mode.SLIDING);
         contacts.getModes().set(0, 1, Mode.FREE);
         contacts.getModes().set(0, 2, Mode.SLIDING);
         state[10] = -4;
-        assertTrue(contacts.holdMargin(0, state, trestle.effects()) < 0, "nothing can hold it");
+        assertTrue(contacts.getQueries().holdMargin(0, state, trestle.effects()) < 0, "nothing can hold it");
     }
 
     /**

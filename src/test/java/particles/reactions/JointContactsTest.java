@@ -48,7 +48,7 @@ class JointContactsTest {
         assertEquals(1, rod.distance(0, 1), 2e-7, "measured: 4e-8");
         double[] state = rod.getState();
         double[] force = rod.effects();
-        assertEquals(G, rod.contacts().pressure(0, 0, state, force), 1e-9);
+        assertEquals(G, rod.contacts().getQueries().pressure(0, 0, state, force), 1e-9);
         rod.rods().addForces(state, 0, force);
         assertEquals(omega * omega / 2, Math.hypot(force[3], force[5]), 1e-5, "measured: 2e-6");
     }
@@ -147,7 +147,8 @@ class JointContactsTest {
                 """ + plane(1, 1, 0) + plane(-1, 1, 0));
         double[] state = groove.getState();
         for (int wall = 0; wall < 2; wall++) {
-            assertEquals(2 * G * Math.sqrt(0.5), groove.contacts().pressure(wall, 0, state, groove.effects()), 1e-9);
+            assertEquals(2 * G * Math.sqrt(0.5), groove.contacts().getQueries().pressure(wall, 0, state,
+                    groove.effects()), 1e-9);
         }
         assertEquals(1, groove.at(7), 1e-12, "it stays upright, since nothing tips it");
     }

@@ -71,20 +71,22 @@ class StaticFrictionTest {
     /**
      * A spring pulls the end of a chain of 50 rods along rough ground: it holds up to mu m g for each particle. To pass
      * the load on from rod to rod takes thousands of turns: once, 45 of the 51 particles slipped at 0.9 of the limit.
-     * With a second spring across the chain, its other end slips and all that do not need its friction hold.
+     * With a second spring across the chain, its other end slips and all that do not need its friction hold. A very
+     * light end moves fastest under what is left of the forces, and may not end the search for the others.
      */
     @ParameterizedTest
-    @CsvSource({"0.9, 0.01, 51", "0.9999, 0.01, 51", "1.01, 0.01, 0", "0.98, 200, 50"})
-    void aLongChainHoldsTheSumOfItsFriction(double part, double across, int held) {
+    @CsvSource({"0.9, 0.01, 1, 51", "0.9999, 0.01, 1, 51", "1.01, 0.01, 1, 0", "0.98, 200, 1, 50",
+        "0.9999, 1e-9, 1e-6, 51", "0.9999, 0.01, 1e-6, 50"})
+    void aLongChainHoldsTheSumOfItsFriction(double part, double across, double mass, int held) {
         int n = 50;
         double limit = 0.5 * ShortRun.G;
         ShortRun run = ShortRun.of("rk4 clamp 0.000001 0.000002", "particles:\n"
                 + "  - {id: hand, position: [%s, 0, 0], fixed: true}\n".formatted(0.1 * n + 1)
                 + "  - {id: side, position: [0, 0, 1], fixed: true}\n"
-                + IntStream.rangeClosed(0, n).mapToObj(i -> "  - {id: p%d, position: [%s, 0, 0]}%n".formatted(i,
-                        0.1 * i)).collect(Collectors.joining())
+                + IntStream.rangeClosed(0, n).mapToObj(i -> "  - {id: p%d, position: [%s, 0, 0], mass: %s}%n"
+                        .formatted(i, 0.1 * i, i == 0 ? mass : 1)).collect(Collectors.joining())
                 + "springs:\n  - {from: p%d, to: hand, stiffness: %s, restLength: 0, damping: 0}\n".formatted(n,
-                        part * limit * (n + 1))
+                        part * limit * (n + mass))
                 + "  - {from: p0, to: side, stiffness: %s, restLength: 0, damping: 0}\n".formatted(across * limit)
                 + "rods:\n" + IntStream.range(0, n).mapToObj(i -> "  - {from: p%d, to: p%d}%n".formatted(i, i + 1))
                         .collect(Collectors.joining())

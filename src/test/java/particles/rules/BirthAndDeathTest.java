@@ -236,7 +236,7 @@ class BirthAndDeathTest {
         system.addEffect(new Cohesion(system.getParticles(), 2, 1.2, 1, 0));
         system.setLife(1, 0, 0.5);
         system.setLife(2, 0, 0.5);
-        Systems.run(system, new RK4Solver(), 0.1, 0.6, new Lifetimes());
+        Systems.run(system, new RK4Solver(), 0.1, 0.6, Deaths.ofAge());
         assertEquals(4, system.getParticles().count());
         assertEquals(1, springs.springCount());
         assertEquals(2, springs.from(0));

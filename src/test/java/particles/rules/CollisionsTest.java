@@ -243,7 +243,7 @@ class CollisionsTest {
     }
 
     private static double pressure(ShortRun run, int surface, int particle) {
-        return run.contacts().pressure(surface, particle, run.getState(), run.effects());
+        return run.contacts().getQueries().pressure(surface, particle, run.getState(), run.effects());
     }
 
     private static double leastPush(ShortRun run) {

@@ -63,8 +63,8 @@ class OnlyWhatIsNamedTest {
             rules: [tear: {strain: 9}] | SpringTear
             rules: [shake: {particle: wall, amplitude: [1, 0, 0], period: 1}] |
             rules: [emitter: {id: e, position: [0, 0, 0], speed: 1, rate: 1}] | Emitter
-            rules: [emitter: {id: e, position: [0, 0, 0], speed: 1, rate: 1, lifetime: 1}] | Emitter Lifetimes
-            rules: [kill: {point: [0, -9, 0]}] | KillPlane
+            rules: [emitter: {id: e, position: [0, 0, 0], speed: 1, rate: 1, lifetime: 1}] | Deaths Emitter
+            rules: [kill: {point: [0, -9, 0]}] | Deaths
             rules: [samples: {farthest: 9, lightest: 1}] | ParticleResampler
             """;
 

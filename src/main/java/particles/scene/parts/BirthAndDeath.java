@@ -3,8 +3,8 @@ package particles.scene.parts;
 import particles.effects.SharedKeys;
 import particles.law.Plane;
 import particles.law.Vector3;
+import particles.rules.Deaths;
 import particles.rules.Emitter;
-import particles.rules.KillPlane;
 import particles.rules.ParticleResampler;
 import particles.rules.SpringTear;
 import particles.spec.Key;
@@ -60,7 +60,7 @@ final class BirthAndDeath {
             "A vector to the side where particles survive; its length does not matter.");
 
     static final RuleKind KILL = new RuleKind("kill", "Removes particles that get behind a plane.",
-            (values, assembly) -> assembly.add(new KillPlane(new Plane(values.get(POINT), values.get(NORMAL)))),
+            (values, assembly) -> assembly.add(Deaths.behind(new Plane(values.get(POINT), values.get(NORMAL)))),
             POINT, NORMAL);
 
     static final Key<String> SAMPLE_ID = ParticleDescription.NEW_ID.withDefault("id", "sample",

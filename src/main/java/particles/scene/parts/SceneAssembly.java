@@ -17,7 +17,7 @@ import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.reactions.contact.ContactSurface;
 import particles.rules.Collisions;
-import particles.rules.Lifetimes;
+import particles.rules.Deaths;
 import particles.view.CurveView;
 import particles.view.Scenery;
 import particles.view.Surface;
@@ -73,7 +73,7 @@ public final class SceneAssembly implements EffectContext {
     public List<Rule> rules() {
         List<Rule> all = new ArrayList<>(rules);
         if (mortal) {
-            all.add(new Lifetimes());
+            all.add(Deaths.ofAge());
         }
         return all;
     }
