@@ -72,7 +72,7 @@ final class PhasePlot {
 
     /** The mark of a start or end, the same in all plots. */
     private static Shape mark(String name, int k) {
-        return ChartStyle.shape(name.startsWith("start") ? 1 : name.startsWith("end") ? 2 : 2 + k % 2);
+        return ChartStyle.shape(name.startsWith("start") ? 1 : name.endsWith("end") ? 2 : 2 + k % 2);
     }
 
     /** Adds the arrows of the field, ds/dt times a time chosen so that none is longer than its cell of the grid. */

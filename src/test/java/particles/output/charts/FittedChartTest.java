@@ -139,6 +139,14 @@ class FittedChartTest {
         }
     }
 
+    @Test
+    void endsOfPathAndReferenceHaveOneMark() {
+        XYPlot plot = Charts.of(Panel.phase(ellipse(1).with(List.of(), List.of(ellipse(1).series().get(0),
+                Series.point("end", Mark.POINTS, 0, 1), Series.point("reference end", Mark.OPEN_POINTS, 1, 1))),
+                Optional.empty())).getXYPlot();
+        assertEquals(plot.getRenderer().getSeriesShape(1), plot.getRenderer().getSeriesShape(2));
+    }
+
     /** Two runs of one solver, and more lines of none than there are colours. */
     @Test
     void noTwoLinesOfAChartLookTheSame() {
