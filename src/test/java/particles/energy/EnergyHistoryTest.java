@@ -13,8 +13,8 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import particles.Simulation;
 import particles.scene.ShortRun;
-import particles.view.ChartData.Series;
 import particles.view.ChartData;
+import particles.view.ChartData.Series;
 
 /** The energy curves of motions whose energies are known. */
 class EnergyHistoryTest {
