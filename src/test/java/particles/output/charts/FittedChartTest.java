@@ -143,7 +143,7 @@ class FittedChartTest {
     @Test
     void endsOfPathAndReferenceHaveOneMark() {
         XYPlot plot = Charts.of(Panel.phase(ellipse(1).with(List.of(), List.of(ellipse(1).series().get(0),
-                Series.point("end", Mark.POINTS, 0, 1), Series.point("reference end", Mark.OPEN_POINTS, 1, 1))),
+                Series.point("reference end", Mark.OPEN_POINTS, 1, 1), Series.point("end", Mark.POINTS, 0, 1))),
                 Optional.empty())).getXYPlot();
         assertTrue(new Area(plot.getRenderer().getSeriesShape(1)).equals(
                 new Area(plot.getRenderer().getSeriesShape(2))));
