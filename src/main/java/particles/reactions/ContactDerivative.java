@@ -8,7 +8,8 @@ import particles.law.Vector3;
 /**
  * The derivative of the total force on a particle in contact, by central differences of order 4: with respect to the
  * force before contact, and to the particle's own position and velocity. A block of one particle is solved in about a
- * tenth of a microsecond.
+ * tenth of a microsecond. Products by differences of the whole system do not replace it: a cloth of 21 x 17 particles
+ * that falls on a rough sphere, with linearised-euler and deltaT = 0.02 s, then ends at 0.26 s, where GMRES fails.
  */
 final class ContactDerivative {
     private static final int STRIDE = Particles.STRIDE;
