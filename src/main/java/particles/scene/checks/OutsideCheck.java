@@ -3,7 +3,6 @@ package particles.scene.checks;
 import deSolvers.text.Digits;
 import java.util.Comparator;
 import java.util.List;
-import java.util.stream.Stream;
 import particles.effects.SharedKeys;
 import particles.law.Obstacle;
 import particles.law.Sphere;
@@ -11,6 +10,7 @@ import particles.law.Vector3;
 import particles.scene.parts.ParticleDescription;
 import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RuleKind;
+import particles.scene.parts.ShapeDescription;
 import particles.spec.Chosen;
 import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
@@ -37,13 +37,19 @@ record OutsideCheck(Chosen<RuleKind> rule, Obstacle solid, double all, Problems 
                 .mapToDouble(rule -> rule.values().get(SharedKeys.BALL_RADIUS)).findFirst().orElse(Double.NaN);
         List<OutsideCheck> checks = sound.stream().flatMap(rule -> rule.kind().obstacle(rule.values()).stream()
                 .map(solid -> new OutsideCheck(rule, solid, all, problems))).toList();
-        checks.forEach(check -> index.getParticles().forEach(particle -> check.check(Stream.of(particle))));
-        index.getShapes().forEach(shape -> checks.forEach(check -> check.check(shape.particles())));
+        if (checks.isEmpty()) {
+            return;
+        }
+        checks.forEach(check -> index.getParticles().forEach(particle -> check.check(List.of(particle))));
+        for (ShapeDescription shape : index.getShapes()) {
+            List<ParticleDescription> particles = shape.particles().toList();       // made once, for all solids
+            checks.forEach(check -> check.check(particles));
+        }
     }
 
     /** Reports the free particle that is deepest inside the solid, if one is. */
-    private void check(Stream<ParticleDescription> particles) {
-        particles.filter(particle -> !particle.fixed() && distance(particle) < 0)
+    private void check(List<ParticleDescription> particles) {
+        particles.stream().filter(particle -> !particle.fixed() && distance(particle) < 0)
                 .min(Comparator.comparingDouble(this::distance))
                 .ifPresent(particle -> problems.add(particle.place(), inside(particle)));
     }
