@@ -141,15 +141,15 @@ public final class Raster {
                 float n = (float) (w * a.near() + u * b.near() + v * c.near());
                 if (n > near[at]) {
                     near[at] = n;
-                    colour[at] = channel(rgbA, rgbB, rgbC, w, u, v, 16) | channel(rgbA, rgbB, rgbC, w, u, v, 8)
-                            | channel(rgbA, rgbB, rgbC, w, u, v, 0);
+                    int mixed = 0;
+                    for (int shift = 16; shift >= 0; shift -= 8) {
+                        mixed |= (int) (w * (rgbA >> shift & 255) + u * (rgbB >> shift & 255)
+                                + v * (rgbC >> shift & 255) + GUARD) << shift;
+                    }
+                    colour[at] = mixed;
                 }
             }
         }
-    }
-
-    private static int channel(int a, int b, int c, double w, double u, double v, int shift) {
-        return (int) (w * (a >> shift & 255) + u * (b >> shift & 255) + v * (c >> shift & 255) + GUARD) << shift;
     }
 
     /** @return the first sample, from least on, whose centre lies beyond an edge */
