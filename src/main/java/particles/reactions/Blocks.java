@@ -152,7 +152,11 @@ final class Blocks {
         double sum = 0;
         for (Block block : some) {
             solve(block, state, time, force);
-            sum += Arrays.stream(block.rows).mapToDouble(power).reduce(0, Double::sum);
+            double ofBlock = 0;
+            for (Row row : block.rows) {
+                ofBlock += power.applyAsDouble(row);
+            }
+            sum += ofBlock;
         }
         return sum;
     }
