@@ -72,6 +72,7 @@ final class PlainRuns {
         check.accept(() -> ends[0] = run.get());
         GuardedRun.await(new Thread(() -> {
             for (int more = new SecureRandom().nextInt(FEWEST, MOST); more > 0; more--) {
+                ends[1] = null;                         // stays so if the class throws an exception
                 ends[1] = run.get();
             }
         }));

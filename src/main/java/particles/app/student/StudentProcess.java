@@ -135,7 +135,8 @@ public final class StudentProcess {
         try (ObjectInputStream input = new ObjectInputStream(System.in)) {
             task = (Task) input.readObject();
         }
-        new StudentLoader(task::sources, StudentProcess.class.getClassLoader()).install();
+        TreeMap<String, String> sources = task.sources();       // the class's loader must not lead to the secret
+        new StudentLoader(() -> sources, StudentProcess.class.getClassLoader()).install();
         new CheckRun(task.check(), Path.of(task.folder()), (code, report) -> end(Path.of(args[0]), task, code,
                 report)).run();
     }

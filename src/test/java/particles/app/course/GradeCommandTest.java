@@ -203,6 +203,21 @@ class GradeCommandTest {
                     try { %s } catch (java.io.IOException e) { throw new java.io.UncheckedIOException(e); }
                 }));""".formatted(forge));
         hostile("ForgeSolver", forge + " Runtime.getRuntime().halt(0);");
+        hostile("ReachSolver", """
+                var loader = ReachSolver.class.getClassLoader();
+                var field = loader.getClass().getDeclaredField("sources");
+                field.setAccessible(true);
+                for (var inner : field.get(loader).getClass().getDeclaredFields()) {
+                    inner.setAccessible(true);
+                    Object task = inner.get(field.get(loader));
+                    var outcome = particles.app.student.StudentProcess.Outcome.class;
+                    var sign = task.getClass().getDeclaredMethod("sign", outcome);
+                    sign.setAccessible(true);
+                    java.nio.file.Files.write(java.nio.file.Path.of(%s), (byte[]) sign.invoke(task,
+                            outcome.getConstructors()[0].newInstance(particles.app.cli.ExitCode.DONE,
+                            java.util.List.of("right"))));
+                    Runtime.getRuntime().halt(0);
+                }""".formatted(verdict));
         hostile("LitterSolver", "java.nio.file.Files.createDirectory(java.nio.file.Path.of(" + verdict + " + 2));");
         hostile("MoreSolver", """
                 new Thread(() -> { while (true) {
@@ -230,8 +245,8 @@ class GradeCommandTest {
     @Tag("slow")
     @Test
     void aClassThatIsOtherwiseOutsideOfTheCheckGetsNoMark() throws Exception {
-        String[] names = {"HereSolver", "LaterSolver"};
-        String[] when = {"calls > 0", "calls > 9000"};
+        String[] names = {"HereSolver", "LaterSolver", "ThrowsSolver"};
+        String[] when = {"calls > 0", "calls > 9000", "calls > 9000 && 1 / (calls % 1) > 0"};
         for (int k = 0; k < names.length; k++) {
             write(names[k], EULER.formatted(names[k],
                     "(" + when[k] + " ? 0.5 : 1) * deltaT * dSdt[i]").replaceFirst("\\{\n", """
@@ -244,7 +259,7 @@ class GradeCommandTest {
         euler("TrueSolver", "deltaT * dSdt[i]");
         String screen = grade(ExitCode.BAD_INPUT);
         assertEquals(1, screen.lines().filter(line -> line.startsWith("mark ")).count(), screen);
-        assertEquals(2, screen.split("its steps differ from those in this check").length - 1, screen);
+        assertEquals(3, screen.split("its steps differ from those in this check").length - 1, screen);
     }
 
     /** Half a step of Euler, after these statements. */
