@@ -6,11 +6,20 @@ import org.hipparchus.special.elliptic.legendre.LegendreEllipticIntegral;
 
 /** A pendulum, theta'' = -sin theta, released at rest. */
 public final class Pendulum extends SecondOrderProblem {
+    /** Nearer to pi, round-off decides when it falls. */
+    private static final double LARGEST = 3.14;
+
     private final double release;
 
-    /** @param release the angle at t = 0 (rad), below pi */
+    /**
+     * @param release the angle at t = 0 (rad)
+     * @throws IllegalArgumentException if it is larger than 3.14, where it hardly begins to fall
+     */
     public Pendulum(double release) {
         super(1, release, 0);
+        if (!(Math.abs(release) <= LARGEST)) {
+            throw new IllegalArgumentException("a release at " + release + " rad; at most " + LARGEST);
+        }
         this.release = release;
     }
 
