@@ -1,7 +1,7 @@
 package particles.law;
 
 /**
- * A vector in space, for building scenes and cameras. The inner loops work on flat arrays instead.
+ * A vector in space. The inner loops over springs and pairs of particles work on flat arrays instead.
  *
  * @param x to the right
  * @param y up

@@ -64,7 +64,7 @@ final class Row {
         return row;
     }
 
-    /** The same row, with its index in the list of rods, balls and wires. */
+    /** A copy without values, with its index in the list of rods, balls and wires. */
     Row numbered(int index) {
         Row row = new Row(kind, first, second, length);
         row.curve = curve;

@@ -159,20 +159,20 @@ final class SlidingFriction {
      */
     private Vector3 find(Friction law, double push, double share, double[] force, double[] state, int v) {
         double most = push * law.coefficient();
-        Vector3 velocity = along(Vector3.at(state, v));
         if (law.law() == Friction.Law.SLIDE) {
-            return velocity.times(most / push);
+            return along(Vector3.at(state, v)).times(most / push);
         }
-        Vector3 needed = along(Vector3.at(force, v));
-        if (mayStop(v / Particles.STRIDE)) {
-            Vector3 beginning = along(Vector3.at(stepBegin, v));
-            needed = needed.plus(beginning.times(stopping[v / Particles.STRIDE]));
-        } else {
-            Vector3 direction = followBeginning(velocity, v);
+        boolean stops = mayStop(v / Particles.STRIDE);
+        if (!stops) {
+            Vector3 direction = followBeginning(along(Vector3.at(state, v)), v);
             double speed = length(direction);
             if (speed > 0) {
                 return direction.times(most / speed / push);
             }
+        }
+        Vector3 needed = along(Vector3.at(force, v));
+        if (stops) {
+            needed = needed.plus(along(Vector3.at(stepBegin, v)).times(stopping[v / Particles.STRIDE]));
         }
         double size = length(needed);                   // if it is about to move: against the force that will move it
         return needed.times((share * size <= most ? share : most / size) / push);

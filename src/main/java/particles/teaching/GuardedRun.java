@@ -2,7 +2,9 @@ package particles.teaching;
 
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
+import java.util.EnumSet;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
@@ -10,9 +12,9 @@ import particles.teaching.Finding.Kind;
 
 /**
  * Runs a student's class in a thread of its own and reports an endless loop, a stack overflow or a lack of memory. Only
- * the CPU time of that thread since the last {@link #goesOn} tells that a loop does not end, so that neither a busy
- * machine nor a costly class makes one endless; a run that takes too long in all is not decided. It does not protect
- * from {@code System.exit}; only a separate process does.
+ * the CPU time of that thread, or of one that it awaits, since the last {@link #goesOn} tells that a loop does not end,
+ * so that neither a busy machine nor a costly class makes one endless; a run that takes too long in all is not decided.
+ * It does not protect from {@code System.exit}; only a separate process does.
  */
 public final class GuardedRun {
     /** The elapsed time after which a run is not decided, as a multiple of the CPU time allowed to a step. */
@@ -23,6 +25,8 @@ public final class GuardedRun {
     private static final long POLL_MILLIS = 20;
     /** So many looks at a thread that waits and computes nothing tell that it waits for ever; fewer below a second. */
     private static final int WAITS = 100;
+    private static final Set<Thread.State> IDLE = EnumSet.of(Thread.State.BLOCKED, Thread.State.WAITING,
+            Thread.State.TIMED_WAITING);
     /** The run of this thread, or of the one that started it. */
     private static final InheritableThreadLocal<GuardedRun> RUN = new InheritableThreadLocal<>();
 
@@ -112,7 +116,7 @@ public final class GuardedRun {
             }
             Thread now = running.get();
             double computed = threads.getThreadCpuTime(now.getId()) / NANOS;        // negative once it has ended
-            waited = now.getState() == Thread.State.RUNNABLE || computed != before ? 0 : waited + 1;
+            waited = IDLE.contains(now.getState()) && computed == before ? waited + 1 : 0;
             before = computed;
             begun = done.get() == steps && now == last ? begun : computed;
             last = now;

@@ -157,7 +157,7 @@ class SpringTable implements SpringView {
     double lengthRate(double[] state, int s) {
         double length = length(state, s);
         Vector3 r = way(state, s, 0);
-        return length > 0 ? new Vector3(r.x() / length, r.y() / length, r.z() / length).dot(way(state, s, 3)) : 0;
+        return length > 0 ? r.over(length).dot(way(state, s, 3)) : 0;
     }
 
     /** r = x_j - x_i of spring s, or r' with an offset of 3. */

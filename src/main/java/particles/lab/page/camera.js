@@ -51,7 +51,7 @@ export class SceneCamera {
     camera.updateMatrixWorld();
   }
 
-  /** How high the picture is now at the target (m): nearer and farther away than where the scene is first seen from. */
+  /** The height of the picture at the target (m), as it is now; viewHeight is that of the first view. */
   seenHeight() {
     const {position, fov} = this.camera;
     return 2 * position.distanceTo(this.controls.target) * Math.tan(fov * Math.PI / 360);

@@ -26,14 +26,20 @@ final class BlobSurface {
         this.field = field;
         for (int node = 0; node < field.nodes.size(); node++) {
             long key = field.nodes.get(node);
-            for (int axis = 0; isInside(key) && axis < 3; axis++) {
-                long step = BlobField.step(axis);
-                if (!isInside(key + step)) {
-                    join(key, axis, true);
-                }
-                if (!isInside(key - step)) {
-                    join(key - step, axis, false);
-                }
+            if (isInside(key)) {
+                joinAround(key);
+            }
+        }
+    }
+
+    private void joinAround(long inside) {
+        for (int axis = 0; axis < 3; axis++) {
+            long step = BlobField.step(axis);
+            if (!isInside(inside + step)) {
+                join(inside, axis, true);
+            }
+            if (!isInside(inside - step)) {
+                join(inside - step, axis, false);
             }
         }
     }

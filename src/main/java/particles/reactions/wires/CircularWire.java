@@ -47,7 +47,7 @@ public final class CircularWire implements Curve {
     @Override
     public Vector3 gradient(int k, Vector3 x) {
         Vector3 d = x.minus(centre);
-        return k == 0 ? axis : new Vector3(d.x() / radius, d.y() / radius, d.z() / radius);
+        return k == 0 ? axis : d.over(radius);
     }
 
     @Override
