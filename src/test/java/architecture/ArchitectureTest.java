@@ -170,7 +170,8 @@ class ArchitectureTest {
                                            particles.teaching.marking
             particles.teaching.figures:    deSolvers deSolvers.catalog deSolvers.problems deSolvers.text
                                            particles.experiments.stability particles.teaching
-                                           particles.teaching.solvers particles.teaching.sources particles.view
+                                           particles.teaching.contract particles.teaching.solvers
+                                           particles.teaching.sources particles.view
             particles.teaching.marking:    particles.law
             particles.teaching.solvers:    deSolvers particles.teaching particles.teaching.contract
                                            particles.teaching.sources

@@ -120,6 +120,13 @@ public record SolverContract(Supplier<DESolver> maker) {
         return evaluations(2, H) >= evaluations(1, H) + 6;
     }
 
+    /** @return how far a source is from its start after a step of this length and one back; empty if one is refused */
+    public Optional<Double> thereAndBack(StudentSource source, double deltaT) {
+        double[] start = source.getState();
+        return source.accepts(maker.get(), deltaT) && source.accepts(maker.get(), -deltaT)
+                ? Optional.of(distance(start, source.getState())) : Optional.empty();
+    }
+
     private Optional<Finding> unlike(StudentSource source, int d, String size, String cause) {
         try {
             source.step(maker.get(), H);

@@ -8,14 +8,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.GuardedRun;
-import particles.teaching.StudentFailure;
+import particles.teaching.contract.SolverContract;
 import particles.teaching.solvers.OrderMeasurement;
 import particles.teaching.solvers.SolverVerdict;
 import particles.teaching.sources.Springs;
-import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
@@ -89,26 +87,13 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         return Series.of(name, mark, points.stream().filter(p -> p[1] > 0 && p[1] < BLOWN_UP).toList());
     }
 
-    /** Makes a step, unless the solver refuses it. */
-    static boolean accepts(DESolver solver, StudentSource source, double deltaT) {
-        try {
-            source.step(solver, deltaT);
-            return true;
-        } catch (RuntimeException e) {
-            if (StudentFailure.isRefusal(e)) {
-                return false;
-            }
-            throw e;
-        }
-    }
-
     private static List<double[]> energy(Supplier<DESolver> maker) {
         Springs springs = new Springs();
         DESolver solver = maker.get();
         double first = springs.energy();
         List<double[]> points = new ArrayList<>();
         for (int step = 1; step <= ENERGY_STEPS && springs.energy() < BLOWN_UP
-                && accepts(solver, springs, ENERGY_STEP); step++) {
+                && springs.accepts(solver, ENERGY_STEP); step++) {
             if (step % 7 == 0 || step == ENERGY_STEPS) {
                 points.add(new double[] {step * ENERGY_STEP, Math.abs(springs.energy() / first - 1)});
             }
@@ -123,7 +108,7 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
             DESolver solver = maker.get();
             boolean made = true;
             for (int i = 0; i < steps && made; i++) {
-                made = accepts(solver, source, 8.0 / steps);
+                made = source.accepts(solver, 8.0 / steps);
             }
             source.incTime(8 - source.getTime());
             if (made) {
@@ -163,9 +148,9 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         }
         rows.add(List.of("largest energy error of a spring, 2000 steps of 0.1", text(largest(energy)),
                 "relative to the energy at the start"));
-        WindyOscillators there = new WindyOscillators(1);
-        rows.add(accepts(maker.get(), there, BACK) && accepts(maker.get(), there, -BACK) ? back(there)
-                : List.of(THERE_AND_BACK, "-", "it refuses a step back"));
+        rows.add(new SolverContract(maker).thereAndBack(new WindyOscillators(1), BACK).map(distance -> List.<Object>of(
+                THERE_AND_BACK, text(distance), distance < 1e-12 ? "reversible: it ends where it began"
+                : "not reversible")).orElse(List.of(THERE_AND_BACK, "-", "it refuses a step back")));
         return new DataTable("facts", "What it does", Stream.of("property", "value", "meaning")
                 .map(DataTable::column).toList(), rows);
     }
@@ -197,19 +182,10 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         long before = 0;
         for (int step = 0; step < BEGINNING; step++) {
             before = springs.getEvaluations();
-            if (!accepts(solver, springs, h)) {
+            if (!springs.accepts(solver, h)) {
                 return REFUSED;
             }
         }
         return springs.getEvaluations() - before;
-    }
-
-    private static List<Object> back(WindyOscillators there) {
-        double[] before = new WindyOscillators(1).getState();
-        double[] after = there.getState();
-        double distance = IntStream.range(0, before.length).mapToDouble(k -> Math.abs(after[k] - before[k])).max()
-                .orElse(0);
-        return List.of(THERE_AND_BACK, text(distance), distance < 1e-12 ? "reversible: it ends where it began"
-                : "not reversible");
     }
 }

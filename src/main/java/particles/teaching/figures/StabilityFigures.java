@@ -118,7 +118,7 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     }
 
     private static long evaluations(Supplier<DESolver> maker, StudentSource source, double deltaT) {
-        SolverFigures.accepts(maker.get(), source, deltaT);
+        source.accepts(maker.get(), deltaT);
         return source.getEvaluations();
     }
 

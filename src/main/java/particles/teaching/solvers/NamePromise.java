@@ -190,6 +190,11 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
         return kind.equals("implicit") && !changed;
     }
 
+    /** @return whether a step back has to undo a step, as it need not with extrapolation or step-size control */
+    boolean isSymmetric() {
+        return kind.equals("symmetric") && !changed && !adapts;
+    }
+
     /** @return the finding for a known method that the name does not stand for; none for no method */
     Optional<Finding> contradicted(String method, int itsOrder) {
         return method.isEmpty() || allows(method, itsOrder) ? Optional.empty()

@@ -119,7 +119,8 @@ public final class SolverCheck {
         }
         findings.addAll(contract.check(memory));
         if (!isWrong()) {
-            (memory.remembers() ? afterContract() : heldBy(diagnosis)).ifPresent(findings::add);
+            (memory.remembers() ? afterContract() : heldBy(diagnosis)).or(() -> promise.isSymmetric()
+                    ? unread.irreversible(promise.says()) : Optional.empty()).ifPresent(findings::add);
         }
     }
 
@@ -133,8 +134,7 @@ public final class SolverCheck {
         return !promise.isGiven() ? Phrase.OLD_VELOCITY.when(diagnosis.method().equals(KnownMethods.EULER)
                 && contract.isForParticles()) : Phrase.NOTHING_EARLIER.when(promise.kind().equals("earlier")
                 && !memory.remembers(), promise.says()).or(() -> Phrase.NO_CONTROL.when(promise.adapts()
-                && diagnosis.order() > 0)).or(() -> promise.contradicted(diagnosis.method(), diagnosis.order()))
-                .or(() -> promise.kind().equals("symmetric") ? unread.irreversible(promise.says()) : Optional.empty());
+                && diagnosis.order() > 0)).or(() -> promise.contradicted(diagnosis.method(), diagnosis.order()));
     }
 
     private boolean isWrong() {

@@ -160,13 +160,15 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
                 > ALIKE, SWING, mirrored));
     }
 
-    /** @return the mistake of a method that does not go back the way that it came, as a symmetric one does */
+    /**
+     * @return the mistake of a method that does not end where it began after a step and one back, as a symmetric one
+     *         does; empty if it refuses such a step
+     */
     Optional<Finding> irreversible(String promised) {
         WindyOscillators source = WindyOscillators.nonlinear(1);
         source.startAt(START);
-        double[] start = source.getState();
-        double off = SolverContract.distance(start, after(after(source, SWING), -SWING).getState());
-        return Phrase.IRREVERSIBLE.when(off > ALIKE, promised, SWING, off);
+        return contract.thereAndBack(source, SWING).filter(off -> off > ALIKE).map(off -> Phrase.IRREVERSIBLE.of(
+                promised, SWING, off));
     }
 
     /** @return position and velocity of a spring after a step, times the sign of its start */

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import particles.teaching.EndlessLoop;
 import particles.teaching.GuardedRun;
+import particles.teaching.StudentFailure;
 
 /** A source for a student's solver: it records arrays of a wrong length, and uses the part of them that fits. */
 public abstract class StudentSource extends ReferenceProblem {
@@ -58,6 +59,24 @@ public abstract class StudentSource extends ReferenceProblem {
         before = getEvaluations();
         solver.stepState(this, deltaT);
         GuardedRun.goesOn();
+    }
+
+    /**
+     * Lets a solver make a step, unless it refuses.
+     *
+     * @param deltaT its length (s)
+     * @return whether it made the step
+     */
+    public final boolean accepts(DESolver solver, double deltaT) {
+        try {
+            step(solver, deltaT);
+            return true;
+        } catch (RuntimeException e) {
+            if (StudentFailure.isRefusal(e)) {
+                return false;
+            }
+            throw e;
+        }
     }
 
     /** @param evaluations the number in one step that tells an endless loop */

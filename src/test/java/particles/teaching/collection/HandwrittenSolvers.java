@@ -38,7 +38,11 @@ final class HandwrittenSolvers {
         return List.of(
                 right("Solver1", "Euler in plain loops", HandwrittenSolvers::euler),
                 right("HeunSolver", "on FixedStepSolver", () -> new HeunOnFixedStep(0.5)),
-                right("StepDoubling", "midpoint against two half steps", HandwrittenSolvers::stepDoubling),
+                right("StepDoubling", "midpoint against two half steps", stepDoubling(Methods.rungeKutta(
+                        new double[][] {{}, {0.5}}, new double[] {0, 1}, new double[0], (stage, old, next) -> next),
+                        1e-7)),
+                right("AdaptiveStrang", "not symmetric", stepDoubling(Methods.turns(new double[] {0, 1, 0},
+                        new double[] {0.5, 0.5}), 1e-5)),
                 right("TaylorTwo", "second derivative by a difference", HandwrittenSolvers::taylor),
                 right("RosenbrockEuler", "one Newton step", (source, h) -> rosenbrock(source, h, 1)),
                 right("Rosenbrock", "ROS2", (source, h) -> ros2(source, h, 1)),
@@ -254,33 +258,34 @@ final class HandwrittenSolvers {
         source.incTime(h / 2);
     }
 
-    private static void stepDoubling(DEStateSource source, double deltaT) {
-        Step midpoint = Methods.rungeKutta(new double[][] {{}, {0.5}}, new double[] {0, 1}, new double[0],
-                (stage, old, next) -> next);
-        double end = source.getTime() + deltaT;
-        double h = deltaT;
-        while ((end - source.getTime()) * deltaT > 0) {
-            double t = source.getTime();
-            h = Math.abs(h) > Math.abs(end - t) ? end - t : h;
-            double[] s = state(source);
-            midpoint.make(source, h);
-            double[] once = state(source);
-            source.setState(s);
-            Methods.clock(source, t);
-            midpoint.make(source, h / 2);
-            midpoint.make(source, h / 2);
-            double error = Methods.norm(plus(state(source), -1, once));
-            if (Double.isNaN(error)) {
-                throw new IllegalStateException("the state is NaN");
-            }
-            if (error > 1e-7) {
+    private static Step stepDoubling(Step step, double tolerance) {
+        return (source, deltaT) -> {
+            double end = source.getTime() + deltaT;
+            double h = deltaT;
+            while ((end - source.getTime()) * deltaT > 0) {
+                double t = source.getTime();
+                h = Math.abs(h) > Math.abs(end - t) ? end - t : h;
+                double[] s = state(source);
+                step.make(source, h);
+                double[] once = state(source);
                 source.setState(s);
                 Methods.clock(source, t);
-                h /= 2;
-            } else {
-                Methods.clock(source, h == end - t ? end : t + h);
+                step.make(source, h / 2);
+                step.make(source, h / 2);
+                double error = Methods.norm(plus(state(source), -1, once));
+                if (Double.isNaN(error)) {
+                    throw new IllegalStateException("the state is NaN");
+                }
+                if (error > tolerance) {
+                    source.setState(s);
+                    Methods.clock(source, t);
+                    h /= 2;
+                } else {
+                    Methods.clock(source, h == end - t ? end : t + h);
+                    h *= 1.5;
+                }
             }
-        }
+        };
     }
 
     private static void taylor(DEStateSource source, double h) {

@@ -93,6 +93,9 @@ final class SolverSpecimens {
                 refuses-below 0 |
                 refuses-NaN |
                 """), SolverTable.read("""
+                StrangSolver | refuses steps back | | LEAPFROG | refuses-below 0
+                RichardsonStrang | not symmetric | | nystrom 1/2; 1/8; 1/4 0 1/4 -> 1/6 0 1/3 \
+                -> 1/6 -1/6 2/3 1/3 @ 0 1 1/2 1
                 EulerSolver | Euler | | rk -> 1
                 MidpointSolver | midpoint | | rk 1/2 -> 0 1
                 RK2Solver | midpoint as RK2 | | rk 1/2 -> 0 1
@@ -300,6 +303,7 @@ final class SolverSpecimens {
                 VerletSolver | old acceleration only | acceleration | nystrom -> 1/2 -> 1 @ 0
                 NystromSolver | weights of v for x | the new position .* the weight of a1 deltaT\\^2 is 1/12 \
                 | nystrom 1/8; 0 1/2 -> 1/12 1/3 1/12 -> 1/6 2/3 1/6 @ 0 1/2 1
+                StrangBack | silent for a step back | negative deltaT does nothing | LEAPFROG | forward-only
                 StrangSplitting | not symmetric | the same from both ends | turns 1 -2/3 2/3 -> -1/24 3/4 7/24
                 VelocityVerlet | half of a missing in x | half is missing | nystrom 1 -> 1 0 -> 1/2 1/2 @ 0 1
                 VelocityVerlet | accelerations not halved | new velocity/or/half | nystrom 1/2 -> 1/2 0 -> 1 1 @ 0 1
