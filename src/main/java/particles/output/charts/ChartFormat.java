@@ -15,6 +15,8 @@ public record ChartFormat(boolean slide, boolean svg, boolean dark) implements S
     public static final ChartFormat PAGE = new ChartFormat(false, false);
 
     private static final int LIGHTEST = 0xff;
+    /** The weighted mean of red, green and blue with which all lines have a contrast of 3 to 1 on black. */
+    private static final double BRIGHT = 105;
     private static final int CURVES = 6;
     private static final int CURVES_ON_A_SLIDE = 5;
     /** The type keeps its size in the layout: a smaller page with more device pixels has larger type. */
@@ -30,13 +32,18 @@ public record ChartFormat(boolean slide, boolean svg, boolean dark) implements S
 
     /**
      * @param rgb a colour on white, 0xRRGGBB
-     * @return the colour of the same hue and saturation that is as light as this one is dark
+     * @return a colour of the same hue that is as light as this one is dark; grey lines of the grid stay faint, but a
+     *         colour that would be too dim to be seen is lightened
      */
     static int onBlack(int rgb) {
         int red = rgb >> 16 & LIGHTEST;
         int green = rgb >> 8 & LIGHTEST;
         int blue = rgb & LIGHTEST;
-        int lighter = LIGHTEST - Math.max(red, Math.max(green, blue)) - Math.min(red, Math.min(green, blue));
+        int most = Math.max(red, Math.max(green, blue));
+        int least = Math.min(red, Math.min(green, blue));
+        int lighter = LIGHTEST - most - least;
+        double dim = BRIGHT - (0.299 * red + 0.587 * green + 0.114 * blue + lighter);      // weights of ITU-R BT.601
+        lighter += (int) Math.max(0, Math.min(Math.min(most - least, least), dim));
         return red + lighter << 16 | green + lighter << 8 | blue + lighter;
     }
 

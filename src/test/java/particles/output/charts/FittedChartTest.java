@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Texts.assertHas;
 
+import deSolvers.catalog.SolverCatalog;
+import java.awt.Color;
 import java.awt.geom.Area;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
@@ -198,7 +200,28 @@ class FittedChartTest {
         assertFalse(svg.matches("(?s).*(white|black|rgb\\().*"), svg);
         assertTrue(svg.contains("#dddddd"), "text, 0x222222 on white");
         assertEquals(0x4dbfff, ChartFormat.onBlack(0x0072b2));
-        assertEquals(0x0072b2, ChartFormat.onBlack(0x4dbfff));
+        assertEquals(0x222222, ChartFormat.onBlack(0xdddddd), "the grid stays faint");
+    }
+
+    /** Contrast as the Web Content Accessibility Guidelines define it, at least 3 to 1 for lines; 2.7 was too dim. */
+    @Test
+    void everyLineIsSeenOnBlack() {
+        for (String solver : SolverCatalog.names()) {
+            requireContrast(SolverStyle.orGrey(solver).colour());
+        }
+        IntStream.range(0, 7).mapToObj(ChartStyle::colour).forEach(FittedChartTest::requireContrast);
+    }
+
+    private static void requireContrast(Color onWhite) {
+        Color colour = new Color(ChartFormat.onBlack(onWhite.getRGB() & 0xffffff));
+        double luminance = 0.2126 * linear(colour.getRed()) + 0.7152 * linear(colour.getGreen())
+                + 0.0722 * linear(colour.getBlue());
+        assertTrue((luminance + 0.05) / 0.05 >= 3, onWhite + " becomes " + colour);
+    }
+
+    private static double linear(int part) {
+        double value = part / 255.0;
+        return value <= 0.03928 ? value / 12.92 : Math.pow((value + 0.055) / 1.055, 2.4);
     }
 
     @Test
