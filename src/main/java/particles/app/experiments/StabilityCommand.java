@@ -134,7 +134,8 @@ public final class StabilityCommand extends ExperimentCommand {
                     .toList();
             return Picture.panels(file, caption, StabilityRegion.finding(solvers, window),
                     panels.stream().map(panel -> panel.scaledTo(panels)).toList())
-                    .onSlides(List.of(Picture.of(file, caption, Panel.map(StabilityRegion.half(solvers, wide)))));
+                    .onSlides(List.of(Picture.of(file, caption,
+                            Panel.map(StabilityRegion.filledHalf(solvers, wide)))));
         }
     }
 }

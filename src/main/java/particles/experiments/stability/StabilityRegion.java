@@ -5,6 +5,7 @@ import deSolvers.catalog.SolverInfo;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BiFunction;
 import java.util.function.Predicate;
 import particles.experiments.runs.SolverChoice;
 import particles.view.ChartData;
@@ -37,17 +38,27 @@ public final class StabilityRegion {
      *         show in the title
      */
     public static ChartData outlines(List<String> solvers, Window window) {
-        return chart(finding(solvers, window), outlines(solvers, window, true), window, -window.top);
+        return chart(finding(solvers, window), maps(solvers, window, true, StabilityMap::outline), window,
+                -window.top);
     }
 
     /** @return the same above the real axis, below which it is mirrored */
     public static ChartData half(List<String> solvers, Window window) {
-        return chart(finding(solvers, window), outlines(solvers, window, false), window, 0);
+        return chart(finding(solvers, window), maps(solvers, window, false, StabilityMap::outline), window, 0);
     }
 
-    private static List<Series> outlines(List<String> solvers, Window window, boolean mirrored) {
-        return solvers.stream().map(solver -> new StabilityMap(Amplification.of(SolverCatalog.info(solver))::at, window,
-                mirrored).outline(solver)).toList();
+    /** @return the same with each region filled, darker where several solvers are stable */
+    public static ChartData filledHalf(List<String> solvers, Window window) {
+        List<Series> regions = new ArrayList<>(maps(solvers, window, false, (map, solver) ->
+                map.filled(solver + ": stable")));
+        regions.addAll(maps(solvers, window, false, StabilityMap::outline));
+        return chart(finding(solvers, window), regions, window, 0);
+    }
+
+    private static List<Series> maps(List<String> solvers, Window window, boolean mirrored,
+            BiFunction<StabilityMap, String, Series> part) {
+        return solvers.stream().map(solver -> part.apply(new StabilityMap(
+                Amplification.of(SolverCatalog.info(solver))::at, window, mirrored), solver)).toList();
     }
 
     /**
