@@ -5,14 +5,9 @@ import static deSolvers.problems.KnownSolutions.decay;
 import static deSolvers.problems.KnownSolutions.protheroRobinson;
 import static deSolvers.problems.KnownSolutions.stiffPair;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
-import deSolvers.DESolverException;
-import deSolvers.EulerSolver;
-import deSolvers.MidpointSolver;
-import deSolvers.RK4Solver;
 import deSolvers.problems.ReferenceProblem;
 import deSolvers.problems.Steps;
 import java.util.List;
@@ -55,21 +50,6 @@ class StiffSolversTest {
         assertNoGrowth(method.maker.get(), method.factor);
         assertStiffOrder(method.maker, method.order, method.error);
         assertStiffPair(method.maker.get(), method.pairError);
-    }
-
-    static List<Supplier<DESolver>> explicitSolvers() {
-        return List.of(EulerSolver::new, MidpointSolver::new, RK4Solver::new);
-    }
-
-    /** The contrary, with bounds as wide as 1. */
-    @ParameterizedTest
-    @MethodSource("explicitSolvers")
-    void explicitSolversFailEveryStatement(Supplier<DESolver> solver) {
-        assertThrows(AssertionError.class, () -> assertNoGrowth(solver.get(), 1));
-        Throwable failure = assertThrows(Throwable.class, () -> assertStiffOrder(solver, 1, 1));
-        assertTrue(failure instanceof AssertionError || failure instanceof DESolverException,
-                "grown, or overflown: " + failure);
-        assertThrows(AssertionError.class, () -> assertStiffPair(solver.get(), 1));
     }
 
     /**

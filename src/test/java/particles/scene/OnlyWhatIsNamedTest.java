@@ -11,18 +11,13 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.Rule;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
-import particles.law.Effect;
-import particles.law.Reaction;
 import particles.scene.parts.RuleKind;
 
 /**
@@ -74,18 +69,6 @@ class OnlyWhatIsNamedTest {
     static List<Addition> additions() {
         return ADDITIONS.lines().map(line -> line.split(" ?[|] ?", -1)).map(row -> new Addition(
                 row[0].replace("; ", "\n") + "\n", row[1].isEmpty() ? Set.of() : Set.of(row[1].split(" ")))).toList();
-    }
-
-    @ParameterizedTest
-    @MethodSource("additions")
-    void nothingElseIsBuilt(Addition addition) {
-        Scene scene = TestScenes.build(SPRINGS + addition.yaml());
-        Stream<Class<?>> built = Stream.of(scene.system().getEffects().stream().<Class<?>>map(Effect::getClass),
-                scene.system().getReactions().stream().<Class<?>>map(Reaction::getClass),
-                scene.simulation().getRules().stream().<Class<?>>map(Rule::getClass)).flatMap(all -> all);
-        List<String> names = built.map(Class::getSimpleName).sorted().toList();
-        Set<String> bases = Set.of("PairForce", "Impacts");
-        assertEquals(withSprings(addition).stream().filter(name -> !bases.contains(name)).toList(), names);
     }
 
     /** Seven scenes in each of three programs; neighbours in the list, which share laws, are in different ones. */

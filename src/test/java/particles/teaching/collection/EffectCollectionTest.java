@@ -8,16 +8,12 @@ import java.util.List;
 import java.util.function.BiPredicate;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 import particles.law.Effect.Trait;
 import particles.law.Particles;
-import particles.spec.ClassNames;
 import particles.teaching.Finding;
 import particles.teaching.GuardedRun;
 import particles.teaching.GuardedRun.Outcome;
 import particles.teaching.effects.EffectCheck;
-import particles.teaching.effects.EffectSample;
 import particles.teaching.effects.ForceDirection;
 
 /** Right and wrong force laws in many styles: no false alarm, none accepted, and the cause named. */
@@ -53,13 +49,6 @@ class EffectCollectionTest {
     void aLawThatClaimsOnlyASymmetryGetsANote() {
         assertStarts(EffectCheck.check(p -> Law.law("Pull", Trait.TRANSLATION_INVARIANT).force(Law.each(p, (s, f, x, m)
                 -> f[x + 3] += s[0] - s[x]))).toString(), "[style: it claims no account of its energy");
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"gravity", "springs", "damped-springs", "drag", "quadraticDrag", "attraction",
-            "cohesion", "repulsion", "penaltyPlane"})
-    void ourOwnEffectsPass(String name) {
-        assertEquals(List.of(), EffectCheck.check(p -> EffectSample.create(name, p, ClassNames.none())));
     }
 
     /** Force and energy agree, and both may be upside down: the measured direction is told, and the reader knows. */
