@@ -182,14 +182,6 @@ class EnergyLedgerTest {
         assertEquals(0, run.getNumericalError(), 1e-9);
     }
 
-    /** In resonance the work of the shaken anchor is the whole energy, without numerical error. */
-    @Test
-    void aShakenAnchorsWorkIsBooked() {
-        ShortRun run = ShortRun.of("rk4 clamp 0.001 3", EVERYTHING);
-        assertTrue(Math.abs(run.work("moving anchors")) > 0.1, "" + run.getLedger().getWork());
-        assertEquals(0, run.getNumericalError(), 1e-8);
-    }
-
     @Test
     void theLedgerDoesNotChangeTheTrajectory() {
         ParticleSystem booked = ShortRun.of("symplectic-euler clamp 0.01 1", EVERYTHING).getSystem();

@@ -2,7 +2,6 @@ package deSolvers.text;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import deSolvers.catalog.SolverCatalog;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -32,19 +31,5 @@ class DidYouMeanTest {
         assertEquals("; did you mean 'drag'?", DidYouMean.hint("darg", KNOWN, "'%s'"::formatted));
         assertEquals(";", DidYouMean.hint("magnetism", KNOWN, "'%s'"::formatted));
         assertEquals(";", DidYouMean.hint("magnetism", List.of(), "'%s'"::formatted));
-    }
-
-    @Test
-    void theCatalogueSuggestsNearNames() {
-        assertEquals("unknown solver 'rk5'; did you mean 'rk4'?", message("rk5"));
-        assertEquals("unknown solver 'leapfrog'; known: euler,", message("leapfrog").substring(0, 40));
-    }
-
-    private static String message(String name) {
-        try {
-            return "found " + SolverCatalog.create(name);
-        } catch (java.util.NoSuchElementException e) {
-            return e.getMessage().replaceFirst("\\? known: euler, .*", "?");
-        }
     }
 }

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
-import static particles.Texts.assertMatches;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -129,34 +128,6 @@ class FaultsTest {
         assertFalse(Files.exists(out.resolve("trajectory.csv")), "the part that was written is not the file");
         done(child(), scene, out);
         assertEquals(expected, WholeFiles.sums(out));
-    }
-
-    /** A full disk, if this machine allows mounting one. */
-    @Test
-    void aFullDiskIsNamed() throws Exception {
-        Path disk = Files.createDirectory(top.resolve("disk"));
-        String[] inside = {"unshare", "-rm", "sh", "-c",
-                "mount -t tmpfs -o size=200k tmpfs \"$0\" && \"$@\"; code=$?; ls -A \"$0\"/out >&2; "
-                + "exit $code", disk.toString()};
-        assumeTrue(mayMount(inside), "this machine lets us mount nothing");
-        Path scene = scene(LONG);
-        ChildProgram.End end = run(child().startedBy(inside), scene, disk.resolve("out"));
-        assertEquals(1, end.code(), end.lines());
-        assertMatches(end.lines(), "(?s).*cannot write \\S+: the disk is full\n.*");
-        assertFalse(end.lines().matches("(?s).*\n(trajectory.csv|animation.gif|run.json)\n.*"),
-                "what broke off looks whole: " + end.lines());
-        assertFalse(end.lines().contains("Exception"), end.lines());
-    }
-
-    private static boolean mayMount(String... inside) throws Exception {
-        String[] command = Stream.concat(Stream.of(inside), Stream.of("true")).toArray(String[]::new);
-        try {
-            Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
-            process.getInputStream().readAllBytes();
-            return process.waitFor() == 0;
-        } catch (IOException e) {
-            return false;                               // the command does not exist
-        }
     }
 
     /** The other side of the pipe has gone before the first line, as head does after its lines. */

@@ -1,7 +1,6 @@
 package particles.hard;
 
 import static deSolvers.problems.Bounds.assertAbove;
-import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.hard.HardSystems.fastest;
@@ -136,22 +135,5 @@ class BetweenPlanesTest {
         assertEquals(0, system.getOwnState()[0], euler ? 1e-4 : 1e-15);
         assertEquals(0, system.getOwnState()[1], euler ? 1e-4 : 1e-15);
         assertEquals(0, fastest(system), euler ? 2 * 9.81 / 512 : 0);
-    }
-
-    /**
-     * With exact impacts it comes to rest at the bottom, held by both planes, with speed 0. Before that it bounces,
-     * slides and reverses on each plane, which is too steep to hold it alone: 23 to 60 events.
-     */
-    @ParameterizedTest
-    @MethodSource("deSolvers.catalog.SolverCatalog#names")
-    void withExactImpactsItComesToRestInTheGroove(String solver) {
-        for (double deltaT : new double[] {1.0 / 512, 0.001}) {
-            Scene scene = scene(GROOVE.formatted("exact"), solver, deltaT, 12);
-            scene.simulation().run();
-            assertEquals(0, scene.system().getOwnState()[0], 1e-15);
-            assertEquals(0, scene.system().getOwnState()[1], 1e-15);
-            assertEquals(0, fastest(scene.system()));
-            assertBelow(100, scene.simulation().getEvents());
-        }
     }
 }

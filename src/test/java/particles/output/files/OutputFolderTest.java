@@ -11,7 +11,6 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -166,39 +165,11 @@ class OutputFolderTest {
     }
 
     @Test
-    void aDeletedFolderIsOneClearLine() throws IOException {
-        Path out = top.resolve("out");
-        OutputFolder folder = OutputFolder.open(out, "run.json", OutputFolder.FRAMES);
-        OutputFile frame = folder.createFrame(0);
-        Files.delete(out.resolve("frames/.frame-00000.png.part"));
-        Files.delete(out.resolve("frames"));
-        Files.delete(out.resolve(".desolver-made"));
-        Files.delete(out.resolve(".desolver-writing"));
-        Files.delete(out);
-        assertRefused("cannot write " + out.resolve("frames/frame-00000.png") + ": its folder does not exist",
-                frame::commit);
-        assertThrows(OutputException.class, () -> folder.create("run.json"));
-        assertFalse(Files.exists(out));
-    }
-
-    @Test
     void namesStayInTheFolder() {
         OutputFolder folder = OutputFolder.open(top.resolve("out"));
         for (String name : List.of("../x", "a/b", "", ".hidden", "/tmp/x", "..")) {
             assertThrows(IllegalArgumentException.class, () -> folder.create(name), name);
         }
-    }
-
-    @Test
-    void frameNumbersHaveTheSameDigitsEverywhere() {
-        Locale before = Locale.getDefault();
-        try {
-            Locale.setDefault(Locale.forLanguageTag("ar-EG-u-nu-arab"));
-            put(OutputFolder.open(top).createFrame(7), "x");
-        } finally {
-            Locale.setDefault(before);
-        }
-        assertTrue(Files.exists(top.resolve("frames/frame-00007.png")));
     }
 
     /** As where a folder is to be made in /proc. */

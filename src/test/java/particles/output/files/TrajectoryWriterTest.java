@@ -3,7 +3,6 @@ package particles.output.files;
 import static deSolvers.problems.Bounds.assertAbove;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Systems.rk4;
 
@@ -19,7 +18,6 @@ import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Simulation;
-import particles.SimulationException;
 import particles.Systems;
 import particles.law.Vector3;
 import particles.output.TestEffects;
@@ -49,8 +47,8 @@ class TrajectoryWriterTest {
         return simulation;
     }
 
-    private List<String> linesOf(Simulation simulation, long stride, String folder) throws IOException {
-        return linesOf(simulation, particles -> stride, folder);
+    private List<String> linesOf(Simulation simulation, String folder) throws IOException {
+        return linesOf(simulation, particles -> 1, folder);
     }
 
     private List<String> linesOf(Simulation simulation, IntToLongFunction stride, String folder) throws IOException {
@@ -103,7 +101,7 @@ class TrajectoryWriterTest {
                 times.add(system.getTime());
             }
         });
-        List<String> lines = linesOf(simulation, 1, "out");
+        List<String> lines = linesOf(simulation, "out");
         assertEquals(HEADER, lines.get(0));
         assertEquals(7, states.size());                         // five whole steps and a half one
         assertEquals(1 + 2 * states.size(), lines.size());
@@ -127,39 +125,15 @@ class TrajectoryWriterTest {
     }
 
     @Test
-    void everySecondStateAndTheLast() throws IOException {
-        List<String> all = linesOf(thrown(0.55, false), 1, "all");
-        List<String> second = linesOf(thrown(0.55, false), 2, "second");
-        List<String> expected = new ArrayList<>(List.of(HEADER));
-        for (int k : new int[] {0, 2, 4, 6}) {
-            expected.addAll(all.subList(1 + 2 * k, 3 + 2 * k));
-        }
-        assertEquals(expected, second);
-        List<String> third = linesOf(thrown(0.45, false), 3, "third");
-        assertEquals("0.45", third.get(third.size() - 1).split(",")[0]);
-        assertEquals(1 + 2 * 3, third.size());                  // t = 0, 0.3 and 0.45
-    }
-
-    @Test
     void aStateIsWrittenAsRulesLeftIt() throws IOException {
-        List<String> lines = linesOf(thrown(0.5, true), 1, "out");
+        List<String> lines = linesOf(thrown(0.5, true), "out");
         String[] fields = lines.get(1 + 2 * 3).split(",");
         assertEquals("5.0", fields[6]);
     }
 
     @Test
-    void aRunThatEndsEarlyKeepsWhatItReached() throws IOException {
-        Simulation simulation = thrown(1, false);
-        simulation.getSystem().addEffect(TestEffects.failingAt(0.35));
-        assertThrows(SimulationException.class, () -> linesOf(simulation, 1, "out"));
-        List<String> lines = Files.readAllLines(top.resolve("out/trajectory.csv"));
-        assertEquals(1 + 2 * 4, lines.size());
-        assertEquals(linesOf(thrown(1, false), 1, "whole").subList(0, lines.size()), lines);
-    }
-
-    @Test
     void aRunWithoutAStepHasOneState() throws IOException {
-        assertEquals(3, linesOf(thrown(0, false), 1, "out").size());
+        assertEquals(3, linesOf(thrown(0, false), "out").size());
     }
 
     @Test

@@ -1,6 +1,5 @@
 package particles.output.frames;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -149,16 +148,6 @@ class FrameObserverTest {
             }
             assertEquals(end == 0.999 ? List.of(0) : List.of(0, 1), notes.frames);
         }
-    }
-
-    @Test
-    void framesChangeNoStateAndCostNoEvaluation() {
-        Simulation alone = thrown(0.03, 1);
-        alone.run();
-        Simulation watched = thrown(0.03, 1);
-        watch(watched, 60);
-        assertArrayEquals(alone.getSystem().getOwnState(), watched.getSystem().getOwnState());
-        assertEquals(alone.getSystem().getEvaluations(), watched.getSystem().getEvaluations());
     }
 
     @Test

@@ -77,6 +77,16 @@ class SolverCollectionTest {
                 """));
     }
 
+    /** The loop of the slide "Euler Solver Code (cont'd)". */
+    @Test
+    void theSlidesOwnEulerIsRightAndAdvisedOfNaN() {
+        SolverVerdict verdict = SolverCheck.check(() -> PlantedSolvers.solver(HandwrittenSolvers::euler), "SlideEuler");
+        assertEquals(List.of(), verdict.wrong());
+        assertEquals("This is the Euler method.", verdict.identity());
+        assertTrue(verdict.findings().stream().anyMatch(advice -> advice.text().contains("the NaN goes unnoticed")),
+                verdict.findings().toString());
+    }
+
     @Test
     void aClosingKickThatIsNotIteratedGetsANote() {
         Specimen leapfrog = SolverTable.read("Leapfrog | | | LEAPFROG").get(0);

@@ -3,6 +3,7 @@ package particles.teaching.figures;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Texts.assertHas;
+import static particles.Texts.assertStarts;
 
 import deSolvers.catalog.SolverCatalog;
 import java.util.List;
@@ -31,6 +32,7 @@ class SolverFiguresTest {
     @Test
     void rk4HasItsLimitsAndDamps() {
         SolverFigures rk4 = figures("rk4");
+        assertStarts(value(rk4, "R(z)"), "1 + z + z^2/2 + z^3/6 + z^4/24 the same for all methods of order 4");
         // eight digits are shown
         assertEquals(2.785293563405282, number(rk4, "real limit"), 5e-8);
         assertEquals(2 * Math.sqrt(2), number(rk4, "imaginary limit"), 5e-8);

@@ -3,12 +3,9 @@ package particles.teaching.solvers;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.DESolver;
-import deSolvers.DEStateSource;
 import deSolvers.catalog.SolverCatalog;
 import java.util.List;
 import java.util.Map;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -42,30 +39,5 @@ class CatalogueSolversPassTest {
         assertEquals(IDENTITIES.getOrDefault(name, "This is a method without fixed"
                 + " coefficients, adaptive or implicit."),
                 verdict.identity());
-    }
-
-    /** The code of the slide "Euler Solver Code (cont'd)", letter by letter. */
-    static final class SlideEuler extends DESolver {
-        @Override
-        public void stepState(DEStateSource source, double deltaT) {
-            int n = source.getStateSize();
-            double[] state = new double[n];
-            double[] dSdt = new double[n];
-            source.getState(state);
-            source.getStateDerivative(dSdt);
-            for (int i = 0; i < n; i++)
-                state[i] += dSdt[i] * deltaT;
-            source.setState(state);
-            source.incTime(deltaT);
-        }
-    }
-
-    @Test
-    void theSlidesOwnEulerHasNothingWrong() {
-        SolverVerdict verdict = SolverCheck.check(SlideEuler::new, "SlideEuler");
-        assertEquals(List.of(), verdict.wrong());
-        assertEquals("This is the Euler method.", verdict.identity());
-        assertTrue(verdict.findings().stream().anyMatch(advice -> advice.text().contains("the NaN goes unnoticed")),
-                verdict.findings().toString());
     }
 }
