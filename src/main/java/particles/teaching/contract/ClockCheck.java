@@ -30,11 +30,12 @@ public final class ClockCheck {
             WindyOscillators source = begun();
             for (int step = 1; step <= LATER_STEPS; step++) {
                 double before = source.getTime();
+                int moves = source.timeMoves();
                 source.step(solver, h);
                 double moved = source.getTime() - before;
                 if (Math.abs(moved - h) > LATER_STEPS * ROUNDING * h) {
                     return Optional.of(step == 1 ? wrong(maker, h, moved) : ends("from step " + step + " on ", h,
-                            moved));
+                            moved, source.timeMoves() == moves));
                 }
             }
         }
@@ -57,9 +58,8 @@ public final class ClockCheck {
         return StudentSource.after(begun(), maker.get(), 1, h).getTime() - START;
     }
 
-    private static Finding ends(String when, double h, double moved) {
-        return Formula.sameTime(moved / h, 0) ? Phrase.CLOCK_STILL.of(when)
-                : Phrase.CLOCK_ENDS.of(when, Formula.time(moved / h), h);
+    private static Finding ends(String when, double h, double moved, boolean still) {
+        return still ? Phrase.CLOCK_STILL.of(when) : Phrase.CLOCK_ENDS.of(when, Formula.time(moved / h), h);
     }
 
     private static Finding wrong(Supplier<DESolver> maker, double h, double moved) {
@@ -70,8 +70,10 @@ public final class ClockCheck {
             return Phrase.CLOCK_NEW_TIME.of(moved, h, START);
         }
         WindyOscillators source = StudentSource.after(begun(), maker.get(), 1, h);
+        boolean still = source.timeMoves() == 0;
         double error = source.error();
         source.incTime(h - moved);
-        return error < MUCH_BETTER * source.error() ? Phrase.PARTS.of(Formula.time(moved / h)) : ends("", h, moved);
+        return error < MUCH_BETTER * source.error() ? Phrase.PARTS.of(Formula.time(moved / h))
+                : ends("", h, moved, still);
     }
 }

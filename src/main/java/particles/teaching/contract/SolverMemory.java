@@ -82,6 +82,7 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
         DESolver solver = maker.get();
         WindyOscillators first = new WindyOscillators(3);
         first.step(solver, H);
+        WindyOscillators left = first.copy();
         long evaluations = first.getEvaluations();
         int last = 18;
         for (int pairs : new int[] {3, 3, 3, 6, 3, 1}) {
@@ -96,9 +97,11 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
             } catch (IndexOutOfBoundsException | NegativeArraySizeException e) {
                 found = "ended in " + e + cause;
             }
-            found = first.getEvaluations() > evaluations ? "the derivative is still asked of the first one, which is"
-                    + " kept in a field. Each step has to use the source that it is given"
-                    : source.wrongLength().map(length -> "handed it an array of " + length + cause).orElse(found);
+            boolean kept = first.getEvaluations() > evaluations || first.getTime() != left.getTime()
+                    || !Arrays.equals(first.getState(), left.getState());
+            found = kept ? "the first one is still used, which is kept in a field. Each step has to use the source"
+                    + " that it is given" : source.wrongLength().map(length -> "handed it an array of " + length + cause)
+                    .orElse(found);
             if (!found.isEmpty()) {
                 return Optional.of(Phrase.OTHER_SOURCE.of(last, 6 * pairs, found));
             }

@@ -13,6 +13,7 @@ import deSolvers.DESolver;
 import deSolvers.DEStateSource;
 import deSolvers.FixedStepSolver;
 import deSolvers.SecondOrderStateSource;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
@@ -104,7 +105,7 @@ final class HandwrittenSolvers {
                             euler(source, h);
                             source.incTime(Arrays.equals(s, state(source)) ? -h : 0);
                         }),
-                wrong("Mine", "clock put back", "the clock never moves", (source, h) -> {
+                wrong("Mine", "clock put back", "^time: the clock ends at t after", (source, h) -> {
                     euler(source, h / 3);
                     euler(source, 2 * h / 3);
                     source.incTime(-2 * h / 3);
@@ -203,8 +204,17 @@ final class HandwrittenSolvers {
                 wrong("VerletSolver", "acceleration kept without a test", "kept|derivative", KeptAcceleration::new),
                 wrong("Mine", "deltaT of the first call", KEPT, () -> new OtherDeltaT(true)),
                 wrong("Mine", "deltaT of the call before", KEPT, () -> new OtherDeltaT(false)),
-                wrong("W75EulerSolver", "first source kept", "asked of the first one, which is kept",
+                wrong("W75EulerSolver", "first source kept", "first one is still used, which is kept",
                         FirstSource::new),
+                wrong("Mine", "first source moved", "first one is still used, which is kept", () -> {
+                    List<DEStateSource> kept = new ArrayList<>();
+                    return PlantedSolvers.solver((source, h) -> {
+                        kept.add(source);
+                        double[] next = plus(state(source), h, slope(source));
+                        kept.get(0).setState(next);
+                        kept.get(0).incTime(h);
+                    });
+                }),
                 wrong("EulerSolver", "exception", "^failure: stepState ends in an exception: java.lang."
                         + "ArrayIndexOutOfBoundsException: Index 12 out of bounds for length 12, in ",
                         (source, h) -> state(source)[source.getStateSize()]++),

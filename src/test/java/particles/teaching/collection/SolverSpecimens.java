@@ -393,7 +393,8 @@ final class SolverSpecimens {
                 W25AdamsBashforth2 | state not compared | as a collision does | adams 2 4 : any-state
                 W89AdamsBashforth3 | stages of the start at t | at another clock than their states \
                 | adams 3 4 : start-clock
-                W142AdamsBashforth2 | clock stays later | from step 2 on the clock never moves | adams 2 4 : clock-stays
+                W142AdamsBashforth2 | clock stays later | from step 2 on the clock ends at t after \
+                | adams 2 4 : clock-stays
                 Bdf2Solver | 2/3 missing | formula of order 2 | bdf 1
                 W65AdamsBashforth2 | is Heun | nothing of earlier steps is used | rk HEUN
                 BackwardEulerSolver | clock at t | clock/or/at t | BACKWARD @ 0 NEWTON
