@@ -99,9 +99,12 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
             }
             boolean kept = first.getEvaluations() > evaluations || first.getTime() != left.getTime()
                     || !Arrays.equals(first.getState(), left.getState());
-            found = kept ? "the first one is still used, which is kept in a field. Each step has to use the source"
-                    + " that it is given" : source.wrongLength().map(length -> "handed it an array of " + length + cause)
-                    .orElse(found);
+            if (kept) {
+                found = "the first one is still used, which is kept in a field. Each step has to use the source that it"
+                        + " is given";
+            } else if (source.wrongLength().isPresent()) {
+                found = "handed it an array of " + source.wrongLength().get() + cause;
+            }
             if (!found.isEmpty()) {
                 return Optional.of(Phrase.OTHER_SOURCE.of(last, 6 * pairs, found));
             }
