@@ -25,9 +25,9 @@ public final class RaceFilm implements AutoCloseable {
     /** The grey of the ghost. */
     private static final int GREY = 0x6f747c;
     /** Pixels of the film for one of the page. */
-    private static final double SCALE = 4.0 / 3;
-    private static final int WIDTH = (int) (SCALE * RacePage.WIDTH);
-    private static final int HEIGHT = (int) (SCALE * RacePage.HEIGHT);
+    static final double SCALE = 4.0 / 3;
+    private static final int WIDTH = scaled(RacePage.WIDTH);
+    private static final int HEIGHT = scaled(RacePage.HEIGHT);
     /** A page, its panels and its copies for the file. */
     private static final long BYTES_PER_PIXEL = 20;
 
@@ -168,7 +168,8 @@ public final class RaceFilm implements AutoCloseable {
         return panels;
     }
 
-    private static int scaled(int length) {
+    /** @return a length of the page in pixels of the film */
+    static int scaled(int length) {
         return (int) Math.round(SCALE * length);
     }
 

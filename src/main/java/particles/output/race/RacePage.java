@@ -9,9 +9,11 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.awt.image.BufferedImage;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import java.util.stream.IntStream;
 import particles.output.charts.ChartStyle;
 import particles.output.charts.SolverStyle;
 import particles.output.charts.StripChart;
@@ -28,13 +30,15 @@ import particles.output.text.FontCheck;
 record RacePage(int columns, int panelWidth, int panelHeight, Rectangle2D strip) {
     static final int WIDTH = 960;
     static final int HEIGHT = 540;
+    /** The places and sizes of panels are multiples of it: so many pixels of the page are 4 pixels of the film. */
+    private static final int UNIT = 3;
     private static final double WIDEST = 16.0 / 9;
     private static final int STRIP = 200;
-    private static final int GAP = 8;
+    private static final int GAP = 9;
     private static final int HEAD = 72;
     private static final int CLOCK_WIDTH = 130;
     /** The height of the two lines above a panel. */
-    private static final int LABEL = 38;
+    private static final int LABEL = 39;
     private static final float LEAST_TYPE = 8;
     private static final int SMALL_PANEL = 220;
     private static final Color GONE = new Color(255, 255, 255, 120);
@@ -47,40 +51,48 @@ record RacePage(int columns, int panelWidth, int panelHeight, Rectangle2D strip)
     /**
      * @param panels the number of panels
      * @param aspect the width of each divided by its height
-     * @return the page; the chart is in the free cells of the last row, or below if there are none
+     * @return the page with the widest panels; the chart is in the free cells of the last row, or below if there are
+     *         none
      */
     static RacePage of(int panels, double aspect) {
-        int columns = columns(panels);
-        int wide = (int) Math.min(pitch(columns) - GAP, aspect * highest(panels));
-        int high = (int) (wide / aspect);
-        int bottom = HEAD + rows(panels) * (LABEL + high + GAP);
-        int left = GAP + panels % columns * pitch(columns);
-        return new RacePage(columns, wide, high, panels % columns == 0
-                ? new Rectangle2D.Double(0, bottom, WIDTH, HEIGHT - bottom)
-                : new Rectangle2D.Double(left, bottom - GAP - high - LABEL, WIDTH - left, high + LABEL));
+        int columns = columns(panels, aspect);
+        double width = width(panels, columns, aspect);
+        int high = whole(width / aspect);
+        int beside = panels % columns;
+        int left = beside == 0 ? 0 : GAP + beside * pitch(columns);
+        int top = HEAD + panels / columns * (LABEL + high + GAP);
+        return new RacePage(columns, whole(width), high,
+                new Rectangle2D.Double(left, top, WIDTH - left, HEIGHT - top));
     }
 
     /** @return the width of a panel that fills its cell divided by its height */
     static double aspect(int panels) {
-        return Math.min(WIDEST, (pitch(columns(panels)) - GAP) / (double) highest(panels));
+        int columns = columns(panels, WIDEST);
+        return Math.min(WIDEST, (pitch(columns) - GAP) / (double) highest(panels, columns));
     }
 
-    private static int highest(int panels) {
-        return (HEIGHT - HEAD - (panels % columns(panels) > 0 ? 0 : STRIP)) / rows(panels) - LABEL - GAP;
+    /** One column more than there are panels leaves a cell for the chart. */
+    private static int columns(int panels, double aspect) {
+        return IntStream.rangeClosed(1, panels + 1).boxed()
+                .max(Comparator.comparingDouble(columns -> width(panels, columns, aspect))).orElseThrow();
     }
 
-    /** Up to three panels are in one row; most other numbers leave a cell free. */
-    private static int columns(int panels) {
-        return panels <= 3 ? panels : (int) Math.ceil(Math.sqrt(panels + 1));
+    private static double width(int panels, int columns, double aspect) {
+        return Math.min(pitch(columns) - GAP, aspect * highest(panels, columns));
     }
 
-    private static int rows(int panels) {
-        return (panels + columns(panels) - 1) / columns(panels);
+    private static int whole(double length) {
+        return Math.max(1, (int) Math.round(length / UNIT)) * UNIT;
+    }
+
+    private static int highest(int panels, int columns) {
+        int rows = (panels + columns - 1) / columns;
+        return (HEIGHT - HEAD - (panels % columns > 0 ? 0 : STRIP)) / rows - LABEL - GAP;
     }
 
     /** From a panel to the next; the text above each may be wider than the panel. */
     private static int pitch(int columns) {
-        return (WIDTH - GAP) / columns;
+        return (WIDTH - GAP) / columns / UNIT * UNIT;
     }
 
     /**
@@ -115,7 +127,11 @@ record RacePage(int columns, int panelWidth, int panelHeight, Rectangle2D strip)
             drawFrame(g, new Rectangle2D.Double(x, y + LABEL, panelWidth, panelHeight), head.words().get(k).left(),
                     time);
         }
-        chart.draw(g, strip, time);
+        double size = Math.min(1, strip.getHeight() / STRIP);      // small type, or the name of its axis would be cut
+        g.scale(size, size);
+        chart.draw(g, new Rectangle2D.Double(strip.getX() / size, strip.getY() / size, strip.getWidth() / size,
+                strip.getHeight() / size), time);
+        g.scale(1 / size, 1 / size);
     }
 
     /** Draws text as large as it fits. */

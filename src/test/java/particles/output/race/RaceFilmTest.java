@@ -8,13 +8,20 @@ import static particles.Systems.rk4;
 import static particles.output.SmallPictures.FRONT;
 import static particles.output.SmallPictures.plain;
 
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Random;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
@@ -108,8 +115,7 @@ class RaceFilmTest {
     /** The one that fails half way is in all frames; the film has those of the reference. */
     @Test
     void filmIsAsLongAsTheReference(@TempDir Path top) throws IOException {
-        ChartData strip = new ChartData("", "time (s)", "error", false, true,
-                List.of(new Series("rk4", Mark.LINE, new double[] {0, 1}, new double[] {1e-3, 1e-2})));
+        ChartData strip = strip();
         int parts;
         try (OutputFolder folder = OutputFolder.open(top.resolve("race")); RaceFilm film = new RaceFilm(2, 1, 5, 10)) {
             falling(0.01, film.watchReference(stage())).run();
@@ -147,6 +153,75 @@ class RaceFilmTest {
         BufferedImage still = ImageIO.read(top.resolve("race/race.png").toFile());
         assertEquals(List.of(1920, 1080), List.of(still.getWidth(), still.getHeight()));
         assertTrue(Files.readString(top.resolve("race/race.svg")).contains("data:image/png"), "with the pictures");
+    }
+
+    /** With room for as many solvers as the command takes; the widths are those measured, in pixels of the page. */
+    @Test
+    void panelsAreAsWideAsThePageAllowsAndTheChartHasRoom() {
+        int[] widths = {465, 390, 330, 306, 306, 228, 228, 192, 192, 192, 192, 180, 180, 180, 147, 147};
+        for (int panels = 1; panels <= widths.length; panels++) {
+            for (double aspect : new double[] {RacePage.aspect(panels), 16.0 / 9}) {
+                RacePage page = RacePage.of(panels, aspect);
+                assertTrue(page.panelWidth() >= widths[panels - 1], panels + " panels, " + page);
+                assertEquals(aspect, page.panelWidth() / (double) page.panelHeight(), 0.03 * aspect, "a whole width");
+                assertTrue(page.strip().getWidth() >= 195 && page.strip().getHeight() >= 156,
+                        "14 leave least: " + page);
+                assertTrue(new Rectangle(RacePage.WIDTH, RacePage.HEIGHT).contains(page.strip()), page::toString);
+            }
+        }
+        assertEquals(3, RacePage.of(16, 4096 / 16.0).panelHeight(), "of the flattest frames that a scene may have");
+    }
+
+    @Test
+    void panelIsInTheFilmPixelForPixelAndTheAxisHasItsWholeName() {
+        Random random = new Random(5);
+        StripChart chart = new StripChart(strip());
+        for (int count : new int[] {1, 4, 6, 12, 16}) {         // in 2, 3, 4, 5 and 6 columns
+            RacePage page = RacePage.of(count, RacePage.aspect(count));
+            List<BufferedImage> panels = new ArrayList<>();
+            for (int k = 0; k < count; k++) {
+                BufferedImage panel = new BufferedImage(RaceFilm.scaled(page.panelWidth()),
+                        RaceFilm.scaled(page.panelHeight()), BufferedImage.TYPE_INT_RGB);
+                int width = panel.getWidth();
+                panel.setRGB(0, 0, width, panel.getHeight(), random.ints((long) width * panel.getHeight()).toArray(), 0,
+                        width);
+                panels.add(panel);
+            }
+            BufferedImage film = new BufferedImage(RaceFilm.scaled(RacePage.WIDTH), RaceFilm.scaled(RacePage.HEIGHT),
+                    BufferedImage.TYPE_INT_RGB);
+            Graphics2D g = film.createGraphics();
+            g.scale(RaceFilm.SCALE, RaceFilm.SCALE);
+            RaceFilm.Words words = new RaceFilm.Words("rk4", "", OptionalDouble.empty());
+            page.draw(g, new RaceFilm.Head("", "", "", Collections.nCopies(count, words)), 0, panels, chart);
+            g.dispose();
+            for (BufferedImage panel : panels) {
+                assertTrue(contains(film, panel), "one of " + count);
+            }
+            int[] corner = film.getRGB(RaceFilm.scaled((int) page.strip().getX()),
+                    RaceFilm.scaled((int) page.strip().getY()), 40, 5, null, 0, 40);
+            assertTrue(Arrays.stream(corner).allMatch(rgb -> rgb == Color.WHITE.getRGB()),
+                    "the axis has room for its name beside " + count);
+        }
+    }
+
+    /** Whether a picture is somewhere in another, but for its edge, on which the frame is drawn. */
+    private static boolean contains(BufferedImage film, BufferedImage panel) {
+        int width = panel.getWidth() - 2;
+        int[] inside = panel.getRGB(1, 1, width, panel.getHeight() - 2, null, 0, width);
+        for (int y = 0; y <= film.getHeight() - panel.getHeight(); y++) {
+            for (int x = 0; x <= film.getWidth() - panel.getWidth(); x++) {
+                if (film.getRGB(x + 1, y + 1) == inside[0] && Arrays.equals(inside,
+                        film.getRGB(x + 1, y + 1, width, panel.getHeight() - 2, null, 0, width))) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private static ChartData strip() {
+        return new ChartData("", "time (s)", "|energy error| / scale", false, true,
+                List.of(new Series("rk4", Mark.LINE, new double[] {0, 1}, new double[] {1e-3, 1e-2})));
     }
 
     @Test
