@@ -68,7 +68,8 @@ public final class SceneStabilityCharts {
                 double deltaT = largest * k / POINTS;
                 double before = factor;
                 factor = theory.factor(theory.growingMost(deltaT), deltaT);
-                double above = factor > TOP ? (factor - TOP) / (factor - before) : 0;     // of the last piece
+                // of the last piece; a refused step grows infinitely, and is drawn where it is refused
+                double above = factor > TOP && Double.isFinite(factor) ? (factor - TOP) / (factor - before) : 0;
                 line.add(new double[] {deltaT - above * largest / POINTS, Math.min(TOP, factor)});
             }
             series.add(Series.of(limit.solver().label(), Mark.LINE, line));

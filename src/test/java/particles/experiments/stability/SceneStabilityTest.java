@@ -11,6 +11,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.spectrum.Spectrum;
 import particles.experiments.stability.SceneStability.Limit;
@@ -78,6 +79,21 @@ class SceneStabilityTest {
         double y = Math.sqrt(2) * rk4.x()[rk4.x().length - 1];
         assertEquals(4, 1 - Math.pow(y, 6) / 72 + Math.pow(y, 8) / 576, 1e-3);
         assertEquals(2, rk4.y()[rk4.y().length - 1]);
+    }
+
+    /** Beyond its limit the solver refuses a step: its factor is infinite, and cannot be interpolated. */
+    @ParameterizedTest
+    @ValueSource(strings = {"verlet", "yoshida4"})
+    void curvesOfRefusedStepsRiseAtTheirLimit(String solver) {
+        SceneDescription scene = chain(1, ", damping: 1.2");
+        List<Limit> limits = limits(scene, solver);
+        Series curve = SceneStabilityCharts.growth(SceneStability.spectrum(scene), limits).series().get(0);
+        int last = curve.x().length - 1;
+        double limit = limits.get(0).predicted();
+        assertTrue(curve.x()[last - 1] <= limit && limit <= curve.x()[last],
+                limit + ": " + curve.x()[last - 1] + " to " + curve.x()[last]);
+        assertTrue(curve.y()[last - 1] <= 1 + 1e-9, limit + ": " + curve.y()[last - 1]);
+        assertEquals(2, curve.y()[last]);
     }
 
     /**
