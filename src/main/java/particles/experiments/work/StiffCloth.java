@@ -9,7 +9,6 @@ import deSolvers.implicit.LinearisedEulerSolver;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.ProgressListener;
@@ -128,9 +127,9 @@ public final class StiffCloth {
      * @return the costs of each
      */
     public static List<Row> measure(List<Long> sweep, ProgressListener progress) {
-        List<Long> warmed = Stream.concat(WARM_UP.stream(), sweep.stream()).toList();
-        return progress.each(warmed, steps -> "rk4 with " + steps + " steps", StiffCloth::measure)
-                .subList(WARM_UP.size(), warmed.size());
+        double warm = (double) WARM_UP.size() / (WARM_UP.size() + sweep.size());
+        progress.part(0, warm).each(WARM_UP, steps -> "warm-up", StiffCloth::measure);
+        return progress.part(warm, 1).each(sweep, steps -> "rk4 with " + steps + " steps", StiffCloth::measure);
     }
 
     /**

@@ -2,6 +2,7 @@ package particles.experiments.work;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.util.List;
 import java.util.stream.Stream;
@@ -11,7 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import particles.experiments.work.StiffCloth.Row;
 import particles.view.ChartData;
 
-/** What is said and drawn of times that are given. */
+/** What is said before anything is measured, and said and drawn of times that are given. */
 class StiffClothChartTest {
     private static List<Row> rows(String times) {
         return Stream.of(times.split("; ")).map(row -> row.split(" ")).map(row -> new Row(1, Long.parseLong(row[0]),
@@ -29,6 +30,14 @@ class StiffClothChartTest {
             """)
     void theFindingSaysWhereRk4IsCheaperAndWhereItIsNot(String times, String finding) {
         assertEquals("One frame of stiff cloth: " + finding, StiffCloth.finding(rows(times)));
+    }
+
+    @Test
+    void theFirstStepsAreAnnouncedAsWarmUp() {
+        assertEquals("warm-up", assertThrows(IllegalStateException.class, () -> StiffCloth.measure(List.of(100L),
+                (part, what) -> {
+                    throw new IllegalStateException(what);
+                })).getMessage());
     }
 
     @Test
