@@ -27,9 +27,9 @@ public final class Digits {
         return String.format(Locale.ROOT, text, values);
     }
 
-    /** @return the number rounded towards zero to 2 digits, for numbers that have to stay below a limit */
-    public static String roundedDown(double value) {
-        return write(value, new MathContext(2, RoundingMode.DOWN));
+    /** @return the number rounded towards zero to so many digits, for numbers that have to stay below a limit */
+    public static String roundedDown(double value, int digits) {
+        return write(value, new MathContext(digits, RoundingMode.DOWN));
     }
 
     /** @return the number with all its digits, as people write it: 0.001, 12.566370614359172, 20 */

@@ -176,6 +176,6 @@ final class AdviceRule {
     /** The option for a step, rounded down to a few digits; none if it is deltaT itself. */
     private Stream<String> shorter(double step) {
         return step < deltaT ? Stream.of(options.apply("deltaT") + "="
-                + Digits.exact(Double.parseDouble(Digits.roundedDown(step)))) : Stream.empty();
+                + Digits.exact(Double.parseDouble(Digits.roundedDown(step, 2)))) : Stream.empty();
     }
 }

@@ -24,7 +24,7 @@ class DigitsTest {
             assertEquals("1.2e-12", Digits.exact(0.0000000000012));
             assertEquals("not a number", Digits.few(Double.NaN));
             assertEquals("over 1e308", Digits.few(Double.POSITIVE_INFINITY));
-            assertEquals("0.063", Digits.roundedDown(0.0639));
+            assertEquals("0.063", Digits.roundedDown(0.0639, 2));
             assertEquals("1000000", Digits.few(1e6));
             assertEquals("1.25e7", Digits.exact(new BigDecimal("12500000")));
             assertEquals("0.0001", Digits.exact(new BigDecimal("1e-4")));

@@ -54,9 +54,9 @@ public final class StiffGalleryCommand extends ExperimentCommand {
                         The third chart shows what is left of the energy of the stiff vibration: that is the price \
                         of backward Euler and radau, which wipe it out, and of rk4 close to its limit; implicit \
                         midpoint and verlet keep it. With a step close to their limit, symplectic Euler and yoshida4 \
-                        borrow some hundred times as much and give it back, and the chart has the most that they \
-                        borrow; it does not grow, as it does beyond the limit. What adaptive explicit solvers leave, \
-                        in the table, is what their tolerance does not see."""),
+                        borrow tens to hundreds of times as much and give it back, and the chart has the most that \
+                        they borrow; it does not grow, as it does beyond the limit. What adaptive explicit solvers \
+                        leave, in the table, is what their tolerance does not see."""),
                 List.of(Picture.bySolver("stiff-gallery",
                         """
                         Evaluations for an error of 1 % of the swing after 10 s, evaluations of the cheapest stable \

@@ -111,10 +111,10 @@ public final class StiffCharts {
                 : " grow as " + growing + (flat.isEmpty() ? "" : ", not with " + flat));
     }
 
-    /** What becomes of the stiff vibration, by the last value of each solver and by the largest. */
+    /** What becomes of the stiff vibration, by the last value of each solver, or by the largest if that is more. */
     private static String vibration(List<Series> drawn) {
-        String borrowed = "reaches " + Digits.few(drawn.stream().mapToDouble(StiffCharts::largest)
-                .filter(Double::isFinite).max().orElse(1), 1) + " times its energy";
+        double least = drawn.stream().mapToDouble(StiffCharts::largest).filter(most -> most > KEPT).min().orElse(KEPT);
+        String borrowed = "reaches at least " + Digits.roundedDown(least, 1) + " times its initial energy";
         return "The stiff vibration " + drawn.stream().collect(groupingBy(series -> largest(series) > KEPT ? borrowed
                 : fate(finite(series)), LinkedHashMap::new, mapping(Series::name, toList()))).entrySet().stream()
                 .map(fate -> fate.getKey() + " with " + SolverChoice.few(fate.getValue())).collect(joining(", "));

@@ -41,7 +41,7 @@ public final class RunLimits {
             throw new InvalidInputException(scene.values().place(SceneFormat.DURATION) + ": a duration of "
                     + Digits.exact(scene.duration()) + " s needs more than a million pictures at frameRate = "
                     + Digits.exact(frameRate) + "; in the scene, output: {frameRate: "
-                    + Digits.roundedDown(SOME_FRAMES / scene.duration()) + "} draws " + (int) SOME_FRAMES + ", and "
+                    + Digits.roundedDown(SOME_FRAMES / scene.duration(), 2) + "} draws " + (int) SOME_FRAMES + ", and "
                     + option + "=false none");
         }
     }
