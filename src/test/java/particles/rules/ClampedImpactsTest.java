@@ -70,14 +70,6 @@ class ClampedImpactsTest {
         assertEquals(0, ball.worstEnergy(), 4e-14, "measured: 5e-15 at most");
     }
 
-    /** An impact loses (1 - r&sup2;) m g h, and the ledger books that, even at a step as long as a frame. */
-    @Test
-    void theLedgerBooksTheLossOfAnImpact() {
-        ShortRun ball = dropped(0.5, 0, 1.0 / 30, 0.6);
-        assertEquals(-0.75 * G, ball.work("impacts"), 1e-13, "measured: 2e-15");
-        assertEquals(0, ball.getNumericalError(), 1e-13, "measured: 1e-15");
-    }
-
     /** Energy stays the same in a groove of two slopes, and on a ball hit off-centre so that a step ends inside it. */
     @ParameterizedTest
     @ValueSource(doubles = {0.002, 0.01, 0.02})

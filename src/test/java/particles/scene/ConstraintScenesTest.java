@@ -16,24 +16,6 @@ class ConstraintScenesTest {
         return SceneBuilder.build(SceneReader.read(Path.of("scenes", file)));
     }
 
-    /**
-     * Measured: 7e-7 m by feedback; the double pendulum is projected, and 3e-9 m shorter because positions in its file
-     * are rounded.
-     */
-    @Test
-    void rodsKeepTheirLengths() {
-        for (String file : new String[] {"40-rigid-pendulum.yaml", "41-double-pendulum.yaml"}) {
-            Scene scene = scene(file);
-            scene.simulation().run();
-            double[] state = scene.system().getOwnState();
-            for (int i = Particles.STRIDE; i < scene.system().getStateSize(); i += Particles.STRIDE) {
-                double dx = state[i] - state[i - 6];
-                double dy = state[i + 1] - state[i - 5];
-                assertEquals(1, Math.sqrt(dx * dx + dy * dy), file.startsWith("41") ? 1e-8 : 4e-6, file);
-            }
-        }
-    }
-
     /** Every bead is on its wire at the end, within 7e-6 m, and the energy is that of the start. */
     @Test
     void beadsStayOnTheirWires() {

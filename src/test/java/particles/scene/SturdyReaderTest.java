@@ -70,15 +70,6 @@ class SturdyReaderTest {
     }
 
     @Test
-    void aliasesAreRefusedUnexpanded() {
-        List<String> lines = linesFor("a: &a [" + "*a, ".repeat(100) + "]\n");
-        assertEquals(51, lines.size(), "50 lines, and that there are more");
-        assertEquals("x.yaml:1:4: anchors and aliases (&name, *name) are not used in scenes; write the values out, or"
-                + " put quotes around a text that begins with & or *", lines.get(0));
-        assertEquals("x.yaml: and more; these are the first 50", lines.get(50));    // of an anchor and 100 aliases
-    }
-
-    @Test
     void depthSizeAndNumbersHaveLimits() {
         assertEquals(List.of("x.yaml:1:21: nested more than 20 deep"), linesFor("[".repeat(100_000)));
         assertEquals(List.of("x.yaml:1:50: nested more than 20 deep"), linesFor("a: " + "{a: ".repeat(9)

@@ -20,7 +20,6 @@ import java.util.Comparator;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Set;
-import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 import java.util.regex.MatchResult;
@@ -29,7 +28,6 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -41,7 +39,6 @@ import particles.output.report.Picture;
 import particles.output.report.ResultPage;
 import particles.output.report.ResultPageWriter;
 import particles.output.text.TableText;
-import particles.view.DataTable;
 
 /**
  * Each chart of the experiments is laid out well, as page and as slide, and its headline is recomputed from the CSV
@@ -120,16 +117,6 @@ class HeadlineTest {
                 .scaleByPowerOfTen(power).round(new MathContext(common))) == 0);
     }
 
-    @Test
-    void aTableWithOtherDigitsIsSeen() {
-        Function<Double, ResultPage> page = value -> new ResultPage("made", "rk4 gains 14 %, verlet 0.333 %", List.of(),
-                List.of(), List.of(DataTable.of("t", "t", List.of(value), DataTable.column("x", 3, x -> x))));
-        assertEquals(List.of(), otherDigits(page.apply(0.14)));
-        assertEquals(List.of(), otherDigits(page.apply(0.2)), "another number");
-        assertEquals(List.of(), otherDigits(page.apply(0.00333333)));
-        assertEquals(List.of("14 in 'rk4 gains 14 %, verlet 0.333 %'"), otherDigits(page.apply(0.143)));
-    }
-
     /** The PDF of all slides has a page of 16:9 for each, with its title as text and nothing as pixels. */
     private static void assertAreInOneFile(Path pdf, List<Picture> slides) throws IOException {
         try (PdfReader reader = new PdfReader(Files.readAllBytes(pdf))) {
@@ -179,20 +166,6 @@ class HeadlineTest {
         }
         Files.write(csv, lines);
         assertThrows(AssertionError.class, () -> judge(title, Drawn.read(csv)), title);
-    }
-
-    /** Errors as small as round-off are equal now and then. */
-    @Test
-    void barsAreToldFromALineWithEqualErrors() throws IOException {
-        Path csv = Files.writeString(top.resolve("made.csv"), """
-                chart,series,x quantity,x,y quantity,y
-                t,rk4,CPU time,1,error,1e-15
-                t,rk4,CPU time,2,error,1e-15
-                t,rk4,CPU time,0.5,error,1e-15
-                t,rk4,CPU time,1.5,error,1e-15
-                t,rk4,CPU time,NaN,error,NaN
-                """);
-        assertEquals(2, Drawn.read(csv).get(0).of("rk4").size());
     }
 
     /** The words of a claim in a headline. */

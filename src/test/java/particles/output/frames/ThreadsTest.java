@@ -41,11 +41,9 @@ class ThreadsTest {
     void everyFileHasTheSameBytesWithAnyNumberOfThreads(String name) throws IOException {
         Map<String, byte[]> one = draw(name, 1);
         assertEquals(11, one.size(), "9 frames, the animation and the film");
-        for (int threads : new int[] {2, 5}) {
-            Map<String, byte[]> several = draw(name, threads);
-            assertEquals(one.keySet(), several.keySet());
-            one.forEach((file, bytes) -> assertArrayEquals(bytes, several.get(file), file + ", threads: " + threads));
-        }
+        Map<String, byte[]> five = draw(name, 5);
+        assertEquals(one.keySet(), five.keySet());
+        one.forEach((file, bytes) -> assertArrayEquals(bytes, five.get(file), file));
     }
 
     private Map<String, byte[]> draw(String name, int threads) throws IOException {
