@@ -20,6 +20,8 @@ public final class StabilityMap {
     private static final int HALVINGS = 8;
     /** The frame of a chart is this much higher than what it shows; the region goes on to its edge. */
     private static final double FRAME = 1.1;
+    /** So many stripes, or more, fill the upper half of a chart; they touch. */
+    private static final int STRIPES = 50;
 
     private final DoubleBinaryOperator modulus;
     private final Window window;
@@ -49,16 +51,17 @@ public final class StabilityMap {
     }
 
     private boolean growsAt(double column, double row) {
-        return modulus.applyAsDouble(x(column), Math.abs(y(row))) > 1 + Amplification.ROUNDING;
+        return modulus.applyAsDouble(x(column), y(row)) > 1 + Amplification.ROUNDING;
     }
 
-    /** The x of a column, half a cell off both axes, so that |R| = 1 on an axis is a line between grid points. */
+    /** The x of a column, half a cell off the imaginary axis, so that |R| = 1 on it is a line between grid points. */
     private double x(double column) {
         return window.left() + (column + 0.5) * window.cell();
     }
 
+    /** The y of a row; the first is the real axis, so that the outline ends at the limit for damping. */
     private double y(double row) {
-        return (row - 0.5) * window.cell();
+        return Math.max(0, row - 0.5) * window.cell();
     }
 
     /**
@@ -66,12 +69,7 @@ public final class StabilityMap {
      * @return the outline |R| = 1, broken where it is in pieces
      */
     public Series outline(String name) {
-        List<double[][]> pieces = new ArrayList<>();
-        for (int r = 0; r + 1 < grows.length; r++) {
-            for (int c = 0; c + 1 < grows[r].length; c++) {
-                cross(r, c, pieces);
-            }
-        }
+        List<double[][]> pieces = pieces();
         List<double[]> line = new ArrayList<>();
         while (!pieces.isEmpty()) {
             draw(chain(pieces), line);
@@ -79,26 +77,48 @@ public final class StabilityMap {
         return Series.of(name, Mark.LINE, line);
     }
 
+    private List<double[][]> pieces() {
+        List<double[][]> pieces = new ArrayList<>();
+        for (int r = 0; r + 1 < grows.length; r++) {
+            for (int c = 0; c + 1 < grows[r].length; c++) {
+                cross(r, c, pieces);
+            }
+        }
+        return pieces;
+    }
+
     /**
      * @param name the name in the legend
-     * @return the region where a step does not grow, as a stripe along each row of the grid
+     * @return the region where a step does not grow, as stripes from one side of the outline to the other
      */
     public Series filled(String name) {
+        List<double[][]> pieces = pieces();
         List<double[]> line = new ArrayList<>();
-        for (int r = 1; r < grows.length; r++) {
-            for (int c = 0; c < grows[r].length; c++) {
-                int from = c;
-                while (c < grows[r].length && !grows[r][c]) {
-                    c++;
-                }
-                if (c > from) {
-                    double[] begin = from == 0 ? new double[] {x(0), y(r)} : border(from, r, from - 1, r);
-                    double[] end = c == grows[r].length ? new double[] {x(c - 1), y(r)} : border(c - 1, r, c, r);
-                    draw(List.of(begin, end), line);
-                }
+        double width = Math.min(window.cell(), window.top() / STRIPES);
+        for (int k = 0; (k + 0.5) * width <= y(grows.length - 1); k++) {
+            double y = (k + 0.5) * width;
+            List<Double> ends = new ArrayList<>(isStableAtLeft(y) ? List.of(x(0)) : List.of());
+            pieces.stream().filter(p -> p[0][1] <= y != p[1][1] <= y).map(p -> p[0][0] + (y - p[0][1])
+                    / (p[1][1] - p[0][1]) * (p[1][0] - p[0][0])).sorted().forEach(ends::add);
+            if (ends.size() % 2 == 1) {
+                ends.add(x(grows[0].length - 1));
+            }
+            for (int i = 0; i < ends.size(); i += 2) {
+                draw(List.of(new double[] {ends.get(i), y}, new double[] {ends.get(i + 1), y}), line);
             }
         }
         return Series.of(name, Mark.BAND, line);
+    }
+
+    private boolean isStableAtLeft(double y) {
+        int r = Math.min((int) (y / window.cell() + 0.5), grows.length - 2);
+        boolean below = !grows[r][0];
+        boolean above = !grows[r + 1][0];
+        if (below == above) {
+            return below;
+        }
+        double[] border = below ? border(0, r, 0, r + 1) : border(0, r + 1, 0, r);
+        return border[1] <= y ? above : below;
     }
 
     /** Finds the point on the outline between a stable grid point and an unstable neighbour. */
@@ -122,7 +142,7 @@ public final class StabilityMap {
 
     private void draw(Collection<double[]> chain, List<double[]> line) {
         double[] gap = {Double.NaN, Double.NaN};
-        chain.forEach(point -> line.add(new double[] {point[0], mirrored ? point[1] : Math.max(0, point[1])}));
+        line.addAll(chain);
         line.add(gap);
         if (mirrored) {
             chain.forEach(point -> line.add(new double[] {point[0], -point[1]}));

@@ -57,7 +57,7 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     private static final double EVALUATIONS = 25_600;
     /** The growth over many steps, measured at each point of the grid, counts as so many. */
     private static final int MANY_STEPS = 44;
-    private static final int FEW_CELLS = 12;
+    private static final int FEW_CELLS = 24;
     /** An iteration needs more rounds the longer the step: up to 500 in some that are to end at 1e-15. */
     private static final List<Double> LENGTHS = List.of(0.5, 1.0, 2.0, 4.0);
     private static final String REAL = "real limit: largest stable deltaT |lambda|";

@@ -13,6 +13,7 @@ import static particles.teaching.solvers.PlantedSolvers.with;
 import deSolvers.DESolver;
 import deSolvers.SecondOrderStateSource;
 import deSolvers.adaptive.DormandPrinceSolver;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
@@ -182,6 +183,39 @@ class StabilityFiguresTest {
         assertEquals("0", value(figures, "imaginary limit"));
         assertTrue(figures.rows().get(0).get(2).toString().endsWith("from the growth over many steps"));
         assertTrue(figures.region().isPresent());
+    }
+
+    /**
+     * Adams-Bashforth 2 as the predictor of the trapezoidal rule: one root is 1 at z = -2, where the region has a tip.
+     */
+    @Test
+    void theOutlineOnACoarseGridEndsAtTheLimitsAndTheStripesFillIt() {
+        StabilityFigures figures = StabilityFigures.of("mine", () -> {
+            List<double[]> kept = new ArrayList<>();
+            return solver((source, deltaT) -> {
+                double[] s = state(source);
+                kept.add(slope(source));
+                double[] f = kept.get(kept.size() - 1);
+                double[] before = kept.get(Math.max(0, kept.size() - 2));
+                source.incTime(deltaT);
+                double[] g = PlantedSolvers.slopeAt(source, with(s, i -> deltaT * (1.5 * f[i] - 0.5 * before[i])));
+                source.setState(with(s, i -> deltaT / 2 * (f[i] + g[i])));
+            });
+        }, true);
+        assertEquals(2, damping(figures), 1e-4);
+        ChartData region = figures.region().orElseThrow();
+        double[] x = series(region, "mine").x();
+        double[] y = series(region, "mine").y();
+        // a square of the net is 0.11, halved eight times
+        assertEquals(-damping(figures), Arrays.stream(x).filter(at -> !Double.isNaN(at)).min().orElseThrow(), 1e-3);
+        double above = IntStream.range(1, x.length).filter(k -> x[k - 1] * x[k] <= 0).mapToDouble(k -> y[k]
+                - x[k] * (y[k] - y[k - 1]) / (x[k] - x[k - 1])).max().orElseThrow();
+        assertEquals(Double.parseDouble(value(figures, "imaginary limit")), above, 0.01);
+        double[] stripes = Arrays.stream(series(region, "stable").y()).filter(at -> at > 0).sorted().toArray();
+        double top = series(region, "imaginary axis").y()[1];
+        IntStream.range(1, stripes.length).forEach(k -> assertTrue(stripes[k] - stripes[k - 1] < 1.01 * top / 50,
+                "a gap above " + stripes[k - 1]));
+        assertEquals(above, stripes[stripes.length - 1], 0.1);
     }
 
     /** A point of the grid takes up to 600 steps. */
