@@ -32,6 +32,8 @@ record RacePage(int columns, int panelWidth, int panelHeight, Rectangle2D strip)
     static final int HEIGHT = 540;
     /** The places and sizes of panels are multiples of it: so many pixels of the page are 4 pixels of the film. */
     private static final int UNIT = 3;
+    /** A frame has at least 16 pixels in each direction. */
+    private static final int LEAST = 4;
     private static final double WIDEST = 16.0 / 9;
     private static final int STRIP = 200;
     private static final int GAP = 9;
@@ -82,7 +84,7 @@ record RacePage(int columns, int panelWidth, int panelHeight, Rectangle2D strip)
     }
 
     private static int whole(double length) {
-        return Math.max(1, (int) Math.round(length / UNIT)) * UNIT;
+        return Math.max(LEAST, (int) Math.round(length / UNIT)) * UNIT;
     }
 
     private static int highest(int panels, int columns) {

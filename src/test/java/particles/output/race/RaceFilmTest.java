@@ -169,7 +169,11 @@ class RaceFilmTest {
                 assertTrue(new Rectangle(RacePage.WIDTH, RacePage.HEIGHT).contains(page.strip()), page::toString);
             }
         }
-        assertEquals(3, RacePage.of(16, 4096 / 16.0).panelHeight(), "of the flattest frames that a scene may have");
+        for (double aspect : new double[] {4096 / 16.0, 16 / 4096.0}) {        // the extremes that a scene may have
+            try (RaceFilm film = new RaceFilm(16, aspect, 5, 10)) {
+                film.watchReference(stage());         // throws if a panel is too small
+            }
+        }
     }
 
     @Test
