@@ -13,7 +13,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import particles.experiments.runs.ProgressListener;
 import particles.view.DataTable;
 
-/** Limits and outlines on the solvers' real code, against theory. */
+/**
+ * The limits that the catalogue states are measured on the solvers' real code, whose steps {@code StepMatrixFormula}
+ * compares with theory.
+ */
 class StabilityLimitsTest {
     private static final ProgressListener NOBODY = (part, what) -> { };
 
@@ -53,6 +56,8 @@ class StabilityLimitsTest {
             assertEquals(info.dampedLimit(), measured, 5e-4, name);     // measured 3e-4, of verlet
             assertTrue(info.dampedLimit() <= measured, name);
         }
+        // symplectic Euler, critically damped: 4 - h^2 - 4 h = 0
+        assertEquals(2 * (Math.sqrt(2) - 1), SolverCatalog.info("symplectic-euler").dampedLimit(), 5.1e-5);
     }
 
     /** Both eigenvalues of a critically damped spring are -omega, where the limit is the real one. */
