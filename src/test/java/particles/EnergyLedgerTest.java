@@ -143,16 +143,6 @@ class EnergyLedgerTest {
     }
 
     /**
-     * On the undamped oscillator |R|&sup2; - 1 is of order h&sup4; for midpoint and h&sup6; for rk4:
-     * slopes 3 and 5 over a given time.
-     */
-    @Test
-    void energyErrorOfTheUndampedOscillatorFallsWithOrdersThreeAndFive() {
-        assertEquals(3, slope(OSCILLATOR, "midpoint", 0.02, 10), 0.02);
-        assertEquals(5, slope(OSCILLATOR, "rk4", 0.1, 10), 0.02);
-    }
-
-    /**
      * E0 (1 + (omega h)&sup2;)^-n for backward Euler, E0 (1 + (omega h)&sup2;)^n for Euler: without other effects all
      * change is error.
      */
