@@ -86,17 +86,17 @@ public final class RaceCommand extends ExperimentCommand {
 
     /** @return the scene's duration, or a round part of it that is not too much work (s) */
     static double affordable(SceneDescription scene) {
-        double work = work(scene);
-        if (!(work > MOST_WORK)) {
+        double races = fullRaces(scene);
+        if (!(races > 1)) {
             return scene.duration();
         }
-        return new BigDecimal(scene.duration() * MOST_WORK / work).round(new MathContext(2, RoundingMode.DOWN))
+        return new BigDecimal(scene.duration() / races).round(new MathContext(2, RoundingMode.DOWN))
                 .doubleValue();
     }
 
-    /** The evaluations of rk4, times the size of the state. */
-    private static double work(SceneDescription scene) {
-        return SceneBuilder.build(scene).system().getStateSize() * 4.0 * scene.duration() / scene.deltaT();
+    /** @return the evaluations of rk4 times the size of the state, in units of the most that a race has */
+    static double fullRaces(SceneDescription scene) {
+        return SceneBuilder.build(scene).system().getStateSize() * 4.0 * scene.duration() / scene.deltaT() / MOST_WORK;
     }
 
     @Override
@@ -119,7 +119,7 @@ public final class RaceCommand extends ExperimentCommand {
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         List<SolverChoice> solvers = options.solvers();
         int count = frameCount(scene.get());
-        double runs = LEAST_FRAMES + MORE_FRAMES * Math.min(1, work(scene.get()) / MOST_WORK);
+        double runs = LEAST_FRAMES + MORE_FRAMES * Math.min(1, fullRaces(scene.get()));
         double ran = runs / (runs + count);
         try (RacePictures pictures = new RacePictures(solvers.size(), count / scene.get().duration(), PLAYBACK)) {
             Result race = new Race(scene.get(), solvers, count, Outcome::seconds).run(pictures,

@@ -47,6 +47,9 @@ public final class ReportCommand extends ResultsCommand {
     /** What each experiment takes on two quiet cores (s). */
     private static final Map<String, Integer> SECONDS = Map.of("lectureFigures", 2, "energyDrift", 2, "phasePlots", 1,
             "race", 5, "workPrecision", 43, "stiffGallery", 6, "stability", 1, "effectCost", 4, "stiffCloth", 25);
+    /** What those take that look at a scene: in any case, and for each full race's work that rk4 has there (s). */
+    private static final Map<String, double[]> OF_SCENE = Map.of("energyDrift", new double[] {2, 1.2},
+            "phasePlots", new double[] {1, 2.5}, "race", new double[] {11, 17}, "stability", new double[] {1.5, 2});
     private static final int MOST_LINES = 8;
     /** This number of experiments takes no longer than about a minute. */
     private static final int FEW = 2;
@@ -91,8 +94,9 @@ public final class ReportCommand extends ResultsCommand {
     @Override
     public void run(PrintWriter lines) {
         List<ExperimentCommand> chosen = this.chosen.get();
+        Optional<Double> races = about.get().map(RaceCommand::fullRaces);
         if (chosen.size() > FEW) {
-            int minutes = chosen.stream().mapToInt(ReportCommand::seconds).sum() / 60 + 1;
+            int minutes = (int) (chosen.stream().mapToDouble(one -> seconds(one, races)).sum() / 60) + 1;
             lines.println("about " + minutes + (minutes == 1 ? " minute; " : " minutes; ")
                     + getStyle().option("experiments") + " with fewer names takes less");
             lines.flush();
@@ -101,7 +105,7 @@ public final class ReportCommand extends ResultsCommand {
         PrintedProgress progress = new PrintedProgress(lines, System::nanoTime);
         List<Section> sections;
         try (OutputFolder folder = OutputFolder.open(getFolder(), FILE)) {
-            sections = progress.parts(chosen, ReportCommand::seconds, (experiment, part) ->
+            sections = progress.parts(chosen, one -> seconds(one, races), (experiment, part) ->
                     section(experiment, (done, what) -> part.reached(done, experiment.name() + ", " + what)));
             ReportWriter.write(folder, FILE, new Report(title(), text(), sections,
                     Digits.format("Made by gradle report of DESolver %s in %.0f s.", Version.CURRENT,
@@ -116,8 +120,11 @@ public final class ReportCommand extends ResultsCommand {
                 getFolder().resolve(FILE));
     }
 
-    static int seconds(ExperimentCommand experiment) {
-        return SECONDS.getOrDefault(experiment.name(), 1);
+    /** @param races the work of rk4 on the report's scene, in the longest races; a race is cut off at one */
+    static double seconds(ExperimentCommand experiment, Optional<Double> races) {
+        double[] linear = OF_SCENE.get(experiment.name());
+        return races.isEmpty() || linear == null ? SECONDS.getOrDefault(experiment.name(), 1)
+                : linear[0] + linear[1] * (experiment instanceof RaceCommand ? Math.min(1, races.get()) : races.get());
     }
 
     private Optional<SceneDescription> readScene() {
