@@ -85,11 +85,10 @@ final class KnownMethods {
             | 1.3512071919596578 -1.7024143839193155 1.3512071919596578
             """;
 
-    /** Other methods for positions and velocities: name, order, rows and times as in a {@link Scheme}. */
-    private static final String ROWS = """
-            the Euler method | 1 | 1 0; 1 1; 0 1 1 | 0
-            Nystrom's method of order 4 | 4 | 1 0; 1 1/2 1/8; 1 1 0 1/2; 1 1 1/6 1/3 0; 0 1 1/6 2/3 1/6 | 0 1/2 1
-            """;
+    /** The two methods of particles that make no turns: name, order, rows and times as in a {@link Scheme}. */
+    private static final String EULER_ROWS = "the Euler method | 1 | 1 0; 1 1; 0 1 1 | 0";
+    private static final String NYSTROM_ROWS = "Nystrom's method of order 4 | 4 "
+            + "| 1 0; 1 1/2 1/8; 1 1 0 1/2; 1 1 1/6 1/3 0; 0 1 1/6 2/3 1/6 | 0 1/2 1";
 
     /** Name, places of the derivatives (0 is the old state, 1 the new one, -1 the one before), weights, mistake. */
     static final String EQUATIONS = """
@@ -141,8 +140,8 @@ final class KnownMethods {
             """;
 
     private static final List<Scheme> ONE_FORMULA = RUNGE_KUTTA.lines().map(KnownMethods::rungeKutta).toList();
-    private static final List<Scheme> OF_PARTICLES = Stream.concat(ROWS.lines().map(KnownMethods::rows),
-            TURNS.lines().map(KnownMethods::turns)).toList();
+    private static final List<Scheme> OF_PARTICLES = Stream.concat(Stream.concat(Stream.of(rows(EULER_ROWS)),
+            TURNS.lines().map(KnownMethods::turns)), Stream.of(rows(NYSTROM_ROWS))).toList();
 
     private KnownMethods() {
     }
