@@ -183,6 +183,16 @@ class CheckSolverCommandTest {
     }
 
     @Test
+    void theMethodAskedForAndTheFormatOfChartsReachTheCheck(@TempDir Path folder) throws IOException {
+        String screen = Screen.of(ExitCode.BAD_INPUT, List.of(new CheckSolverCommand()), OptionStyle.SHELL,
+                "checkSolver", "--solver=" + Refuses.class.getName(), "--method=rk4", "--slide", "--svg", "--out="
+                + folder);
+        assertHas(screen, "PROMISE, name: this is the Euler method and not a Runge-Kutta method of order 4");
+        assertStarts(Files.readString(folder.resolve("order.svg")), "<");
+        assertTrue(Files.exists(folder.resolve("slides.pdf")), "slides");
+    }
+
+    @Test
     void anExceptionWhileItIsMeasuredLosesNothingThatWasFoundOut(@TempDir Path folder) throws IOException {
         String screen = here(ExitCode.BAD_INPUT, Crashes.class.getName(), folder);
         assertStarts(screen, "Crashes: wrong. This is the Euler method.");
