@@ -100,8 +100,8 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
             boolean kept = first.getEvaluations() > evaluations || first.getTime() != left.getTime()
                     || !Arrays.equals(first.getState(), left.getState());
             if (kept) {
-                found = "the first one is still used, which is kept in a field. Each step has to use the source that it"
-                        + " is given";
+                found = "the first one is still used, which is kept in a field. Each step has to use the source"
+                        + " that it is given";
             } else if (source.wrongLength().isPresent()) {
                 found = "handed it an array of " + source.wrongLength().get() + cause;
             }
