@@ -15,24 +15,13 @@ import deSolvers.DESolver;
 public record StepMatrix(double xx, double xv, double vx, double vv, double nonlinearity) {
 
     /**
-     * Measures a step of deltaT = 1 on the test equation.
-     *
-     * @param solver a solver without memory
-     * @param re     real part of lambda
-     * @param im     its imaginary part
-     * @return the matrix; for a method that treats all entries of the state alike it is (a, -b; b, a) with R = a + i b
-     */
-    public static StepMatrix onTestEquation(DESolver solver, double re, double im) {
-        return of(solver, LinearPair.testEquation(re, im), 1, 1, 1);
-    }
-
-    /**
      * @param solver a solver without memory
      * @param source the system
      * @param steps  the number of steps
      * @param deltaT the time step
      * @param size   the size of the state at its start
-     * @return the matrix of all these steps
+     * @return the matrix of all these steps; of one step on the test equation, for a method that treats all entries of
+     *         the state alike, it is (a, -b; b, a) with R = a + i b
      */
     public static StepMatrix of(DESolver solver, LinearPair source, int steps, double deltaT, double size) {
         source.start(size);

@@ -1,6 +1,7 @@
 package particles.teaching.figures;
 
 import deSolvers.DESolver;
+import deSolvers.problems.LinearPair;
 import deSolvers.problems.StepMatrix;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -40,14 +41,8 @@ record StabilityFunction(double[] above, double[] below) {
      */
     static Optional<StabilityFunction> of(Supplier<DESolver> maker, double noise) {
         double[] taylor = taylor(maker);
-        for (int[] degree : DEGREES) {
-            Optional<StabilityFunction> found = fraction(taylor, degree[0], degree[1]).filter(f -> f.has(taylor,
-                    ROUNDING + 10 * noise));
-            if (found.isPresent()) {
-                return found;
-            }
-        }
-        return Optional.empty();
+        return Arrays.stream(DEGREES).flatMap(degree -> fraction(taylor, degree[0], degree[1], ROUNDING + 10 * noise)
+                .stream()).findFirst();
     }
 
     /** By Cauchy's formula on a circle around 0; R of the conjugate is the conjugate of R. */
@@ -55,8 +50,8 @@ record StabilityFunction(double[] above, double[] below) {
         double[] c = new double[KNOWN];
         for (int j = 0; j < PLACES; j++) {
             double angle = 2 * Math.PI * j / PLACES;
-            StepMatrix step = StepMatrix.onTestEquation(maker.get(), RADIUS * StrictMath.cos(angle),
-                    RADIUS * StrictMath.sin(angle));
+            StepMatrix step = StepMatrix.of(maker.get(), LinearPair.testEquation(RADIUS * StrictMath.cos(angle),
+                    RADIUS * StrictMath.sin(angle)), 1, 1, 1);
             for (int k = 0; k < KNOWN; k++) {
                 double turned = step.xx() * StrictMath.cos(k * angle) + step.vx() * StrictMath.sin(k * angle);
                 c[k] += turned / (PLACES * StrictMath.pow(RADIUS, k));
@@ -65,8 +60,8 @@ record StabilityFunction(double[] above, double[] below) {
         return c;
     }
 
-    /** The fraction of these degrees that begins as the series does (H. Padé 1892). */
-    private static Optional<StabilityFunction> fraction(double[] c, int m, int n) {
+    /** The fraction of these degrees that begins as the series does (H. Padé 1892), if it also goes on so. */
+    private static Optional<StabilityFunction> fraction(double[] c, int m, int n, double tolerance) {
         double[] q = new double[n + 1];
         q[0] = 1;
         if (n == 1) {
@@ -77,28 +72,16 @@ record StabilityFunction(double[] above, double[] below) {
             q[1] = (before * c[m + 2] - c[m] * c[m + 1]) / determinant;
             q[2] = (c[m + 1] * c[m + 1] - c[m] * c[m + 2]) / determinant;
         }
-        double[] p = new double[m + 1];
-        for (int k = 0; k <= m; k++) {
+        double[] p = new double[c.length];              // q times the series: nothing is left beyond z^m
+        for (int k = 0; k < p.length; k++) {
             for (int j = 0; j <= Math.min(k, n); j++) {
                 p[k] += q[j] * c[k - j];
             }
-        }
-        boolean finite = Double.isFinite(Arrays.stream(p).sum()) && Double.isFinite(Arrays.stream(q).sum());
-        return finite ? Optional.of(new StabilityFunction(p, q)) : Optional.empty();
-    }
-
-    private boolean has(double[] taylor, double tolerance) {
-        double[] own = new double[taylor.length];
-        for (int k = 0; k < own.length; k++) {
-            own[k] = k < above.length ? above[k] : 0;
-            for (int j = 1; j <= Math.min(k, below.length - 1); j++) {
-                own[k] -= below[j] * own[k - j];
-            }
-            if (Math.abs(own[k] - taylor[k]) * StrictMath.pow(RADIUS, k) > tolerance) {
-                return false;
+            if (k > m && !(Math.abs(p[k]) * StrictMath.pow(RADIUS, k) <= tolerance)) {
+                return Optional.empty();
             }
         }
-        return true;
+        return Optional.of(new StabilityFunction(Arrays.copyOf(p, m + 1), q));
     }
 
     /** @return the formula, such as {@code (1 + z/2) / (1 - z/2)} */
