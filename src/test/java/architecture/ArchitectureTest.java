@@ -100,7 +100,7 @@ class ArchitectureTest {
                 org.hipparchus
             particles.experiments.stability: deSolvers deSolvers.catalog deSolvers.problems deSolvers.text particles
                                            particles.experiments.runs particles.experiments.spectrum particles.law
-                                           particles.scene particles.scene.format particles.view
+                                           particles.scene particles.scene.format particles.view org.hipparchus
             particles.experiments.work:    deSolvers deSolvers.catalog deSolvers.implicit deSolvers.problems
                                            deSolvers.text particles particles.effects.springs
                                            particles.experiments.runs particles.experiments.spectrum particles.law

@@ -52,32 +52,15 @@ public final class LectureFigures {
      * A run, measured against theory.
      *
      * @param figure      the run
-     * @param measured    how the last state differs from the exact one
-     * @param theory      the same from R(ih), |R|<sup>N</sup> and N (arg R - h); NaN where it is not known
+     * @param amplitude   the distance of the last state from the origin, divided by that of the first
+     * @param phaseError  the angle by which it is ahead of the exact solution (rad); negative if it lags
+     * @param theory      R(ih), of which |R|<sup>N</sup> and N (arg R - h) are the same; NaN where it is not known
      * @param evaluations the number of evaluations of the derivative
      * @param x           positions after each step, with the start
      * @param v           velocities
      */
-    public record Result(Figure figure, Spiral measured, Spiral theory, long evaluations, double[] x,
-            double[] v) {
-        /** @return the measured amplitude */
-        public double amplitude() {
-            return measured.amplitude;
-        }
-
-        /** @return the measured phase error (rad) */
-        public double phaseError() {
-            return measured.phaseError;
-        }
-    }
-
-    /**
-     * How far a path spirals away from the circle, and how far it runs ahead.
-     *
-     * @param amplitude  the distance of the last state from the origin, divided by that of the first
-     * @param phaseError the angle by which it is ahead of the exact solution (rad); negative if it lags
-     */
-    public record Spiral(double amplitude, double phaseError) {
+    public record Result(Figure figure, double amplitude, double phaseError, StabilityPolynomial theory,
+            long evaluations, double[] x, double[] v) {
     }
 
     private LectureFigures() {
@@ -108,11 +91,10 @@ public final class LectureFigures {
             // clockwise; each step turns by less than half a circle, so that whole turns are not lost
             turned -= StrictMath.atan2(v[n] * x[n - 1] - x[n] * v[n - 1], x[n] * x[n - 1] + v[n] * v[n - 1]);
         }
-        StabilityPolynomial r = StabilityPolynomial.of(SolverCatalog.info(figure.solver()), figure.deltaT());
-        Spiral theory = new Spiral(r.amplitude(figure.steps()), r.phaseError(figure.steps(), figure.deltaT()));
-        Spiral measured = new Spiral(Math.sqrt(state[0] * state[0] + state[1] * state[1]),
-                turned - figure.steps() * figure.deltaT());
-        return new Result(figure, measured, theory, oscillator.getEvaluations(), x, v);
+        return new Result(figure, Math.sqrt(state[0] * state[0] + state[1] * state[1]),
+                turned - figure.steps() * figure.deltaT(),
+                StabilityPolynomial.of(SolverCatalog.info(figure.solver()), figure.deltaT()),
+                oscillator.getEvaluations(), x, v);
     }
 
     /**
@@ -203,10 +185,12 @@ public final class LectureFigures {
                 column("solver", result -> result.figure().solver()),
                 column("deltaT (s)", 6, result -> result.figure().deltaT()),
                 column("steps", result -> result.figure().steps()), column("evaluations", Result::evaluations),
-                column("amplitude", 7, Result::amplitude), column("|R|^N", 7, result -> result.theory().amplitude),
+                column("amplitude", 7, Result::amplitude),
+                column("|R|^N", 7, result -> result.theory().amplitude(result.figure().steps())),
                 column("energy", 8, result -> result.amplitude() * result.amplitude()),
-                column("|R|^(2N)", 8, result -> result.theory().amplitude * result.theory().amplitude),
+                column("|R|^(2N)", 8, result -> StrictMath.pow(result.theory().amplitude(result.figure().steps()), 2)),
                 column("phase error (rad)", 6, Result::phaseError),
-                column("N (arg R - h)", 6, result -> result.theory().phaseError));
+                column("N (arg R - h)", 6, result -> result.theory().phaseError(result.figure().steps(),
+                        result.figure().deltaT())));
     }
 }
