@@ -4,7 +4,6 @@ import deSolvers.DESolver;
 import deSolvers.problems.LinearPair;
 import deSolvers.problems.StepMatrix;
 import java.util.Optional;
-import java.util.function.Function;
 import java.util.function.Supplier;
 
 /**
@@ -36,8 +35,8 @@ public record StepTrial(Optional<Amplification> amplification, double noise, Str
     public static StepTrial of(Supplier<DESolver> maker, boolean remembers) {
         int steps = remembers ? STEPS : 1;
         try {
-            StepMatrix first = StepMatrix.of(maker.get(), testEquation(PLACES[0], 1), steps, 1, 1);
-            return first.distinction() <= MOST_NOISE ? on(maker, false, steps) : on(maker, true, steps);
+            StepMatrix first = StepMatrix.of(maker.get(), source(false, PLACES[0], 1), steps, 1, 1);
+            return on(maker, !(first.distinction() <= MOST_NOISE), steps);
         } catch (RuntimeException refusal) {            // whatever a solver throws that has to know the velocities
             try {
                 return on(maker, true, steps);
@@ -51,33 +50,29 @@ public record StepTrial(Optional<Amplification> amplification, double noise, Str
         return new StepTrial(Optional.empty(), Double.NaN, objection);
     }
 
-    private static LinearPair testEquation(double[] place, double factor) {
-        return LinearPair.testEquation(factor * place[0], factor * place[1]);
-    }
-
-    private static LinearPair spring(double[] place, double factor) {
-        return LinearPair.spring(factor * factor * (place[0] * place[0] + place[1] * place[1]),
-                -2 * factor * Math.min(0, place[0]));
+    /** The test equation at a multiple of a place, or the spring with these eigenvalues, undamped if they grow. */
+    private static LinearPair source(boolean springs, double[] place, double factor) {
+        double re = factor * place[0];
+        double im = factor * place[1];
+        return springs ? LinearPair.spring(re * re + im * im, -2 * Math.min(0, re)) : LinearPair.testEquation(re, im);
     }
 
     private static StepTrial on(Supplier<DESolver> maker, boolean springs, int steps) {
         double noise = 0;
         boolean still = true;
         for (double[] place : PLACES) {
-            Function<Double, LinearPair> source = factor -> springs ? spring(place, factor) : testEquation(place,
-                    factor);
-            StepMatrix one = StepMatrix.of(maker.get(), source.apply(1.0), steps, 1, 1);
-            StepMatrix again = StepMatrix.of(maker.get(), source.apply(1.0), steps, 1, 1);
+            StepMatrix one = StepMatrix.of(maker.get(), source(springs, place, 1), steps, 1, 1);
+            StepMatrix again = StepMatrix.of(maker.get(), source(springs, place, 1), steps, 1, 1);
             if (one.difference(again) > 0) {
                 return refused("two steps from the same place are not the same");
             }
-            StepMatrix large = StepMatrix.of(maker.get(), source.apply(1.0), steps, 1, SIZE);
+            StepMatrix large = StepMatrix.of(maker.get(), source(springs, place, 1), steps, 1, SIZE);
             double bent = Math.max(one.nonlinearity(), one.difference(large));
             if (!(bent <= MOST_NOISE)) {
                 return refused("a step on a linear system does not multiply the state by a matrix, as the length of"
                         + " sub-steps or an iteration depends on the state");
             }
-            StepMatrix half = StepMatrix.of(maker.get(), source.apply(2.0), steps, 0.5, 1);
+            StepMatrix half = StepMatrix.of(maker.get(), source(springs, place, 2), steps, 0.5, 1);
             double apart = springs ? Math.abs(one.radius() - half.radius()) : one.difference(half);
             if (!(apart <= MOST_NOISE)) {
                 return refused("a step with half the deltaT and twice the lambda"
@@ -100,7 +95,7 @@ public record StepTrial(Optional<Amplification> amplification, double noise, Str
     private static boolean isExact(Supplier<DESolver> maker, boolean springs) {
         StepMatrix step;
         try {
-            step = StepMatrix.of(maker.get(), springs ? spring(FAR, 1) : testEquation(FAR, 1), 1, 1, 1);
+            step = StepMatrix.of(maker.get(), source(springs, FAR, 1), 1, 1, 1);
         } catch (RuntimeException e) {                  // whatever the solver throws at such a step
             return false;
         }
