@@ -1,5 +1,6 @@
 package particles.experiments.spectrum;
 
+import deSolvers.linear.Gmres;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -123,7 +124,7 @@ final class Arnoldi {
         int n = linear.coordinates();
         double[] q = Arrays.copyOf(y.data, n);
         double[] p = Arrays.copyOfRange(y.data, n, 2 * n);
-        double[] shape = Linearisation.norm(q) > Linearisation.norm(p) * Spectrum.ZERO ? q : p;
+        double[] shape = Gmres.norm(q) > Gmres.norm(p) * Spectrum.ZERO ? q : p;
         return new Mode(re, 0, linear.stiffness(shape), linear.damping(shape), state);
     }
 }

@@ -1,6 +1,7 @@
 package particles.experiments.spectrum;
 
 import deSolvers.implicit.ForceJacobian;
+import deSolvers.linear.Gmres;
 import deSolvers.linear.SolverWork;
 import java.util.Arrays;
 import java.util.SplittableRandom;
@@ -43,7 +44,7 @@ final class Linearisation {
         system.getStateDerivative(slope);
         jacobian = new ForceJacobian(new SolverWork(), slope.length, system::getStateDerivative);
         jacobian.setUp(system, system.getStateArray(), slope, false);
-        double restoring = norm(derivative(Arrays.copyOf(random(coordinates()), 2 * coordinates())));
+        double restoring = Gmres.norm(derivative(Arrays.copyOf(random(coordinates()), 2 * coordinates())));
         frequency = restoring == 0 ? 1 : Math.sqrt(restoring);
     }
 
@@ -62,7 +63,7 @@ final class Linearisation {
     /** @return a direction of length 1 without preference, the same every time */
     static double[] random(int size) {
         double[] q = new SplittableRandom(SEED).doubles(size, -0.5, 0.5).toArray();
-        return divided(q, norm(q));
+        return divided(q, Gmres.norm(q));
     }
 
     /** @return a vector divided by a number */
@@ -84,7 +85,7 @@ final class Linearisation {
         int n = shape.length;
         double[] y = new double[2 * n];
         System.arraycopy(shape, 0, y, place, n);
-        return -dot(shape, Arrays.copyOfRange(derivative(y), n, 2 * n)) / dot(shape, shape);
+        return -Gmres.dot(shape, Arrays.copyOfRange(derivative(y), n, 2 * n)) / Gmres.dot(shape, shape);
     }
 
     /** @return y' for y = (w q, q'), one multiplication with the whole matrix: (w q', M^(1/2) (A x + B v)) */
@@ -112,17 +113,5 @@ final class Linearisation {
             state[at + 3] = y[places.length + k] / rootMasses[k];
         }
         return state;
-    }
-
-    static double dot(double[] a, double[] b) {
-        double sum = 0;
-        for (int k = 0; k < a.length; k++) {
-            sum += a[k] * b[k];
-        }
-        return sum;
-    }
-
-    static double norm(double[] a) {
-        return Math.sqrt(dot(a, a));
     }
 }
