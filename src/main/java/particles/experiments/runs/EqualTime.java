@@ -1,7 +1,7 @@
 package particles.experiments.runs;
 
 import java.util.ArrayList;
-import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -105,9 +105,9 @@ public final class EqualTime {
      * @return the fraction by which the longest time exceeds the shortest; the time aimed at counts too
      */
     public static double spread(Shares shares) {
-        double[] seconds = shares.matches().stream().mapToDouble(match -> match.seconds().orElseThrow()).toArray();
-        return Math.max(shares.work(), Arrays.stream(seconds).max().orElse(0))
-                / Math.min(shares.work(), Arrays.stream(seconds).min().orElse(shares.work())) - 1;
+        DoubleSummaryStatistics seconds = shares.matches().stream().mapToDouble(match -> match.seconds().orElseThrow())
+                .summaryStatistics();
+        return Math.max(shares.work(), seconds.getMax()) / Math.min(shares.work(), seconds.getMin()) - 1;
     }
 
     /**

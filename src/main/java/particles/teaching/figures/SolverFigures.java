@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.GuardedRun;
 import particles.teaching.contract.SolverContract;
@@ -106,10 +107,8 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         for (int steps = 16; steps <= 1024; steps *= 2) {
             WindyOscillators source = new WindyOscillators(1);
             DESolver solver = maker.get();
-            boolean made = true;
-            for (int i = 0; i < steps && made; i++) {
-                made = source.accepts(solver, 8.0 / steps);
-            }
+            double deltaT = 8.0 / steps;
+            boolean made = IntStream.range(0, steps).allMatch(step -> source.accepts(solver, deltaT));
             source.incTime(8 - source.getTime());
             if (made) {
                 points.add(new double[] {source.getEvaluations(), source.error()});
