@@ -112,7 +112,7 @@ final class FittedChart extends JFreeChart {
         }
     }
 
-    /** @return the frame of the points, or those of the uppermost chart, if it is drawn there */
+    /** Draws the chart. @return the frame of the points, or of those of the uppermost chart */
     Rectangle2D frame(Graphics2D g, Rectangle2D area) {
         ChartRenderingInfo info = new ChartRenderingInfo();
         draw(g, area, null, info);

@@ -7,7 +7,6 @@ import java.awt.Shape;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
-import org.jfree.chart.ChartRenderingInfo;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
@@ -40,9 +39,7 @@ public final class StripChart {
      * @param time the time of the marks (s)
      */
     public void draw(Graphics2D g, Rectangle2D area, double time) {
-        ChartRenderingInfo info = new ChartRenderingInfo();
-        chart.draw(g, area, info);
-        Rectangle2D inside = info.getPlotInfo().getDataArea();
+        Rectangle2D inside = chart.frame(g, area);
         XYPlot plot = chart.getXYPlot();
         double x = plot.getDomainAxis().valueToJava2D(time, inside, RectangleEdge.BOTTOM);
         g.setColor(ChartStyle.AXIS);
@@ -58,8 +55,7 @@ public final class StripChart {
     }
 
     private static void mark(Graphics2D g, SolverStyle look, double x, double y) {
-        Shape shape = AffineTransform.getTranslateInstance(x, y).createTransformedShape(
-                AffineTransform.getScaleInstance(1.5, 1.5).createTransformedShape(look.shape()));
+        Shape shape = new AffineTransform(1.5, 0, 0, 1.5, x, y).createTransformedShape(look.shape());
         g.setColor(look.colour());
         g.fill(shape);
         g.setColor(Color.WHITE);

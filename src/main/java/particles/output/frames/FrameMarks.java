@@ -49,7 +49,8 @@ final class FrameMarks {
         g.setColor(ARROW);
         for (int i = 0; i < state.particles() && style.arrows() > 0; i++) {
             if (!state.isFixed(i)) {
-                join(place(state, i, 0), place(state, i, style.arrows()), line -> drawArrow(g, line));
+                join(state.place(i), state.place(i).plus(state.velocity(i).times(style.arrows())),
+                        line -> drawArrow(g, line));
             }
         }
         for (TextLine label : FontCheck.isAvailable() ? labels(state, ball) : List.<TextLine>of()) {
@@ -72,7 +73,7 @@ final class FrameMarks {
         for (int k = 0; k < state.particles(); k++) {
             int i = k;
             if (!state.structure().label(i).isEmpty()) {
-                place(state, i, 0).ifPresent(at -> {
+                place(state.place(i)).ifPresent(at -> {
                     double radius = state.structure().radius(i, ball) * at.scale();
                     balls.put(i, new Rectangle2D.Double(at.x() - radius, at.y() - radius, 2 * radius, 2 * radius));
                 });
@@ -95,18 +96,18 @@ final class FrameMarks {
             int from = state.springs().from()[s];
             int to = state.springs().to()[s];
             if (from == particle || to == particle) {
-                join(place(state, from, 0), place(state, to, 0), lines::add);
+                join(state.place(from), state.place(to), lines::add);
             }
         }
         List<Vector3> path = state.isFixed(particle) ? List.of() : state.path(particle);
         for (int k = 1; k < path.size(); k++) {
-            join(place(path.get(k - 1)), place(path.get(k)), lines::add);
+            join(path.get(k - 1), path.get(k), lines::add);
         }
         return lines;
     }
 
-    private static void join(Optional<Place> from, Optional<Place> to, Consumer<Line2D> use) {
-        from.ifPresent(a -> to.ifPresent(b -> use.accept(new Line2D.Double(a.x(), a.y(), b.x(), b.y()))));
+    private void join(Vector3 from, Vector3 to, Consumer<Line2D> use) {
+        place(from).ifPresent(a -> place(to).ifPresent(b -> use.accept(new Line2D.Double(a.x(), a.y(), b.x(), b.y()))));
     }
 
     /**
@@ -147,11 +148,6 @@ final class FrameMarks {
         tip.lineTo(line.getX2() - ex + 0.45 * ey, line.getY2() - ey - 0.45 * ex);
         tip.closePath();
         g.fill(tip);
-    }
-
-    private Optional<Place> place(FrameState state, int i, double seconds) {
-        Vector3 at = state.place(i);
-        return place(seconds > 0 ? at.plus(state.velocity(i).times(seconds)) : at);
     }
 
     /** @return where it is seen, if it can be drawn */

@@ -60,7 +60,7 @@ public final class FrameRenderer {
      * @throws IllegalArgumentException if the size or the camera cannot be
      */
     public FrameRenderer(FrameSetup stage, int width, int height, int decimals) {
-        this(stage, width, height, Optional.of(new FrameText(stage, height, decimals)));
+        this(stage, width, height, Optional.of(new FrameText(stage, width, height, decimals)));
     }
 
     /** @param text the words in the pictures, if there are any */
@@ -148,7 +148,7 @@ public final class FrameRenderer {
         if (text.isPresent() || marks.isPresent()) {
             Graphics2D g = image.createGraphics();
             marks.ifPresent(layer -> layer.draw(g, state, sizes.ball()));
-            text.ifPresent(words -> words.draw(g, getWidth(), getHeight(), state, withStrain));
+            text.ifPresent(words -> words.draw(g, state, withStrain));
             g.dispose();
         }
         return pixels;
@@ -203,15 +203,10 @@ public final class FrameRenderer {
                 int p = y * getWidth() + x;
                 float behind = backdrop.near(p);
                 int at = Raster.SAMPLES * (y * raster.width + x);
-                int redBlue = 0;
-                int green = 0;
-                for (int k = 0; k < 4; k++) {
+                pixels[p] = Colours.mean(k -> {
                     int sample = at + (k >> 1) * raster.width + (k & 1);
-                    int seen = raster.near[sample] > behind ? raster.colour[sample] : pixels[p];
-                    redBlue += seen & 0xff00ff;
-                    green += seen & 0x00ff00;
-                }
-                pixels[p] = Colours.mean(redBlue, green);
+                    return raster.near[sample] > behind ? raster.colour[sample] : pixels[p];
+                });
             }
         }
     }

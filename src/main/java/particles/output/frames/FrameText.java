@@ -27,34 +27,38 @@ final class FrameText {
     private static final int BACKING = 220;
 
     private final FrameSetup stage;
+    private final int width;
+    private final int height;
     private final Sky sky;
     private final float unit;
     private final int decimals;
 
     /** @param decimals the number of decimals of the time (s), enough to distinguish two frames */
-    FrameText(FrameSetup stage, int height, int decimals) {
+    FrameText(FrameSetup stage, int width, int height, int decimals) {
         this.stage = stage;
+        this.width = width;
+        this.height = height;
         this.sky = Sky.of(stage.look().style().night());
         this.unit = Math.max(0.5f, height / 720f);
         this.decimals = decimals;
     }
 
-    void draw(Graphics2D g, int width, int height, FrameState state, boolean withStrain) {
+    void draw(Graphics2D g, FrameState state, boolean withStrain) {
         if (!FontCheck.isAvailable()) {
             return;
         }
         TextLine.smooth(g);
         if (!state.notes().isEmpty()) {
-            drawBacking(g, width, height, boxes(width, height, state, withStrain));
+            drawBacking(g, boxes(state, withStrain));
         }
         if (withStrain) {
-            drawScale(g, scale(width, height));
+            drawScale(g);
         }
-        lines(width, height, state, withStrain).forEach(line -> line.draw(g));
+        lines(state, withStrain).forEach(line -> line.draw(g));
     }
 
     /** Draws a ground behind the text in each corner, since a blow-up spreads over the whole picture. */
-    private void drawBacking(Graphics2D g, int width, int height, List<Rectangle2D> boxes) {
+    private void drawBacking(Graphics2D g, List<Rectangle2D> boxes) {
         Map<List<Boolean>, Rectangle2D> corners = boxes.stream().collect(Collectors.toMap(
                 box -> List.of(box.getCenterX() < width / 2.0, box.getCenterY() < height / 2.0), box -> box,
                 Rectangle2D::createUnion));
@@ -65,16 +69,16 @@ final class FrameText {
     }
 
     /** @return the rectangles that words and the scale of strain take up (pixels); bodies should stay clear of them */
-    List<Rectangle2D> boxes(int width, int height, FrameState state, boolean withStrain) {
+    List<Rectangle2D> boxes(FrameState state, boolean withStrain) {
         List<Rectangle2D> boxes = new ArrayList<>();
-        lines(width, height, state, withStrain).forEach(line -> boxes.add(line.box()));
+        lines(state, withStrain).forEach(line -> boxes.add(line.box()));
         if (withStrain) {
-            boxes.add(scale(width, height));
+            boxes.add(scale());
         }
         return boxes;
     }
 
-    private List<TextLine> lines(int width, int height, FrameState state, boolean withStrain) {
+    private List<TextLine> lines(FrameState state, boolean withStrain) {
         float margin = 26 * unit;
         List<TextLine> lines = new ArrayList<>();
         Font large = FontCheck.font(Font.BOLD, 24 * unit);
@@ -92,13 +96,12 @@ final class FrameText {
         String between = stage.caption().isEmpty() || arrows.isEmpty() ? "" : "; ";
         add(lines, stage.caption() + between + arrows, small, sky.text.soft(), margin, height - margin);
         if (withStrain) {
-            addScale(lines, scale(width, height), height - margin);
+            addScale(lines, height - margin);
         }
         return lines;
     }
 
-    private static void add(List<TextLine> lines, String text, Font font, Color colour, double x,
-            double y) {
+    private static void add(List<TextLine> lines, String text, Font font, Color colour, double x, double y) {
         if (!text.isEmpty()) {
             lines.add(new TextLine(text, font, colour, x, y));
         }
@@ -115,14 +118,15 @@ final class FrameText {
     }
 
     /** @return the rectangle of the bar, from compressed to stretched */
-    private Rectangle2D scale(int width, int height) {
+    private Rectangle2D scale() {
         int length = Math.round(220 * unit);
         int thickness = Math.round(11 * unit);
         return new Rectangle2D.Double(Math.round(width - 26 * unit) - length,
                 Math.round(height - 51 * unit) - thickness, length, thickness);
     }
 
-    private void drawScale(Graphics2D g, Rectangle2D bar) {
+    private void drawScale(Graphics2D g) {
+        Rectangle2D bar = scale();
         double range = stage.look().strainRange();
         int length = (int) bar.getWidth();
         for (int k = 0; k < length; k++) {
@@ -132,7 +136,8 @@ final class FrameText {
     }
 
     /** Adds the labels of the bar: its ends in per cent, and its quantity. */
-    private void addScale(List<TextLine> lines, Rectangle2D bar, double y) {
+    private void addScale(List<TextLine> lines, double y) {
+        Rectangle2D bar = scale();
         String percent = Digits.few(100 * stage.look().strainRange());
         List<String> texts = List.of("\u2212" + percent + " %", "strain", "+" + percent + " %");
         Font font = FontCheck.font(Font.PLAIN, 16 * unit);

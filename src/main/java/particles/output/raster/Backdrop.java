@@ -3,7 +3,9 @@ package particles.output.raster;
 import java.util.List;
 import java.util.Optional;
 import particles.law.Plane;
+import particles.law.Sphere;
 import particles.law.Vector3;
+import particles.output.raster.CameraProjection.Ray;
 import particles.output.text.DecimalTicks;
 import particles.view.Camera;
 import particles.view.Scenery;
@@ -62,8 +64,8 @@ public final class Backdrop {
                 paint(x, y);
             }
         }
-        if (!scenery.spheres().isEmpty()) {
-            new BackdropSpheres(view, lighting).paint(scenery.spheres(), inset, colour, near, column);
+        for (Sphere sphere : scenery.spheres()) {
+            new BackdropSphere(view, lighting, sphere, inset).paint(colour, near, column);
         }
     }
 
@@ -84,24 +86,23 @@ public final class Backdrop {
 
     private void paint(int x, int y) {
         int p = y * width + x;
-        Vector3 start = view.rayStart(x + 0.5, y + 0.5);
-        Vector3 ray = view.rayDirection(x + 0.5, y + 0.5);
+        Ray ray = view.ray(x + 0.5, y + 0.5);
         double depth = Double.POSITIVE_INFINITY;
         Plane plane = null;
         for (Plane each : planes) {
-            double t = depth(each, start, ray);
+            double t = depth(each, ray);
             if (t < depth && view.isInFront(t)) {
                 depth = t;
                 plane = each;
             }
         }
-        colour[p] = behind(ray, y);
+        colour[p] = behind(ray.direction(), y);
         near[p] = Float.NEGATIVE_INFINITY;
         column[p] = NO_SHADOWS;
         if (plane == null) {
             return;
         }
-        Vector3 hit = start.plus(ray.times(depth));
+        Vector3 hit = ray.at(depth);
         double way = hit.minus(target).length() / (HAZE * view.viewHeight);
         double haze = 1 - StrictMath.exp(-way * way);
         Vector3 normal = plane.normal();
@@ -131,15 +132,15 @@ public final class Backdrop {
     }
 
     private Vector3 on(Plane plane, double px, double py, Vector3 otherwise) {
-        Vector3 start = view.rayStart(px, py);
-        Vector3 ray = view.rayDirection(px, py);
-        double depth = depth(plane, start, ray);
-        return depth < Double.POSITIVE_INFINITY ? start.plus(ray.times(depth)) : otherwise;
+        Ray ray = view.ray(px, py);
+        double depth = depth(plane, ray);
+        return depth < Double.POSITIVE_INFINITY ? ray.at(depth) : otherwise;
     }
 
     /** The depth at which a ray meets a plane's outer side; infinity if it does not. */
-    static double depth(Plane plane, Vector3 start, Vector3 ray) {
-        double fall = -ray.dot(plane.normal());
+    static double depth(Plane plane, Ray ray) {
+        double fall = -ray.direction().dot(plane.normal());
+        Vector3 start = ray.start();
         return fall > 1e-6 ? plane.distance(start.x(), start.y(), start.z()) / fall : Double.POSITIVE_INFINITY;
     }
 

@@ -94,16 +94,23 @@ public final class CameraProjection {
                 && Math.abs(place.y - height / 2.0) <= height / 2.0;
     }
 
-    /** @return the origin of the ray through a point of the picture */
-    Vector3 rayStart(double px, double py) {
-        return perspective ? eye
-                : eye.plus(right.times((px - width / 2.0) / focal)).plus(up.times((height / 2.0 - py) / focal));
+    /**
+     * The points that are seen at one point of the picture.
+     *
+     * @param start     its origin
+     * @param direction scaled so that its parameter is the depth
+     */
+    record Ray(Vector3 start, Vector3 direction) {
+        Vector3 at(double depth) {
+            return start.plus(direction.times(depth));
+        }
     }
 
-    /** @return the ray's direction, scaled so that its parameter is the depth */
-    Vector3 rayDirection(double px, double py) {
-        return perspective
-                ? right.times((px - width / 2.0) / focal).plus(up.times((height / 2.0 - py) / focal)).minus(back)
-                : back.times(-1);
+    /** @return the ray through a point of the picture */
+    Ray ray(double px, double py) {
+        Vector3 across = right.times((px - width / 2.0) / focal);
+        Vector3 upwards = up.times((height / 2.0 - py) / focal);
+        return perspective ? new Ray(eye, across.plus(upwards).minus(back))
+                : new Ray(eye.plus(across).plus(upwards), back.times(-1));
     }
 }

@@ -1,5 +1,7 @@
 package particles.output.raster;
 
+import java.util.function.IntUnaryOperator;
+
 /** Colours as 0xRRGGBB: mixing, and the scale of strain. */
 public final class Colours {
     /** Compressed, at rest, stretched: a diverging scale that people with any colour vision can read. */
@@ -33,12 +35,15 @@ public final class Colours {
         return mix(AT_REST, part < 0 ? COMPRESSED : STRETCHED, Math.min(1, Math.abs(part)));
     }
 
-    /**
-     * @param redBlue the sum of four samples' red and blue
-     * @param green   the sum of their green
-     * @return the mean of the samples
-     */
-    public static int mean(int redBlue, int green) {
+    /** @return the mean of the colours of a pixel's four samples, 0 to 3, row by row */
+    public static int mean(IntUnaryOperator sample) {
+        int redBlue = 0;
+        int green = 0;
+        for (int k = 0; k < 4; k++) {
+            int colour = sample.applyAsInt(k);
+            redBlue += colour & 0xff00ff;
+            green += colour & 0x00ff00;
+        }
         return redBlue + 0x020002 >> 2 & 0xff00ff | green + 0x000200 >> 2 & 0x00ff00;
     }
 

@@ -35,8 +35,8 @@ public final class ShadowMap {
         Arrays.fill(ground, Float.NEGATIVE_INFINITY);
         for (Plane plane : planes) {
             for (int p = 0; p < ground.length; p++) {
-                double depth = Backdrop.depth(plane, view.rayStart(Raster.SAMPLES * (p % SIZE + 0.5),
-                        Raster.SAMPLES * (p / SIZE + 0.5)), view.rayDirection(0, 0));
+                double depth = Backdrop.depth(plane, view.ray(Raster.SAMPLES * (p % SIZE + 0.5),
+                        Raster.SAMPLES * (p / SIZE + 0.5)));
                 ground[p] = Math.max(ground[p], (float) view.nearness(depth));
             }
         }

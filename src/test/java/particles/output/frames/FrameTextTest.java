@@ -29,7 +29,7 @@ class FrameTextTest {
         Graphics2D g = picture.createGraphics();
         g.setColor(SPRING);
         g.fillRect(0, 0, W, H);
-        text.draw(g, W, H, state, true);
+        text.draw(g, state, true);
         g.dispose();
         return picture;
     }
@@ -38,14 +38,14 @@ class FrameTextTest {
     @Test
     void wordsOfABlowUpHaveAGroundOfTheirOwn() {
         RenderOptions look = plain(0x0000ff, 1, ParticleStyle.STANDARD);
-        FrameText text = new FrameText(new FrameSetup(FRONT, look, Scenery.NONE, "A title", "rk4"), H, 2);
+        FrameText text = new FrameText(new FrameSetup(FRONT, look, Scenery.NONE, "A title", "rk4"), W, H, 2);
         FrameState state = state();
-        List<Rectangle2D> usual = text.boxes(W, H, state, true);
+        List<Rectangle2D> usual = text.boxes(state, true);
         BufferedImage without = onRed(text, state);
         usual.forEach(box -> assertEquals(SPRING.getRGB(), ground(without, box)));
         FrameState blownUp = new FrameState(0, state.state(), state.structure(), List.of(),
                 List.of("blew up at t = 1 s", "slow motion"));
-        List<Rectangle2D> boxes = text.boxes(W, H, blownUp, true);
+        List<Rectangle2D> boxes = text.boxes(blownUp, true);
         BufferedImage with = onRed(text, blownUp);
         assertEquals(usual.size() + 2, boxes.size());
         for (Rectangle2D box : boxes) {
@@ -59,8 +59,8 @@ class FrameTextTest {
     void theTimeOfAnAtomHasAnExponent() {
         FrameSetup setup = new FrameSetup(FRONT, RenderOptions.STANDARD, Scenery.NONE, "A title", "rk4");
         FrameState state = state(1.234e-16, List.of(), SpringList.NONE);
-        assertEquals("1.23e-16", new FrameText(setup, H, 17).seconds(state));
-        assertEquals("0.00", new FrameText(setup, H, 2).seconds(state));
+        assertEquals("1.23e-16", new FrameText(setup, W, H, 17).seconds(state));
+        assertEquals("0.00", new FrameText(setup, W, H, 2).seconds(state));
     }
 
     private static int ground(BufferedImage picture, Rectangle2D box) {

@@ -51,7 +51,7 @@ class CameraProjectionTest {
             CameraProjection view = new CameraProjection(camera, 640, 480);
             Vector3 point = random(random);
             double[] place = project(view, point);
-            Vector3 met = view.rayStart(place[0], place[1]).plus(view.rayDirection(place[0], place[1]).times(place[2]));
+            Vector3 met = view.ray(place[0], place[1]).at(place[2]);
             assertEquals(0, met.minus(point).length(), 2e-14, camera + " " + point);
         }
     }
