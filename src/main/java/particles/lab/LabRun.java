@@ -81,10 +81,8 @@ public final class LabRun {
             simulation.advance();
             stop = enough.getAsBoolean();
         }
-        if (system.getTime() <= time) {
-            show();
-        } else if (latestStructure != frames.getStructure()) {
-            show();                                     // particles have come or gone since the motion
+        if (system.getTime() <= time || latestStructure != frames.getStructure()) {
+            show();                                     // or particles have come or gone since the motion
         } else if (latest.getStartTime() <= time) {
             showBetween();
         }

@@ -5,9 +5,9 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.util.ArrayList;
+import java.nio.FloatBuffer;
 import java.util.Base64;
-import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -81,28 +81,23 @@ public final class Replay {
 
     private String recorded(String failure) {
         List<Frame> frames = recorder.getHistory().after(Double.NEGATIVE_INFINITY);
-        Map<Structure, Integer> numbers = new IdentityHashMap<>();
-        List<Map<String, Object>> structures = new ArrayList<>();
+        Map<Structure, Integer> structures = new LinkedHashMap<>();
         int size = frames.stream().mapToInt(frame -> frame.state().length + frame.energies().length).sum();
-        ByteBuffer floats = ByteBuffer.allocate(Float.BYTES * size).order(ByteOrder.LITTLE_ENDIAN);
+        ByteBuffer bytes = ByteBuffer.allocate(Float.BYTES * size).order(ByteOrder.LITTLE_ENDIAN);
+        FloatBuffer floats = bytes.asFloatBuffer();
         for (Frame frame : frames) {
-            numbers.computeIfAbsent(frame.structure(), structure -> {
-                structures.add(structure.facts());
-                return structures.size() - 1;
-            });
-            for (float[] values : List.of(frame.energies(), frame.state())) {
-                floats.asFloatBuffer().put(values);
-                floats.position(floats.position() + Float.BYTES * values.length);
-            }
+            structures.putIfAbsent(frame.structure(), structures.size());
+            floats.put(frame.energies()).put(frame.state());
         }
         Map<String, Object> facts = SceneFacts.of(scene, recorder);
         facts.put("numbers", List.of());
         facts.put("recorded", thinning().orElse(""));
-        return JsonText.compact(Ordered.map("facts", facts, "structures", structures,
+        return JsonText.compact(Ordered.map("facts", facts,
+                "structures", structures.keySet().stream().map(Structure::facts).toList(),
                 "times", frames.stream().map(Frame::time).toList(),
                 "steps", frames.stream().map(frame -> frame.account().steps()).toList(),
                 "evaluations", frames.stream().map(frame -> frame.account().evaluations()).toList(),
-                "structureOf", frames.stream().map(frame -> numbers.get(frame.structure())).toList(),
-                "failure", failure, "floats", Base64.getEncoder().encodeToString(floats.array())));
+                "structureOf", frames.stream().map(frame -> structures.get(frame.structure())).toList(),
+                "failure", failure, "floats", Base64.getEncoder().encodeToString(bytes.array())));
     }
 }

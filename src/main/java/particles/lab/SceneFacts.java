@@ -39,6 +39,7 @@ final class SceneFacts {
     static Map<String, Object> of(Scene scene, FrameRecorder frames) {
         SceneDescription description = scene.description();
         Scenery scenery = scene.scenery();
+        SpringRates rates = SpringRates.of(scene.springs(), scene.system().getParticles());
         Map<String, Object> facts = Ordered.map("title", description.title(),
                 "teaches", description.values().get(SceneFormat.TEACHES), "solver", description.solver(),
                 "deltaT", description.deltaT(), "duration", description.duration(),
@@ -48,11 +49,8 @@ final class SceneFacts {
                 "planes", scenery.planes().stream().map(SceneFacts::plane).toList(),
                 "spheres", scenery.spheres().stream().map(SceneFacts::sphere).toList(),
                 "wires", scenery.wires().stream().map(SceneFacts::wire).toList(),
-                "surfaces", scenery.surfaces().stream().map(SceneFacts::surface).toList());
-        SpringRates rates = SpringRates.of(scene.springs(), scene.system().getParticles());
-        facts.put("limits", limits(rates));
-        facts.put("omega", rates.omega());
-        facts.put("damping", rates.dampingRate());
+                "surfaces", scenery.surfaces().stream().map(SceneFacts::surface).toList(),
+                "limits", limits(rates), "omega", rates.omega(), "damping", rates.dampingRate());
         description.solving().tolerances().ifPresent(given -> facts.put("tolerance", given.relative()));
         description.drawing().camera().ifPresent(camera -> facts.put("camera", camera(camera)));
         description.output().phase().ifPresent(phase -> facts.put("phase", List.of(phase.particle(),

@@ -5,6 +5,7 @@ import deSolvers.catalog.SolverInfo;
 import java.nio.FloatBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -101,9 +102,8 @@ public final class Session {
      * @param milliseconds the longest time that it may take
      */
     public void advance(double time, double milliseconds) {
-        long start = System.nanoTime();
-        long end = start + (long) (milliseconds * NANOSECONDS);
-        work(() -> run.advance(time, () -> System.nanoTime() > end), start);
+        long end = System.nanoTime() + (long) (milliseconds * NANOSECONDS);
+        work(() -> run.advance(time, () -> System.nanoTime() > end));
     }
 
     /** Shows the state one step after the moment shown; the run makes that step if it has not yet. */
@@ -113,10 +113,11 @@ public final class Session {
             shown = later.get(0);
             return;
         }
-        work(run::step, System.nanoTime());
+        work(run::step);
     }
 
-    private void work(Runnable work, long start) {
+    private void work(Runnable work) {
+        long start = System.nanoTime();
         try {
             work.run();
         } catch (SimulationException e) {
@@ -147,8 +148,12 @@ public final class Session {
         run.getPointer().drag(indexOf(id), new Vector3(x, y, z));
     }
 
+    private ParticleSystem system() {
+        return run.getScene().system();
+    }
+
     private int indexOf(String id) {
-        Particles particles = run.getScene().system().getParticles();
+        Particles particles = system().getParticles();
         return IntStream.range(0, particles.count()).filter(i -> particles.id(i).equals(id)).findFirst().orElse(-1);
     }
 
@@ -158,15 +163,14 @@ public final class Session {
      */
     public String particle(String id) {
         int i = indexOf(id);
-        ParticleSystem system = run.getScene().system();
-        return i < 0 ? "{}" : JsonText.compact(Map.of("mass", system.getParticles().mass(i), "forces",
-                ParticleForces.of(system, i)));
+        return i < 0 ? "{}" : JsonText.compact(Map.of("mass", system().getParticles().mass(i), "forces",
+                ParticleForces.of(system(), i)));
     }
 
     /** @return the time of the run, the time shown, the cost until then, and the time taken so far, as JSON */
     public String status() {
         Frame.Account account = shown.account();
-        double reached = run.getScene().system().getTime();
+        double reached = system().getTime();
         return JsonText.compact(Ordered.map("time", shown.time(), "reached", reached, "steps", account.steps(),
                 "evaluations", account.evaluations(), "seconds", nanoseconds / (1e3 * NANOSECONDS),
                 "work", account.work(), "historyBytes", run.getHistory().getBytes(),
@@ -206,9 +210,7 @@ public final class Session {
 
     /** @return the present state of the run in full precision */
     public double[] exactState() {
-        double[] state = new double[run.getScene().system().getStateSize()];
-        run.getScene().system().getState(state);
-        return state;
+        return Arrays.copyOf(system().getOwnState(), system().getStateSize());
     }
 
     /** @return a number that changes whenever particles or springs were added or removed between the moments shown */

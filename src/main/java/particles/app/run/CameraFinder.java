@@ -90,9 +90,8 @@ public final class CameraFinder {
             List.of(ledger, extent, this).forEach(scene.simulation()::addObserver);
             mostEnergy = MOST_ENERGY * scene.energyEstimate();
             mostEvaluations = MOST_PARTICLE_EVALUATIONS / scene.system().getParticles().count();
-            Extent start = new Extent();
-            start.started(scene.system());
-            beforeBlowUp = Box.of(start).grown();       // a run may fail before its first step
+            extent.started(scene.system());
+            beforeBlowUp = Box.of(extent).grown();      // a run may fail before its first step
         }
 
         @Override
