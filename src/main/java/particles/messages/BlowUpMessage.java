@@ -118,7 +118,7 @@ public final class BlowUpMessage {
 
     private boolean mayStop() {
         return scene.system().getReactions().stream().anyMatch(reaction -> reaction instanceof RestingContacts contacts
-                && contacts.mayStopWithin(scene.system(), scene.simulation().getDeltaT()));
+                && contacts.mayStopWithin(scene.simulation().getDeltaT()));
     }
 
     private List<String> ofForces(SolverInfo known) {

@@ -68,6 +68,11 @@ public final class RestingContacts implements Reaction {
         join(new Rows(), 0);
     }
 
+    /** @return the system of the particles */
+    public ParticleSystem getSystem() {
+        return system;
+    }
+
     /** @return the surfaces, in the order of their indices in {@link #getModes} */
     public List<ContactSurface> getSurfaces() {
         return surfaces;
@@ -81,10 +86,8 @@ public final class RestingContacts implements Reaction {
     /**
      * Records the state at the beginning of a step. Coulomb friction would flip when sliding reverses; within a step it
      * is continued smoothly as if it had not, and the end of the step shows whether it did.
-     *
-     * @param system the system before a step
      */
-    public void beginStep(ParticleSystem system) {
+    public void beginStep() {
         sliding.beginStep(system);
     }
 
@@ -145,14 +148,9 @@ public final class RestingContacts implements Reaction {
         blocks.correct(blocks.of(particle), state, 3, false, balls ? Block.ALL : Block.NONE);
     }
 
-    /**
-     * Projects the positions and velocities of all linkages onto their rods, wires and touched surfaces.
-     *
-     * @param state the state, which is changed
-     * @param time  t (s), for messages
-     */
-    public void putBack(double[] state, double time) {
-        new ConstraintCorrection(blocks).project(state, time);
+    /** Projects the positions and velocities of all linkages onto their rods, wires and touched surfaces. */
+    public void putBack() {
+        new ConstraintCorrection(blocks).project(system.getOwnState(), system.getTime());
     }
 
     /**
@@ -191,16 +189,15 @@ public final class RestingContacts implements Reaction {
      * Whether Coulomb friction may turn so sharply within a time that a solver fails in one step: near a stop its
      * direction turns as fast as the velocity's, however slow that is.
      *
-     * @param system the system
-     * @param time   the length of time from now (s)
+     * @param time the length of time from now (s)
      * @return whether the forces could stop any sliding particle within that time
      */
-    public boolean mayStopWithin(ParticleSystem system, double time) {
-        return stoppingWithin(system, time).findAny().isPresent();
+    public boolean mayStopWithin(double time) {
+        return stoppingWithin(time).findAny().isPresent();
     }
 
     /** The sliding particles that the forces could stop within a time (s). */
-    private IntStream stoppingWithin(ParticleSystem system, double time) {
+    private IntStream stoppingWithin(double time) {
         if (IntStream.range(0, modes.end()).noneMatch(i -> rubbing(i) > 0)) {
             return IntStream.empty();
         }
@@ -226,11 +223,10 @@ public final class RestingContacts implements Reaction {
      * do not converge and adaptive ones make no progress, above all where springs stop and start a particle again and
      * again. For all other particles friction remains exact.
      *
-     * @param system the system at the beginning of the step
      * @param deltaT the length of the step (s)
      */
-    public void stopWithinStep(ParticleSystem system, double deltaT) {
-        stoppingWithin(system, deltaT).forEach(i -> sliding.stopWithinStep(i, particles.mass(i) / deltaT));
+    public void stopWithinStep(double deltaT) {
+        stoppingWithin(deltaT).forEach(i -> sliding.stopWithinStep(i, particles.mass(i) / deltaT));
     }
 
     /**

@@ -32,7 +32,7 @@ public final class ClampedImpacts extends Impacts {
     @Override
     public void beforeStep(ParticleSystem system, double deltaT) {
         super.beforeStep(system, deltaT);
-        contacts.stopWithinStep(system, deltaT);
+        contacts.stopWithinStep(deltaT);
     }
 
     @Override
@@ -43,27 +43,27 @@ public final class ClampedImpacts extends Impacts {
         system.getState(arrived);
         boolean changed = false;
         boolean coupledChanged = false;
-        for (int i = 0; i < system.getParticles().count(); i++) {
+        for (int i = 0; i < particles.count(); i++) {
             boolean thisOne = false;
-            for (int p = 0; p < surfaces.size() && !system.getParticles().isFixed(i); p++) {
-                thisOne |= modes.get(p, i) == Mode.FREE ? collide(system, p, i, deltaT) : keepInContact(system, p, i);
+            for (int p = 0; p < surfaces.size() && !particles.isFixed(i); p++) {
+                thisOne |= modes.get(p, i) == Mode.FREE ? collide(p, i, deltaT) : keepInContact(p, i);
             }
             changed |= thisOne;
             coupledChanged |= thisOne && contacts.isCoupled(i);
         }
         if (coupledChanged) {
-            contacts.putBack(system.getOwnState(), system.getTime());
+            contacts.putBack();
             forceKnown = false;
         }
         // last, since a rod between two sticking particles could no longer be corrected
         for (int i = 0; i < modes.end(); i++) {
-            changed |= slideOrStick(system, i);
+            changed |= slideOrStick(i);
         }
         return changed;
     }
 
     /** Handles a particle that was free: an impact if it is now below the surface. */
-    private boolean collide(ParticleSystem system, int p, int i, double deltaT) {
+    private boolean collide(int p, int i, double deltaT) {
         double[] state = system.getOwnState();
         double[] before = contacts.getStepBegin();
         ContactSurface surface = surfaces.get(p);
@@ -89,8 +89,8 @@ public final class ClampedImpacts extends Impacts {
             boolean rests = leaving <= Math.max(surface.restSpeed(), most);
             // a particle that rests stays on others where it would be back in half a step
             Vector3 pull = rests && !contacts.isCoupled(i)
-                    ? velocity(forces(system), i).times(deltaT / 2 / system.getParticles().mass(i)) : Vector3.ZERO;
-            bounce(system, p, i, leaving, rests, pull);
+                    ? velocity(forces(), i).times(deltaT / 2 / particles.mass(i)) : Vector3.ZERO;
+            bounce(p, i, leaving, rests, pull);
             if (rests) {
                 contacts.putOnSurfaces(i, state);
                 forceKnown = false;
@@ -102,12 +102,12 @@ public final class ClampedImpacts extends Impacts {
     }
 
     /** Handles a particle that was in contact: it may leave, hit another surface, begin to slide or stop. */
-    private boolean keepInContact(ParticleSystem system, int p, int i) {
+    private boolean keepInContact(int p, int i) {
         double[] state = system.getOwnState();
         ContactSurface surface = surfaces.get(p);
         boolean isFlat = surface.obstacle().isFlat();
         double distance = surface.distance(state, i);
-        boolean leaves = isFlat ? distance > slack(state, i) : pressure(system, p, i) < 0;
+        boolean leaves = isFlat ? distance > slack(state, i) : pressure(p, i) < 0;
         boolean isBelow = distance < -slack(state, i);
         if (leaves) {
             modes.set(p, i, Mode.FREE);
@@ -126,11 +126,11 @@ public final class ClampedImpacts extends Impacts {
     /**
      * A sticking particle begins to slide if friction cannot hold it; a sliding one that stops sticks if friction can.
      */
-    private boolean slideOrStick(ParticleSystem system, int i) {
+    private boolean slideOrStick(int i) {
         double[] state = system.getOwnState();
         boolean sticks = modes.isSticking(i);
         if (!modes.isTouching(i) || !sticks && !contacts.hasStopped(i, velocity(state, i))
-                || holdMargin(system, i) >= 0 == sticks) {
+                || holdMargin(i) >= 0 == sticks) {
             return false;
         }
         if (sticks) {

@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Set;
-import java.util.function.ToDoubleFunction;
+import java.util.function.DoubleSupplier;
 import java.util.stream.IntStream;
 import particles.EventRule;
 import particles.Motion;
@@ -44,6 +44,8 @@ public final class Collisions implements EventRule {
     private static final int MOST_IMPACTS = 100;
 
     private final ExactImpacts impacts;
+    private final ParticleSystem system;
+    private final Particles particles;
     private final BallContacts touching;
     private final Balls balls;
     private final double largest;
@@ -73,6 +75,8 @@ public final class Collisions implements EventRule {
      */
     public Collisions(ExactImpacts impacts, RigidConstraints constraints, Balls balls) {
         this.impacts = impacts;
+        system = impacts.system;
+        particles = impacts.particles;
         touching = constraints.balls();
         this.balls = balls;
         largest = Arrays.stream(balls.radii).max().orElse(0);
@@ -88,10 +92,10 @@ public final class Collisions implements EventRule {
     public Violation getViolation(ParticleSystem system) {
         double[] state = system.getOwnState();
         Violation[] worst = {Violation.NONE};
-        findPairs(system, state, new double[system.getParticles().count()], (i, j) -> {
+        findPairs(state, new double[particles.count()], (i, j) -> {
             double depth = -gap(state, i, j);
             worst[0] = depth <= Impacts.slack(state, i) ? worst[0] : worst[0].or(new Violation(depth / reach(i, j),
-                    "'" + system.getParticles().id(i) + "' and '" + system.getParticles().id(j) + "' overlap by "
+                    "'" + particles.id(i) + "' and '" + particles.id(j) + "' overlap by "
                     + Digits.few(depth) + " m"));
         });
         return worst[0];
@@ -100,7 +104,7 @@ public final class Collisions implements EventRule {
     /** Balls that begin in contact, and are pressed on each other, stay in contact from the start. */
     @Override
     public void start(ParticleSystem system) {
-        settle(system, TOUCHING);
+        settle(TOUCHING);
     }
 
     /** {@inheritDoc} Removes the solver's error that would let balls in contact drift, as {@link ExactImpacts} does. */
@@ -112,23 +116,22 @@ public final class Collisions implements EventRule {
 
     @Override
     public void findEvents(Motion motion, List<Event> found) {
-        ParticleSystem system = motion.getSystem();
         double[] begin = motion.getStartState();
         if (touching.hasContacts()) {
             if (IntStream.range(touching.begin(), touching.end())       // a surface has struck or stopped a ball
                     .anyMatch(r -> Math.abs(separation(r, begin)) > slow(r, begin))) {
-                found.add(new ExactImpacts.Change(motion.getStartTime(), false, s -> 0,
-                        s -> settle(s, ROUND_OFF)));
+                found.add(new ExactImpacts.Change(motion.getStartTime(), false, () -> 0,
+                        () -> settle(ROUND_OFF)));
                 return;
             }
-            if (push(system) < 0) {
+            if (push() < 0) {
                 // just before the end: surfaces are only asked once the balls have parted
                 found.add(new ExactImpacts.Change(Math.nextDown(motion.getEndTime()), true, this::push, this::release));
             }
         }
         double h = motion.getEndTime() - motion.getStartTime();
-        double[] moves = new double[system.getParticles().count()];     // the farthest that each may get
-        for (int i = 0; i < system.getParticles().count(); i++) {
+        double[] moves = new double[particles.count()];         // the farthest that each may get
+        for (int i = 0; i < particles.count(); i++) {
             crossing.begin(begin, motion.getEndState(), h, i);
             for (int k = 3; k < 12; k += 3) {
                 moves[i] = Math.max(moves[i], Vector3.at(crossing.points, k).minus(Vector3.at(begin, STRIDE * i))
@@ -136,12 +139,11 @@ public final class Collisions implements EventRule {
             }
         }
         double size = ExactImpacts.DEEP * ExactImpacts.size(motion);
-        findPairs(system, begin, moves, (i, j) -> findMeeting(motion, i, j, size, found));
+        findPairs(begin, moves, (i, j) -> findMeeting(motion, i, j, size, found));
     }
 
     /** Finds all pairs that are in reach, may move relative to each other and are not in contact. */
-    private void findPairs(ParticleSystem system, double[] state, double[] moves, Pair pair) {
-        Particles particles = system.getParticles();
+    private void findPairs(double[] state, double[] moves, Pair pair) {
         int n = particles.count();
         int[] near = new int[n];
         double farthest = Arrays.stream(moves).max().orElse(0);
@@ -169,13 +171,13 @@ public final class Collisions implements EventRule {
         crossing.add(-1, begin, motion.getEndState(), h, j);
         double u = crossing.into(new Sphere(Vector3.ZERO, reach(i, j), false), below * (2 * reach(i, j) - below));
         if (!Double.isNaN(u)) {
-            ToDoubleFunction<ParticleSystem> function = s -> {
-                double above = gap(s.getOwnState(), i, j) + below;
-                return begins ? Math.max(above, rate(s.getOwnState(), i, j)) : above;
+            DoubleSupplier function = () -> {
+                double above = gap(system.getOwnState(), i, j) + below;
+                return begins ? Math.max(above, rate(system.getOwnState(), i, j)) : above;
             };
-            found.add(ExactImpacts.Change.meeting(motion, u, begins, function, s -> {
+            found.add(ExactImpacts.Change.meeting(motion, u, begins, function, () -> {
                 touching.touch(i, j, reach(i, j));
-                settle(s, ROUND_OFF);
+                settle(ROUND_OFF);
             }));
         }
     }
@@ -186,9 +188,9 @@ public final class Collisions implements EventRule {
      *
      * @param near the largest gap, relative to 1 m plus the distance from the origin
      */
-    private void settle(ParticleSystem system, double near) {
+    private void settle(double near) {
         double[] state = system.getOwnState();
-        findPairs(system, state, new double[system.getParticles().count()], (i, j) -> {
+        findPairs(state, new double[particles.count()], (i, j) -> {
             if (gap(state, i, j) <= near / TOUCHING * Impacts.slack(state, i)
                     && Math.abs(rate(state, i, j)) <= balls.restSpeed) {
                 touching.touch(i, j, reach(i, j));
@@ -211,15 +213,15 @@ public final class Collisions implements EventRule {
         }
         parted.stream().forEach(i -> impacts.contacts.settle(i, false, state));     // on surfaces they still touch
         touching.stop(state, false);
-        release(system);
-        impacts.stickOthers(system);
-        impacts.contacts.beginStep(system);             // those that stick have stopped others
+        release();
+        impacts.stickOthers();
+        impacts.contacts.beginStep();                   // those that stick have stopped others
     }
 
     /** Ends contacts that do not push. */
-    private void release(ParticleSystem system) {
-        impacts.contacts.beginStep(system);             // the direction of friction, on which the forces depend
-        touching.partWhereFree(system.getOwnState(), system.getTime(), impacts.forces(system));
+    private void release() {
+        impacts.contacts.beginStep();                   // the direction of friction, on which the forces depend
+        touching.partWhereFree(system.getOwnState(), system.getTime(), impacts.forces());
     }
 
     /** The first contact whose balls approach each other faster than the rest speed; -1 for none. */
@@ -243,8 +245,8 @@ public final class Collisions implements EventRule {
                 + Impacts.velocity(state, touching.second(r)).norm1()));
     }
 
-    private double push(ParticleSystem system) {
-        return touching.leastPush(system.getOwnState(), system.getTime(), impacts.forces(system));
+    private double push() {
+        return touching.leastPush(system.getOwnState(), system.getTime(), impacts.forces());
     }
 
     private double reach(int i, int j) {

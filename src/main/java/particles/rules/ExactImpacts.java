@@ -1,8 +1,7 @@
 package particles.rules;
 
 import java.util.List;
-import java.util.function.Consumer;
-import java.util.function.ToDoubleFunction;
+import java.util.function.DoubleSupplier;
 import particles.EventRule;
 import particles.Motion;
 import particles.ParticleSystem;
@@ -28,16 +27,15 @@ public final class ExactImpacts extends Impacts implements EventRule {
     }
 
     /** An event of one particle: its function, positive until it happens, and its action. */
-    record Change(double time, boolean happensAfter, ToDoubleFunction<ParticleSystem> function,
-            Consumer<ParticleSystem> deed) implements Event {
+    record Change(double time, boolean happensAfter, DoubleSupplier function, Runnable deed)
+            implements Event {
         /**
          * A meeting, located on the cubic path.
          *
          * @param u      the fraction of the motion's time
          * @param begins whether the two touch at the start, and so meet again later
          */
-        static Change meeting(Motion motion, double u, boolean begins, ToDoubleFunction<ParticleSystem> function,
-                Consumer<ParticleSystem> deed) {
+        static Change meeting(Motion motion, double u, boolean begins, DoubleSupplier function, Runnable deed) {
             double start = motion.getStartTime();
             double time = start + u * (motion.getEndTime() - start);
             return new Change(begins ? Math.max(time, Math.nextUp(start)) : time, false, function, deed);
@@ -45,12 +43,12 @@ public final class ExactImpacts extends Impacts implements EventRule {
 
         @Override
         public double value(ParticleSystem system) {
-            return function.applyAsDouble(system);
+            return function.getAsDouble();
         }
 
         @Override
         public void act(ParticleSystem system) {
-            deed.accept(system);
+            deed.run();
         }
     }
 
@@ -63,14 +61,14 @@ public final class ExactImpacts extends Impacts implements EventRule {
         double[] state = system.getOwnState();
         for (int p = 0; p < surfaces.size(); p++) {
             ContactSurface surface = surfaces.get(p);
-            for (int i = 0; !surface.obstacle().isFlat() && i < system.getParticles().count(); i++) {
+            for (int i = 0; !surface.obstacle().isFlat() && i < particles.count(); i++) {
                 if (modes.get(p, i) != Mode.FREE) {
                     putOn(surface, state, i);
                     if (!contacts.isCoupled(i)) {
                         contacts.settle(i, false, state);
                     }
                 } else if (surface.distance(state, i) < 0 && surface.normalSpeed(state, i) >= 0
-                        && !system.getParticles().isFixed(i)) {
+                        && !particles.isFixed(i)) {
                     lift(surface, state, i);
                 }
             }
@@ -80,22 +78,21 @@ public final class ExactImpacts extends Impacts implements EventRule {
 
     @Override
     public boolean mayTurnWithin(ParticleSystem system, double time) {
-        return modes.isAnyTouching() && contacts.mayStopWithin(system, time);
+        return modes.isAnyTouching() && contacts.mayStopWithin(time);
     }
 
     @Override
     public void findEvents(Motion motion, List<Event> found) {
-        ParticleSystem system = motion.getSystem();
         if (modes.isAnyTouching()) {
-            double[] force = forces(system);
+            double[] force = forces();
             int others = found.size();
             for (int i = 0; i < modes.end() && found.size() == others; i++) {   // any will do, not only the first
                 findChange(i, motion, force, found);
             }
         }
         double size = -1;
-        for (int i = 0; i < system.getParticles().count(); i++) {
-            for (int p = 0; p < surfaces.size() && !system.getParticles().isFixed(i); p++) {
+        for (int i = 0; i < particles.count(); i++) {
+            for (int p = 0; p < surfaces.size() && !particles.isFixed(i); p++) {
                 if (modes.get(p, i) == Mode.FREE) {
                     boolean begins = isOn(surfaces.get(p), motion.getStartState(), i);
                     size = begins && size < 0 ? size(motion) : size;
@@ -112,33 +109,33 @@ public final class ExactImpacts extends Impacts implements EventRule {
         for (int p = 0; p < surfaces.size(); p++) {
             int surface = p;
             if (modes.get(p, i) != Mode.FREE && contacts.getQueries().pressure(p, i, state, force) < 0) {
-                found.add(new Change(end, true, s -> pressure(s, surface, i), s -> letGo(s, surface, i)));
+                found.add(new Change(end, true, () -> pressure(surface, i), () -> letGo(surface, i)));
                 return;
             }
         }
         if (modes.isSticking(i)) {
             if (contacts.getQueries().holdMargin(i, state, force) < 0) {
-                found.add(new Change(end, true, s -> holdMargin(s, i), s -> slide(s, i)));
+                found.add(new Change(end, true, () -> holdMargin(i), () -> slide(i)));
             }
             return;
         }
         Vector3 before = velocity(motion.getStartState(), i);
         double speed = before.length();
         double slow = speed > contacts.threshold(i) * (1 + ROUNDING) ? contacts.threshold(i) : 0;
-        ToDoubleFunction<ParticleSystem> moving = s -> velocity(s.getOwnState(), i).dot(before) / speed - slow;
-        if (speed != 0 && contacts.rubs(i) && moving.applyAsDouble(motion.getSystem()) < 0) {
-            found.add(new Change(end, true, moving, s -> stop(s, i, speed)));
+        DoubleSupplier moving = () -> velocity(system.getOwnState(), i).dot(before) / speed - slow;
+        if (speed != 0 && contacts.rubs(i) && moving.getAsDouble() < 0) {
+            found.add(new Change(end, true, moving, () -> stop(i, speed)));
         }
     }
 
     /** Ends sticking; the particle starts from rest, and friction acts against the force that moves it. */
-    private void slide(ParticleSystem system, int i) {
+    private void slide(int i) {
         modes.setWhereTouching(i, Mode.SLIDING);
-        contacts.beginStep(system);
+        contacts.beginStep();
     }
 
     /** Removes the normal velocity on a curved surface: it is the solver's error and would be taken for an impact. */
-    private void letGo(ParticleSystem system, int p, int i) {
+    private void letGo(int p, int i) {
         if (!surfaces.get(p).obstacle().isFlat()) {
             putOn(surfaces.get(p), system.getOwnState(), i);
         }
@@ -164,10 +161,10 @@ public final class ExactImpacts extends Impacts implements EventRule {
         double below = begins ? Math.max(0, DEEP * (size + radius) - surface.distance(begin, i)) : 0;
         double u = firstBelow(surface, begin, motion.getEndState(), h, i, below);
         if (!Double.isNaN(u)) {
-            found.add(Change.meeting(motion, u, begins, s -> {
-                double above = surface.distance(s.getOwnState(), i) + below;
-                return begins && !isFlat ? Math.max(above, surface.normalSpeed(s.getOwnState(), i)) : above;
-            }, s -> meet(s, p, i)));
+            found.add(Change.meeting(motion, u, begins, () -> {
+                double above = surface.distance(system.getOwnState(), i) + below;
+                return begins && !isFlat ? Math.max(above, surface.normalSpeed(system.getOwnState(), i)) : above;
+            }, () -> meet(p, i)));
         }
     }
 
@@ -189,29 +186,29 @@ public final class ExactImpacts extends Impacts implements EventRule {
     }
 
     /** A free particle meets a surface: it bounces, comes to rest, or leaves if it was below by round-off. */
-    private void meet(ParticleSystem system, int p, int i) {
+    private void meet(int p, int i) {
         ContactSurface surface = surfaces.get(p);
         double[] state = system.getOwnState();
         lift(surface, state, i);
         double speed = velocity(state, i).length();
         double approach = surface.normalSpeed(state, i);
-        if (approach <= 0 || isPressedOn(system, p, i)) {
+        if (approach <= 0 || isPressedOn(p, i)) {
             double leaving = approach < 0 ? -surface.restitution() * approach : approach;   // born inside: it leaves
             boolean rests = leaving <= surface.restSpeed();
             boolean isAlone = !contacts.isCoupled(i);
-            bounce(system, p, i, leaving, rests, Vector3.ZERO);
+            bounce(p, i, leaving, rests, Vector3.ZERO);
             contacts.putOnSurfaces(i, state);
             if (rests || isAlone) {
-                stickIfSlow(system, i, speed);
+                stickIfSlow(i, speed);
             }
             contacts.settle(i, false, state);
         }
-        contacts.beginStep(system);
+        contacts.beginStep();
     }
 
-    private boolean isPressedOn(ParticleSystem system, int p, int i) {
+    private boolean isPressedOn(int p, int i) {
         modes.set(p, i, Mode.SLIDING);
-        boolean pressed = pressure(system, p, i) > 0;
+        boolean pressed = pressure(p, i) > 0;
         modes.set(p, i, Mode.FREE);
         return pressed;
     }

@@ -26,6 +26,8 @@ abstract class Impacts implements Rule {
     private static final int CLOCK_ROUNDINGS = 4;
 
     final RestingContacts contacts;
+    final ParticleSystem system;
+    final Particles particles;
     final List<ContactSurface> surfaces;
     final ContactModes modes;
     boolean forceKnown;
@@ -34,6 +36,8 @@ abstract class Impacts implements Rule {
 
     Impacts(RestingContacts contacts) {
         this.contacts = contacts;
+        system = contacts.getSystem();
+        particles = system.getParticles();
         surfaces = contacts.getSurfaces();
         modes = contacts.getModes();
     }
@@ -49,30 +53,30 @@ abstract class Impacts implements Rule {
         double[] state = system.getOwnState();
         double[] before = state.clone();
         beforeStep(system, 0);
-        for (int i = 0; i < system.getParticles().count(); i++) {
-            for (int p = 0; p < surfaces.size() && !system.getParticles().isFixed(i); p++) {
+        for (int i = 0; i < particles.count(); i++) {
+            for (int p = 0; p < surfaces.size() && !particles.isFixed(i); p++) {
                 ContactSurface surface = surfaces.get(p);
                 if (isOn(surface, state, i) && Math.abs(surface.normalSpeed(state, i)) <= surface.restSpeed()) {
-                    rest(system, p, i);
+                    rest(p, i);
                 }
             }
         }
         for (int i = 0; i < modes.end(); i++) {
-            stickIfSlow(system, i, velocity(before, i).length());
+            stickIfSlow(i, velocity(before, i).length());
             contacts.settle(i, false, state);
         }
-        stickOthers(system);
-        contacts.beginStep(system);
+        stickOthers();
+        contacts.beginStep();
     }
 
     @Override
     public void beforeStep(ParticleSystem system, double deltaT) {
-        contacts.beginStep(system);
+        contacts.beginStep();
         forceKnown = false;
     }
 
     /** The effects' forces in the present state. Clamped impacts evaluate them at most once in most steps. */
-    final double[] forces(ParticleSystem system) {
+    final double[] forces() {
         if (!forceKnown) {
             if (force.length != system.getStateSize()) {
                 force = new double[system.getStateSize()];
@@ -83,12 +87,12 @@ abstract class Impacts implements Rule {
         return force;
     }
 
-    final double pressure(ParticleSystem system, int p, int i) {
-        return contacts.getQueries().pressure(p, i, system.getOwnState(), forces(system));
+    final double pressure(int p, int i) {
+        return contacts.getQueries().pressure(p, i, system.getOwnState(), forces());
     }
 
-    final double holdMargin(ParticleSystem system, int i) {
-        return contacts.getQueries().holdMargin(i, system.getOwnState(), forces(system));
+    final double holdMargin(int i) {
+        return contacts.getQueries().holdMargin(i, system.getOwnState(), forces());
     }
 
     /**
@@ -98,20 +102,20 @@ abstract class Impacts implements Rule {
      * @param leaving the normal speed with which it leaves (m/s)
      * @param pull    a velocity whose component into a surface brings a lifted particle back in time (m/s)
      */
-    final void bounce(ParticleSystem system, int p, int i, double leaving, boolean rests, Vector3 pull) {
+    final void bounce(int p, int i, double leaving, boolean rests, Vector3 pull) {
         contacts.getImpacts().strike(p, i, rests ? 0 : leaving, pull, system.getOwnState());
         if (rests) {
-            rest(system, p, i);
+            rest(p, i);
         }
     }
 
     /** Lets a particle rest on a surface; where contact lasts until a release, only if the forces press it on. */
-    private void rest(ParticleSystem system, int p, int i) {
+    private void rest(int p, int i) {
         if (contacts.getImpacts().canPush(p, i, system.getOwnState())) {
             stopAlong(surfaces.get(p).normal(system.getOwnState(), i), system.getOwnState(), i);
             modes.set(p, i, Mode.SLIDING);
             modes.setWhereTouching(i, Mode.SLIDING);
-            if (contacts.isHolding() && pressure(system, p, i) <= 0) {
+            if (contacts.isHolding() && pressure(p, i) <= 0) {
                 modes.set(p, i, Mode.FREE);
             }
         }
@@ -122,9 +126,9 @@ abstract class Impacts implements Rule {
      *
      * @param speed its speed before that (m/s)
      */
-    final void stickIfSlow(ParticleSystem system, int i, double speed) {
-        if (contacts.rubs(i) && holdMargin(system, i) >= 0) {
-            stop(system, i, speed);
+    final void stickIfSlow(int i, double speed) {
+        if (contacts.rubs(i) && holdMargin(i) >= 0) {
+            stop(i, speed);
         }
     }
 
@@ -135,19 +139,19 @@ abstract class Impacts implements Rule {
      *
      * @param speed its speed at the beginning of the motion (m/s)
      */
-    final void stop(ParticleSystem system, int i, double speed) {
+    final void stop(int i, double speed) {
         double[] state = system.getOwnState();
         Vector3 velocity = velocity(state, i);
-        double acceleration = velocity(forces(system), i).length() / system.getParticles().mass(i);
+        double acceleration = velocity(forces(), i).length() / particles.mass(i);
         double rounding = ROUNDING * speed + CLOCK_ROUNDINGS * Math.ulp(system.getTime()) * acceleration;
         double slow = Math.max(rounding, contacts.threshold(i) * (1 + ROUNDING));
-        if (velocity.length() <= slow && holdMargin(system, i) >= 0) {
+        if (velocity.length() <= slow && holdMargin(i) >= 0) {
             stick(i, state);
-            stickOthers(system);
+            stickOthers();
         } else if (velocity.length() <= rounding) {
             moveAlong(velocity, state, STRIDE * i + 3, -1);
         }
-        contacts.beginStep(system);
+        contacts.beginStep();
     }
 
     final void stick(int i, double[] state) {
@@ -158,10 +162,10 @@ abstract class Impacts implements Rule {
     }
 
     /** Lets particles that are coupled to one that came to rest stick too; they have no event of their own. */
-    final void stickOthers(ParticleSystem system) {
+    final void stickOthers() {
         for (int i = 0; i < modes.end(); i++) {
             if (contacts.isCoupled(i) && !modes.isSticking(i) && contacts.isSlow(i, system.getOwnState())
-                    && holdMargin(system, i) >= 0) {
+                    && holdMargin(i) >= 0) {
                 stick(i, system.getOwnState());
             }
         }

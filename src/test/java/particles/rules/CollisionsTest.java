@@ -236,7 +236,7 @@ class CollisionsTest {
         run.contacts().getModes().setWhereTouching(0, Mode.SLIDING);
         double[] state = run.getState();
         new Vector3(0.02, -0.02, 0).put(state, 3);
-        run.contacts().beginStep(run.getSystem());
+        run.contacts().beginStep();
         new Vector3(-1.7e-18, -1.7e-18, 0).put(state, 3);
         assertArrayEquals(new double[] {Math.sqrt(2) * G, Math.sqrt(2) * G}, new double[] {pressure(run, 0, 0),
             pressure(run, 1, 0)}, 1e-13);
