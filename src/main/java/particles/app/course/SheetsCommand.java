@@ -19,7 +19,6 @@ import particles.teaching.exercises.Exercises;
 import particles.teaching.marking.Draw;
 import particles.teaching.marking.Exercise;
 import particles.teaching.marking.NumericExercise;
-import particles.teaching.marking.Question;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -58,10 +57,10 @@ public final class SheetsCommand extends ResultsCommand {
         Map<Integer, Double> wanted = course.assignment().exercises();
         Path key = course.key().orElseThrow(() -> wrong("key", "the file is missing that this makes, or adds to"));
         Map<String, List<String>> keys = Files.exists(key) ? CourseList.key(key) : new TreeMap<>();
-        List<List<Question>> taken = IntStream.rangeClosed(0, Exercises.all().size())
-                .<List<Question>>mapToObj(number -> new ArrayList<>()).toList();
+        List<List<Double>> taken = IntStream.rangeClosed(0, Exercises.all().size())
+                .<List<Double>>mapToObj(number -> new ArrayList<>()).toList();
         keys.values().forEach(secrets -> wanted.keySet().forEach(number ->
-                question(number, secrets.get(number)).forEach(taken.get(number)::add)));
+                answer(number, secrets.get(number)).forEach(taken.get(number)::add)));
         try (OutputFolder files = OutputFolder.open(getFolder())) {
             int sheet = 0;
             for (String student : CourseList.read(students).keySet()) {
@@ -83,22 +82,21 @@ public final class SheetsCommand extends ResultsCommand {
         }
     }
 
-    private static Stream<Question> question(int number, String secret) {
+    private static Stream<Double> answer(int number, String secret) {
         Exercise exercise = Exercises.all().get(number - 1);
-        return exercise instanceof NumericExercise numeric ? Stream.of(numeric.question(new Draw(secret, number)))
-                : Stream.empty();
+        return exercise instanceof NumericExercise numeric
+                ? Stream.of(numeric.worked(new Draw(secret, number)).answer()) : Stream.empty();
     }
 
     /** A secret with which no answer is right for somebody else, as far as there is one. */
-    private String secret(int number, List<Question> taken) {
+    private String secret(int number, List<Double> taken) {
         byte[] bytes = new byte[BYTES];
         for (int draw = 1;; draw++) {
             random.nextBytes(bytes);
             String secret = HexFormat.of().formatHex(bytes);
-            List<Question> mine = question(number, secret).toList();
-            if (draw == MOST_DRAWS || mine.stream().noneMatch(question -> taken.stream().anyMatch(other ->
-                    question.isNear(other.answer(), question.answer()) || other.isNear(question.answer(),
-                    other.answer())))) {
+            List<Double> mine = answer(number, secret).toList();
+            if (draw == MOST_DRAWS || mine.stream().noneMatch(own -> taken.stream().anyMatch(other ->
+                    NumericExercise.isNear(other, own) || NumericExercise.isNear(own, other)))) {
                 taken.addAll(mine);
                 return secret;
             }

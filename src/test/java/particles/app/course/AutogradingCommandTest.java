@@ -48,7 +48,7 @@ class AutogradingCommandTest {
         Screen.of(ExitCode.DONE, List.of(new AutogradingCommand()), OptionStyle.GRADLE, "autograding", "--out="
                 + folder.resolve("made"));
         NumericExercise second = (NumericExercise) Exercises.all().get(1);
-        write("answers.yaml", "3: 1\n2: " + second.question(new Draw("ann", 2)).answer() + "\n");
+        write("answers.yaml", "3: 1\n2: " + second.worked(new Draw("ann", 2)).answer() + "\n");
         write("assignment.yaml", "exercises: {2: 3, 3: 4}\nsolvers: {BadSolver: heun}\n");
         for (String at : List.of("BadSolver.java", "src/main/java/exercises/BadSolver.java")) {
             write(at, """

@@ -80,7 +80,7 @@ class GradeClassCommandTest {
 
     private static String answer(String student) {
         NumericExercise second = (NumericExercise) Exercises.all().get(1);
-        return "2: " + second.question(new Draw(student, 2)).answer() + "\n";
+        return "2: " + second.worked(new Draw(student, 2)).answer() + "\n";
     }
 
     private List<String> rows(String student) throws Exception {

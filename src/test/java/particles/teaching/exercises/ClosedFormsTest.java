@@ -11,6 +11,7 @@ import java.util.function.DoubleUnaryOperator;
 import java.util.function.ToDoubleFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import particles.Observer;
@@ -23,7 +24,6 @@ import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
 import particles.teaching.marking.Draw;
 import particles.teaching.marking.NumericExercise;
-import particles.teaching.marking.Question;
 
 /** The right answers against closed forms, which read the numbers from the task's own text as a student does. */
 class ClosedFormsTest {
@@ -39,9 +39,9 @@ class ClosedFormsTest {
     private static void hold(int number, double bound, ToDoubleFunction<String> closedForm) {
         NumericExercise exercise = (NumericExercise) Exercises.all().get(number - 1);
         for (int s = 0; s < STUDENTS; s++) {
-            Question question = exercise.question(new Draw("student " + s, number));
-            double expected = closedForm.applyAsDouble(question.text());
-            assertEquals(expected, question.answer(), bound * Math.abs(expected), question.text());
+            Draw draw = new Draw("student " + s, number);
+            double expected = closedForm.applyAsDouble(exercise.text(draw));
+            assertEquals(expected, exercise.worked(draw).answer(), bound * Math.abs(expected), exercise.text(draw));
         }
     }
 
@@ -101,10 +101,11 @@ class ClosedFormsTest {
     @Test
     void mistakesWithTheLeafBeginAtItsStart() {
         for (int number : new int[] {3, 4}) {
-            Question question = ((NumericExercise) Exercises.all().get(number - 1)).question(new Draw("ann", number));
-            double euler = question.mistakes().stream().filter(slip -> slip.hint().contains("is the Euler method"))
-                    .findFirst().orElseThrow().value();
-            assertEquals(leaf(question.text(), number == 3 ? 2 : 1, 1), euler, 1e-12 * Math.abs(euler));
+            NumericExercise exercise = (NumericExercise) Exercises.all().get(number - 1);
+            Draw draw = new Draw("ann", number);
+            double euler = DoubleStream.of(exercise.worked(draw).mistakes()).filter(slip -> exercise.mark(draw,
+                    Double.toString(slip)).lines().get(0).contains("is the Euler method")).findFirst().orElseThrow();
+            assertEquals(leaf(exercise.text(draw), number == 3 ? 2 : 1, 1), euler, 1e-12 * Math.abs(euler));
         }
     }
 
@@ -155,12 +156,15 @@ class ClosedFormsTest {
     @Test
     void theChainsFastestMotionSetsTheStep() {
         for (int s = 0; s < STUDENTS; s++) {
-            Question question = ((NumericExercise) Exercises.all().get(5)).question(new Draw("student " + s, 6));
-            int n = Integer.parseInt(question.text().substring(0, 1));
-            double m = after(question.text(), "m = ");
-            double k = after(question.text(), "k = ");
-            assertTrue(growth(n, m, k, 0.999 * question.answer()) < 1, question.text());
-            assertTrue(growth(n, m, k, 1.001 * question.answer()) > 10, question.text());
+            NumericExercise exercise = (NumericExercise) Exercises.all().get(5);
+            Draw draw = new Draw("student " + s, 6);
+            String text = exercise.text(draw);
+            double answer = exercise.worked(draw).answer();
+            int n = Integer.parseInt(text.substring(0, 1));
+            double m = after(text, "m = ");
+            double k = after(text, "k = ");
+            assertTrue(growth(n, m, k, 0.999 * answer) < 1, text);
+            assertTrue(growth(n, m, k, 1.001 * answer) > 10, text);
         }
     }
 

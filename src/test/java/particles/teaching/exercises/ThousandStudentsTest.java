@@ -10,17 +10,17 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
-import particles.teaching.marking.CommonMistake;
 import particles.teaching.marking.Draw;
 import particles.teaching.marking.Mark;
 import particles.teaching.marking.NumericExercise;
-import particles.teaching.marking.Question;
+import particles.teaching.marking.NumericExercise.Worked;
 
 /** A thousand students get numbers of their own, and none gets numbers with which two answers look alike. */
 class ThousandStudentsTest {
@@ -35,22 +35,28 @@ class ThousandStudentsTest {
                 Exercises.all().size()).boxed().filter(n -> Exercises.all().get(n - 1) instanceof NumericExercise);
     }
 
+    /** @return what is said to each of a student's typical mistakes */
+    private static List<String> hints(NumericExercise exercise, Worked question) {
+        return DoubleStream.of(question.mistakes()).mapToObj(mistake -> {
+            Mark mark = exercise.mark(question, Double.toString(mistake));
+            assertFalse(mark.right(), mark.lines().toString());
+            return String.join(" ", mark.lines());
+        }).toList();
+    }
+
     private static void hold(int number) {
         NumericExercise exercise = (NumericExercise) Exercises.all().get(number - 1);
-        List<Question> questions = new ArrayList<>();
+        List<Worked> questions = new ArrayList<>();
         String text = exercise.text(new Draw("id-0", number));
+        List<String> hints = hints(exercise, exercise.worked(new Draw("id-0", number)));
         Matcher range = Pattern.compile("and lies between (-?[\\d.]+) and ([\\d.]+)[.]$").matcher(text);
         assertTrue(range.find(), text);
         for (int s = 0; s < STUDENTS; s++) {
-            Question question = exercise.question(new Draw("id-" + s, number));
-            assertTrue(question.mistakes().size() >= 5, "at least five typical mistakes");
-            assertEquals(List.of("This is right."), NumericExercise.mark(question,
-                    Double.toString(question.answer()), "").lines());
-            for (CommonMistake mistake : question.mistakes()) {
-                Mark mark = NumericExercise.mark(question, Double.toString(mistake.value()), "");
-                assertFalse(mark.right(), mistake.hint());
-                assertEquals(List.of(mistake.hint()), mark.lines(), "for id-" + s);
-            }
+            Worked question = exercise.worked(new Draw("id-" + s, number));
+            assertTrue(question.mistakes().length >= 5, "at least five typical mistakes");
+            assertEquals(List.of("This is right."), exercise.mark(question,
+                    Double.toString(question.answer())).lines());
+            assertEquals(hints, hints(exercise, question), "for id-" + s);
             assertTrue(Double.parseDouble(range.group(1)) <= question.answer()
                     && question.answer() <= Double.parseDouble(range.group(2)), text + question.answer());
             questions.add(question);
@@ -63,19 +69,21 @@ class ThousandStudentsTest {
     }
 
     /** @return how many have an answer that is right for somebody else, or the other way round */
-    private static int sharing(List<Question> questions) {
+    private static int sharing(List<Worked> questions) {
         return (int) questions.stream().filter(mine -> questions.stream().anyMatch(other -> other != mine
-                && (mine.isNear(other.answer(), mine.answer()) || other.isNear(mine.answer(), other.answer()))))
+                && (NumericExercise.isNear(other.answer(), mine.answer())
+                || NumericExercise.isNear(mine.answer(), other.answer()))))
                 .count();
     }
 
     /** The most students for whom one number counts as right. */
-    private static int mostThatOneGuessFits(List<Question> questions) {
+    private static int mostThatOneGuessFits(List<Worked> questions) {
         int most = 0;
-        for (Question guessed : questions) {
-            for (double edge : new double[] {1 - Question.TOLERANCE, 1, 1 + Question.TOLERANCE}) {
+        for (Worked guessed : questions) {
+            for (double edge : new double[] {1 - NumericExercise.TOLERANCE, 1, 1 + NumericExercise.TOLERANCE}) {
                 double guess = guessed.answer() * edge;
-                most = Math.max(most, (int) questions.stream().filter(of -> of.isNear(guess, of.answer())).count());
+                most = Math.max(most, (int) questions.stream().filter(of ->
+                        NumericExercise.isNear(guess, of.answer())).count());
             }
         }
         return most;
@@ -91,9 +99,11 @@ class ThousandStudentsTest {
     @Test
     void hintsNameDifferentMistakes() {
         numeric().forEach(n -> {
-            List<String> hints = ((NumericExercise) Exercises.all().get(n - 1)).question(new Draw("a",
-                    n)).mistakes().stream().map(CommonMistake::hint).toList();
+            NumericExercise exercise = (NumericExercise) Exercises.all().get(n - 1);
+            List<String> hints = hints(exercise, exercise.worked(new Draw("a", n)));
             assertEquals(hints.size(), new HashSet<>(hints).size(), hints.toString());
+            assertFalse(hints.toString().contains("This is not right yet."), hints.toString());
+            assertStarts(exercise.mark(new Draw("a", n), "123456789").lines().get(0), "This is not right yet. ");
         });
     }
 
@@ -110,12 +120,10 @@ class ThousandStudentsTest {
 
     @Test
     void whatLooksLikeTheAnswerIsNotClear() {
-        assertTrue(new Question("", "", 1, 0, List.of(new CommonMistake(1.01, ""), new CommonMistake(1.02, "")))
-                .isClear());
-        assertFalse(new Question("", "", 1, 0, List.of(new CommonMistake(1.004, ""))).isClear());
-        assertFalse(new Question("", "", 1, 0, List.of(new CommonMistake(2, ""), new CommonMistake(2.008, "")))
-                .isClear());
-        assertFalse(new Question("", "", 1, 1.5, List.of()).isClear());
-        assertFalse(new Question("", "", Double.NaN, 0, List.of()).isClear());
+        assertTrue(new Worked(1, 0, List.of(), 1.01, 1.02).isClear());
+        assertFalse(new Worked(1, 0, List.of(), 1.004).isClear());
+        assertFalse(new Worked(1, 0, List.of(), 2, 2.008).isClear());
+        assertFalse(new Worked(1, 1.5, List.of()).isClear());
+        assertFalse(new Worked(Double.NaN, 0, List.of()).isClear());
     }
 }
