@@ -44,19 +44,15 @@ public class LinearPair extends ReferenceProblem {
     /** @return the matrix that multiplied a start of size 1 */
     public StepMatrix stepMatrix() {
         double[] state = getState();
-        double off = Math.max(Math.abs(state[0] + state[1] - state[2]),
-                Math.abs(state[COPIES] + state[COPIES + 1] - state[COPIES + 2]));
+        double off = StepMatrix.largest(state[0] + state[1] - state[2],
+                state[COPIES] + state[COPIES + 1] - state[COPIES + 2]);
         return new StepMatrix(state[0], state[1], state[COPIES], state[COPIES + 1],
                 off / Math.max(size(), Double.MIN_NORMAL));
     }
 
     /** @return the largest entry */
     public double size() {
-        double largest = 0;
-        for (double entry : getState()) {
-            largest = Math.max(largest, Math.abs(entry));        // NaN stays
-        }
-        return largest;
+        return StepMatrix.largest(getState());
     }
 
     /** Accepts longer arrays: other sources check how a solver treats arrays. */

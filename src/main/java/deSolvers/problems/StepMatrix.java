@@ -59,9 +59,16 @@ public record StepMatrix(double xx, double xv, double vx, double vv, double nonl
      * @return the largest difference of the entries, relative to the largest entry
      */
     public double difference(StepMatrix other) {
-        double largest = Math.max(Math.max(Math.abs(xx), Math.abs(xv)), Math.max(Math.abs(vx), Math.abs(vv)));
-        double difference = Math.max(Math.max(Math.abs(xx - other.xx), Math.abs(xv - other.xv)),
-                Math.max(Math.abs(vx - other.vx), Math.abs(vv - other.vv)));
-        return difference / Math.max(largest, Double.MIN_NORMAL);
+        return largest(xx - other.xx, xv - other.xv, vx - other.vx, vv - other.vv)
+                / Math.max(largest(xx, xv, vx, vv), Double.MIN_NORMAL);
+    }
+
+    /** @return the largest size of a number; NaN if one of them is not a number */
+    static double largest(double... numbers) {
+        double largest = 0;
+        for (double number : numbers) {
+            largest = Math.max(largest, Math.abs(number));
+        }
+        return largest;
     }
 }
