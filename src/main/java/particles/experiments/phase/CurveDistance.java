@@ -26,7 +26,8 @@ final class CurveDistance {
         return curve;
     }
 
-    private static DoubleSummaryStatistics range(double[] values) {
+    /** @return the range of values, without those where a path is cut */
+    static DoubleSummaryStatistics range(double[] values) {
         return Arrays.stream(values).filter(value -> !Double.isNaN(value)).summaryStatistics();
     }
 

@@ -69,8 +69,7 @@ public final class VectorFields {
     }
 
     private static double[] grid(double[] values, int count) {
-        DoubleSummaryStatistics range = Arrays.stream(values).filter(value -> !Double.isNaN(value))
-                .summaryStatistics();
+        DoubleSummaryStatistics range = CurveDistance.range(values);
         double low = range.getMin();
         double extent = range.getMax() - low;
         return extent > 0 && Double.isFinite(extent) ? IntStream.range(0, count).mapToDouble(k ->

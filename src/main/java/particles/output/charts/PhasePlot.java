@@ -81,13 +81,13 @@ final class PhasePlot {
         double cellX = spacing(field.x());
         double cellV = spacing(field.v());
         for (int k = 0; k < field.x().length; k++) {
-            time = Math.min(time, Math.min(cellX / Math.abs(field.dx()[k]), cellV / Math.abs(field.dv()[k])));
+            time = Math.min(time, Math.min(cellX / Math.abs(field.v()[k]), cellV / Math.abs(field.dv()[k])));
         }
         for (int k = 0; k < field.x().length; k++) {
             double x = field.x()[k];
             double v = field.v()[k];
             renderer.addAnnotation(new ArrowAnnotation(
-                    new Line2D.Double(x, v, x + time * field.dx()[k], v + time * field.dv()[k]), FIELD_HEAD, false,
+                    new Line2D.Double(x, v, x + time * field.v()[k], v + time * field.dv()[k]), FIELD_HEAD, false,
                     ChartStyle.FIELD), Layer.BACKGROUND);
         }
         show((NumberAxis) plot.getDomainAxis(), field.x(), cellX / 2);

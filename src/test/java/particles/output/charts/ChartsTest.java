@@ -193,7 +193,6 @@ class ChartsTest {
     @Test
     void pathAndFieldAreDrawnAndWritten() throws IOException {
         VectorField field = new VectorField(new double[] {0, 1, 0, 1}, new double[] {0, 0, 1, 1},
-                new double[] {0, 0, 1, 1},
                 new double[] {0, -1, 0, -1});
         JFreeChart chart = PhasePlot.of(chart(false, series("path", 1, 2, 3), series("start", 1)), Optional.of(field));
         // the field, and half a cell around it
