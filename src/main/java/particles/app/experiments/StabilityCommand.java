@@ -98,26 +98,26 @@ public final class StabilityCommand extends ExperimentCommand {
                                 only 0 belongs to the regions of euler, midpoint and adams; the outline of adams runs \
                                 so close beside the axis, up to 0.9, that the picture cannot show it: at 0.8 a step \
                                 still grows by 0.7 %.""",
-                                List.of("euler", "midpoint", "rk4", "adams"), new Window(-3.5, 1, 3.5, 0.05), 5.5)
+                                List.of("euler", "midpoint", "rk4", "adams"), new Window(-3.5, 1, -3.5, 3.5, 0.05), 5.5)
                                         .draw(progress, 0.5),
                         new Region("adaptive",
                                 "One sub-step. Longer steps are divided, so these"
                                         + " outlines show the cost of a stiff system.",
                                 List.of("step-doubling", "dormand-prince", "bulirsch-stoer"),
-                                new Window(-8, 2.5, 6.5, 0.08), 9.5).draw(progress, 0.6),
+                                new Window(-8, 2.5, -6.5, 6.5, 0.08), 9.5).draw(progress, 0.6),
                         new Region("symplectic",
                                 "A damped spring. Without damping, on the imaginary axis, the limit is 2 (1.57 for"
                                         + " yoshida4); damping lowers it.",
-                                List.of("symplectic-euler", "verlet", "yoshida4"), new Window(-2.5, 1, 2.5, 0.04), 4)
-                                        .draw(progress, 0.7),
+                                List.of("symplectic-euler", "verlet", "yoshida4"),
+                                new Window(-2.5, 1, -2.5, 2.5, 0.04), 4).draw(progress, 0.7),
                         new Region("implicit",
                                 """
                                         Stable in the shaded region: left of the outline of implicit-midpoint, the \
                                         imaginary axis, which reproduces growth as growth and decay as decay, and \
                                         outside the others, which also damp growth, if it is fast. Beyond the frame \
                                         the regions go on.""",
-                                List.of("backward-euler", "implicit-midpoint", "radau"), new Window(-3, 13, 8, 0.15),
-                                3).draw(progress, 0.85)),
+                                List.of("backward-euler", "implicit-midpoint", "radau"),
+                                new Window(-3, 13, -8, 8, 0.15), 3).draw(progress, 0.85)),
                 List.of(limits));
     }
 
@@ -128,14 +128,14 @@ public final class StabilityCommand extends ExperimentCommand {
     private record Region(String name, String caption, List<String> solvers, Window window, double left) {
         Picture draw(ProgressListener progress, double done) {
             progress.reached(done, "regions of " + String.join(", ", solvers));
-            Window wide = new Window(-left, window.right(), window.top(), window.cell());
+            Window wide = new Window(-left, window.right(), 0, window.top(), window.cell());
             String file = "region-" + name;
             List<Panel> panels = solvers.stream().map(solver -> Panel.map(StabilityRegion.filled(solver, window)))
                     .toList();
             return Picture.panels(file, caption, StabilityRegion.finding(solvers, window),
                     panels.stream().map(panel -> panel.scaledTo(panels)).toList())
                     .onSlides(List.of(Picture.of(file, caption,
-                            Panel.map(StabilityRegion.filledHalf(solvers, wide)))));
+                            Panel.map(StabilityRegion.filled(solvers, wide)))));
         }
     }
 }

@@ -40,8 +40,8 @@ public final class SceneStabilityCharts {
         Series upper = Series.of("deltaT times an eigenvalue of the scene", Mark.POINTS, points);
         Series both = Series.of(upper.name(), Mark.POINTS, Stream.concat(points.stream(), points.stream().map(point ->
                 new double[] {point[0], -point[1]})).toList());
-        ChartData half = StabilityRegion.half(solvers, new Window(-1.5 * far, far / 2, far, far / CELLS));
-        ChartData whole = StabilityRegion.outlines(solvers, new Window(-far, far / 3, far, far / CELLS));
+        ChartData half = StabilityRegion.outlines(solvers, new Window(-1.5 * far, far / 2, 0, far, far / CELLS));
+        ChartData whole = StabilityRegion.outlines(solvers, new Window(-far, far / 3, -far, far, far / CELLS));
         return List.of(add(whole, both).titled(title), add(half, upper).titled(title));
     }
 

@@ -25,21 +25,18 @@ public final class StabilityMap {
 
     private final DoubleBinaryOperator modulus;
     private final Window window;
-    private final boolean mirrored;
     private final boolean[][] grows;
     /** An edge of the grid belongs to two squares. */
     private final Map<List<Integer>, double[]> borders = new HashMap<>();
 
     /**
      * @param modulus  |R| at a point of the plane
-     * @param window   the part of the plane, from y = 0 up
-     * @param mirrored whether to mirror the region below y = 0, as R of the conjugate is the conjugate of R; otherwise
-     *                 it ends there
+     * @param window   the part of the plane; below y = 0 the region is mirrored, as R of the conjugate is the conjugate
+     *                 of R
      */
-    public StabilityMap(DoubleBinaryOperator modulus, Window window, boolean mirrored) {
+    public StabilityMap(DoubleBinaryOperator modulus, Window window) {
         this.modulus = modulus;
         this.window = window;
-        this.mirrored = mirrored;
         int columns = (int) Math.round((window.right() - window.left()) / window.cell());
         int rows = (int) Math.ceil(FRAME * window.top() / window.cell());
         grows = new boolean[rows + 1][columns + 1];
@@ -144,7 +141,7 @@ public final class StabilityMap {
         double[] gap = {Double.NaN, Double.NaN};
         line.addAll(chain);
         line.add(gap);
-        if (mirrored) {
+        if (window.bottom() < 0) {
             chain.forEach(point -> line.add(new double[] {point[0], -point[1]}));
             line.add(gap);
         }

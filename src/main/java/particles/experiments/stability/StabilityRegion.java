@@ -5,7 +5,6 @@ import deSolvers.catalog.SolverInfo;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.BiFunction;
 import java.util.function.Predicate;
 import particles.experiments.runs.SolverChoice;
 import particles.view.ChartData;
@@ -21,14 +20,15 @@ public final class StabilityRegion {
     }
 
     /**
-     * A part of the plane, symmetric to the real axis, and the width of its grid.
+     * A part of the plane and the width of its grid.
      *
-     * @param left  the smallest real part
-     * @param right the largest
-     * @param top   the largest imaginary part, and minus the smallest
-     * @param cell  the side of a square of the grid
+     * @param left   the smallest real part
+     * @param right  the largest
+     * @param bottom the smallest imaginary part: minus the largest, or 0 for the upper half
+     * @param top    the largest imaginary part
+     * @param cell   the side of a square of the grid
      */
-    public record Window(double left, double right, double top, double cell) {
+    public record Window(double left, double right, double bottom, double top, double cell) {
     }
 
     /**
@@ -38,27 +38,25 @@ public final class StabilityRegion {
      *         show in the title
      */
     public static ChartData outlines(List<String> solvers, Window window) {
-        return chart(finding(solvers, window), maps(solvers, window, true, StabilityMap::outline), window,
-                -window.top);
-    }
-
-    /** @return the same above the real axis, below which it is mirrored */
-    public static ChartData half(List<String> solvers, Window window) {
-        return chart(finding(solvers, window), maps(solvers, window, false, StabilityMap::outline), window, 0);
+        return chart(finding(solvers, window), solvers.stream().map(solver -> map(solver, window).outline(solver))
+                .toList(), window);
     }
 
     /** @return the same with each region filled, darker where several solvers are stable */
-    public static ChartData filledHalf(List<String> solvers, Window window) {
-        List<Series> regions = new ArrayList<>(maps(solvers, window, false, (map, solver) ->
-                map.filled(solver + ": stable")));
-        regions.addAll(maps(solvers, window, false, StabilityMap::outline));
-        return chart(finding(solvers, window), regions, window, 0);
+    public static ChartData filled(List<String> solvers, Window window) {
+        List<Series> regions = new ArrayList<>();
+        List<Series> outlines = new ArrayList<>();
+        for (String solver : solvers) {
+            StabilityMap map = map(solver, window);
+            regions.add(map.filled(solver + ": stable"));
+            outlines.add(map.outline(solver));
+        }
+        regions.addAll(outlines);
+        return chart(finding(solvers, window), regions, window);
     }
 
-    private static List<Series> maps(List<String> solvers, Window window, boolean mirrored,
-            BiFunction<StabilityMap, String, Series> part) {
-        return solvers.stream().map(solver -> part.apply(new StabilityMap(
-                Amplification.of(SolverCatalog.info(solver))::at, window, mirrored), solver)).toList();
+    private static StabilityMap map(String solver, Window window) {
+        return new StabilityMap(Amplification.of(SolverCatalog.info(solver))::at, window);
     }
 
     /**
@@ -67,25 +65,24 @@ public final class StabilityRegion {
      * @return the region, filled, with its limits in the title
      */
     public static ChartData filled(String solver, Window window) {
-        SolverInfo info = SolverCatalog.info(solver);
-        StabilityMap map = new StabilityMap(Amplification.of(info)::at, window, true);
-        return chart(solver + ": " + limits(info),
-                List.of(map.filled("stable"), map.outline(solver)), window, -window.top);
+        StabilityMap map = map(solver, window);
+        return chart(solver + ": " + limits(SolverCatalog.info(solver)),
+                List.of(map.filled("stable"), map.outline(solver)), window);
     }
 
     /**
      * @param finding the title
      * @param regions lines and stripes; the imaginary axis comes to them
      * @param window  the part of the plane
-     * @param bottom  the smallest imaginary part that is shown
      * @return the chart
      */
-    public static ChartData chart(String finding, List<Series> regions, Window window, double bottom) {
+    public static ChartData chart(String finding, List<Series> regions, Window window) {
         List<Series> series = new ArrayList<>(regions);
-        series.add(new Series("imaginary axis", Mark.LINE, new double[] {0, 0}, new double[] {bottom, window.top}));
+        series.add(new Series("imaginary axis", Mark.LINE, new double[] {0, 0},
+                new double[] {window.bottom, window.top}));
         return new ChartData(finding, "Re(deltaT lambda): decay to the left", "Im(deltaT lambda): oscillation",
                 false, false, series).scaledTo(List.of(new Series("window", Mark.LINE,
-                new double[] {window.left, window.right}, new double[] {bottom, window.top})));
+                new double[] {window.left, window.right}, new double[] {window.bottom, window.top})));
     }
 
     /**

@@ -158,11 +158,11 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     private static ChartData chart(String title, String name, Amplification own, String nearest,
             Amplification other, double cells) {
         Window window = window(List.of(own, other), cells);
-        StabilityMap map = new StabilityMap(own::at, window, true);
-        Series beside = new StabilityMap(other::at, window, true).outline(nearest);
+        StabilityMap map = new StabilityMap(own::at, window);
+        Series beside = new StabilityMap(other::at, window).outline(nearest);
         // pale and wide, so that a line along which it runs is seen
         return StabilityRegion.chart(title, List.of(map.outline(name), map.filled("stable"),
-                new Series(nearest, Mark.BAND, beside.x(), beside.y())), window, -window.top());
+                new Series(nearest, Mark.BAND, beside.x(), beside.y())), window);
     }
 
     /** Looks from 0 in all directions for places where stable and unstable meet, and shows all of them. */
@@ -195,7 +195,7 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         left -= 2 * margin;
         right = Math.max(right, left + 2 * margin + size / 2) + margin;
         top = Math.max(top, size / 2) + margin;
-        return new Window(left, right, top, size / cells);
+        return new Window(left, right, -top, top, size / cells);
     }
 
     private static DataTable table(String name, Amplification own, String nearest,
