@@ -97,7 +97,7 @@ final class RacePictures implements Race.ObserverFactory, AutoCloseable {
     }
 
     private static String cost(Lane lane, boolean equalTime) {
-        return equalTime ? Digits.few(1000 * lane.match().seconds().orElse(Double.NaN)) + " ms"
+        return equalTime ? Digits.few(1000 * lane.match().seconds()) + " ms"
                 : lane.match().evaluations() + " evaluations";
     }
 

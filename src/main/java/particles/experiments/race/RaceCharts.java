@@ -131,7 +131,7 @@ public final class RaceCharts {
 
     /** The work of a lane, divided by the work that each was to have. */
     private static double share(Result race, Lane lane) {
-        return (race.equalTime() ? lane.match().seconds().orElse(Double.NaN) : lane.match().evaluations())
+        return (race.equalTime() ? lane.match().seconds() : lane.match().evaluations())
                 / race.shares().work();
     }
 
@@ -150,7 +150,7 @@ public final class RaceCharts {
                 column("deltaT (s)", lane -> lane.match().setting().deltaT()),
                 column("tolerance", 2, lane -> lane.match().setting().tolerance().orElse(Double.NaN)),
                 column("evaluations", lane -> lane.drift().outcome().evaluations()),
-                column("time (ms)", 3, lane -> 1000 * lane.match().seconds().orElse(Double.NaN)),
+                column("time (ms)", 3, lane -> 1000 * lane.match().seconds()),
                 column("distance, rms (m)", 3, RaceCharts::mean),
                 column("at the end (m)", 3, lane -> lane.left().isPresent() ? Double.NaN
                         : lane.distance()[lane.distance().length - 1]),

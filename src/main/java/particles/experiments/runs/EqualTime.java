@@ -4,13 +4,11 @@ import java.util.ArrayList;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
 import particles.experiments.runs.EqualWork.Match;
 import particles.experiments.runs.EqualWork.Shares;
 import particles.experiments.runs.SceneRun.Outcome;
 import particles.experiments.runs.SceneRun.Setting;
-import particles.scene.Scene;
 import particles.scene.format.SceneDescription;
 
 /**
@@ -105,8 +103,7 @@ public final class EqualTime {
      * @return the fraction by which the longest time exceeds the shortest; the time aimed at counts too
      */
     public static double spread(Shares shares) {
-        DoubleSummaryStatistics seconds = shares.matches().stream().mapToDouble(match -> match.seconds().orElseThrow())
-                .summaryStatistics();
+        DoubleSummaryStatistics seconds = shares.matches().stream().mapToDouble(Match::seconds).summaryStatistics();
         return Math.max(shares.work(), seconds.getMax()) / Math.min(shares.work(), seconds.getMin()) - 1;
     }
 
@@ -132,8 +129,7 @@ public final class EqualTime {
 
     /** Runs in one thread, so that no time is spent waiting for others. */
     private Outcome run(Setting setting, long mostEvaluations) {
-        Scene built = SceneRun.build(scene, setting);
-        return SceneRun.run(built, mostEvaluations, List.of());
+        return SceneRun.run(SceneRun.build(scene, setting), mostEvaluations, List.of());
     }
 
     /** A solver, its setting so far, and the times of its runs. */
@@ -211,8 +207,8 @@ public final class EqualTime {
         }
 
         Match timed() {
-            return new Match(match.setting(), match.evaluations(), OptionalDouble.of(CpuClock.median(times)),
-                    match.aStep(), match.whole());
+            return new Match(match.setting(), match.evaluations(), CpuClock.median(times), match.aStep(),
+                    match.whole());
         }
     }
 }

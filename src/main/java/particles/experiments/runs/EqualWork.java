@@ -3,7 +3,6 @@ package particles.experiments.runs;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.stream.LongStream;
 import particles.experiments.runs.SceneRun.Outcome;
 import particles.experiments.runs.SceneRun.Setting;
@@ -40,11 +39,11 @@ public record EqualWork(SceneDescription scene, long target, List<Long> adaptive
     /**
      * @param setting     the solver and its step or tolerance
      * @param evaluations the cost, in evaluations of the derivative
-     * @param seconds     the time, if times were compared: the median of several runs (s)
+     * @param seconds     the time, the median of several runs (s); NaN if times were not compared
      * @param aStep       the mean number of evaluations in one of its steps
      * @param whole       whether the run came to its end; if not, its cost is that of the whole duration by proportion
      */
-    public record Match(Setting setting, long evaluations, OptionalDouble seconds, double aStep, boolean whole) {
+    public record Match(Setting setting, long evaluations, double seconds, double aStep, boolean whole) {
         /** @return the solver's name in charts */
         public String label() {
             return setting.label();
@@ -247,7 +246,7 @@ public record EqualWork(SceneDescription scene, long target, List<Long> adaptive
         Outcome outcome = SceneRun.run(SceneRun.build(scene, setting), most, List.of());
         boolean whole = outcome.failure().isEmpty();
         double part = whole ? 1 : Math.max(outcome.endTime() / scene.duration(), 1e-9);
-        return new Match(setting, Math.round(outcome.evaluations() / part), OptionalDouble.empty(),
+        return new Match(setting, Math.round(outcome.evaluations() / part), Double.NaN,
                 Math.max(1, outcome.evaluations() / Math.max(1.0, outcome.steps())), whole);
     }
 }
