@@ -12,7 +12,7 @@ import java.io.Serializable;
 public record ChartFormat(boolean slide, boolean svg, boolean dark) implements Serializable {
     private static final long serialVersionUID = 1L;
     /** Pictures for page and screen, as PNG alone. */
-    public static final ChartFormat PAGE = new ChartFormat(false, false);
+    public static final ChartFormat PAGE = new ChartFormat(false, false, false);
 
     private static final int LIGHTEST = 0xff;
     /** The weighted mean of red, green and blue with which all lines have a contrast of 3 to 1 on black. */
@@ -24,11 +24,6 @@ public record ChartFormat(boolean slide, boolean svg, boolean dark) implements S
     private static final int SLIDE_HEIGHT = 360;
     private static final int SLIDE_SCALE = 3;
     private static final int SCALE = 2;
-
-    /** Creates a format on white. */
-    public ChartFormat(boolean slide, boolean svg) {
-        this(slide, svg, false);
-    }
 
     /**
      * @param rgb a colour on white, 0xRRGGBB

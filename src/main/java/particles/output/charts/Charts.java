@@ -38,11 +38,6 @@ final class Charts {
     private Charts() {
     }
 
-    /** @return a chart by itself */
-    static FittedChart of(ChartData data) {
-        return of(Panel.chart(data));
-    }
-
     /** @return the chart of a panel, or its charts above each other */
     static FittedChart of(Panel panel) {
         return of(panel, MAIN);
@@ -51,7 +46,7 @@ final class Charts {
     /** @param main the height of a chart above rows, in the same pixels as theirs */
     static FittedChart of(Panel panel, int main) {
         return panel.kind() == Panel.Kind.PHASE ? PhasePlot.of(panel.charts().get(0), panel.field())
-                : finished(panel.title(), panel.charts().size() == 1 ? plot(panel.charts().get(0))
+                : finished(panel.title(), panel.charts().size() == 1 ? plot(panel.charts().get(0), 0)
                 : stacked(panel.charts(), main), panel.kind());
     }
 
@@ -88,11 +83,8 @@ final class Charts {
         return chart;
     }
 
-    static XYPlot plot(ChartData data) {
-        return plot(data, 0);
-    }
-
-    private static XYPlot plot(ChartData given, int firstLook) {
+    /** @param firstLook the number of the style of the first series without a solver */
+    static XYPlot plot(ChartData given, int firstLook) {
         ChartData data = solidFirst(given);
         XYPlot plot = new XYPlot(new ChartDataset(data),
                 axis(data.xLabel(), data.xLog(), shown(data, true), onlyLines(data)),

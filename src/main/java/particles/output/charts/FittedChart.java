@@ -105,10 +105,8 @@ final class FittedChart extends JFreeChart {
                     least.getRight() + room));
         }
         super.draw(g, area, anchor, seen);
-        PlotRenderingInfo plots = seen.getPlotInfo();
         for (int k = 0; k < labels.size(); k++) {
-            labels.get(k).draw(g, plots.getSubplotCount() > k ? plots.getSubplotInfo(k).getDataArea()
-                    : plots.getDataArea());
+            labels.get(k).draw(g, frame(seen, k));
         }
     }
 
@@ -116,8 +114,13 @@ final class FittedChart extends JFreeChart {
     Rectangle2D frame(Graphics2D g, Rectangle2D area) {
         ChartRenderingInfo info = new ChartRenderingInfo();
         draw(g, area, null, info);
-        PlotRenderingInfo plots = info.getPlotInfo();
-        return plots.getSubplotCount() > 0 ? plots.getSubplotInfo(0).getDataArea() : plots.getDataArea();
+        return frame(info, 0);
+    }
+
+    /** The frame of the k-th of several charts above each other, or of the only one. */
+    private static Rectangle2D frame(ChartRenderingInfo drawn, int k) {
+        PlotRenderingInfo plots = drawn.getPlotInfo();
+        return (plots.getSubplotCount() > k ? plots.getSubplotInfo(k) : plots).getDataArea();
     }
 
     /** Breaks the title at spaces; JFreeChart would break it within a number, too. */

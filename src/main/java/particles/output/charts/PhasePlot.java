@@ -37,7 +37,7 @@ final class PhasePlot {
     }
 
     static FittedChart of(ChartData data, Optional<VectorField> field) {
-        XYPlot plot = Charts.plot(data);
+        XYPlot plot = Charts.plot(data, 0);
         XYLineAndShapeRenderer renderer = (XYLineAndShapeRenderer) plot.getRenderer();
         int path = path(data);
         Series states = data.series().get(path);

@@ -24,7 +24,7 @@ public final class StripChart {
     /** Creates a chart of these data. */
     public StripChart(ChartData data) {
         this.data = data;
-        chart = Charts.of(data);
+        chart = Charts.of(Panel.chart(data));
         chart.removeLegend();
         chart.removeLabels();
         chart.setTitle((String) null);

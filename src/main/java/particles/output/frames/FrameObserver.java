@@ -84,7 +84,6 @@ public final class FrameObserver implements Observer, AutoCloseable {
             trails.take(time, between, () -> structure(system));
             if (time == index / fps) {
                 draw(system, between);
-                index++;
             }
         }
     }
@@ -106,7 +105,6 @@ public final class FrameObserver implements Observer, AutoCloseable {
     private void drawIfDue(ParticleSystem system) {
         if (index <= system.getTime() * fps + ROUNDING) {
             draw(system, system.getOwnState());
-            index++;
         }
     }
 
@@ -114,6 +112,7 @@ public final class FrameObserver implements Observer, AutoCloseable {
         if (index % every == 0) {
             worker.draw(index, frame(system, index / fps, state, trails.samples(), List.of()), 1);
         }
+        index++;
     }
 
     private FrameState frame(ParticleSystem system, double time, double[] state, List<TrailSample> trail,

@@ -52,10 +52,8 @@ public final class TrailRecorder {
         }
         String[] ids = structure.get().ids();
         float[] places = new float[3 * ids.length];
-        for (int i = 0, x = 0; i < places.length; i += 3, x += Particles.STRIDE) {
-            places[i] = (float) state[x];
-            places[i + 1] = (float) state[x + 1];
-            places[i + 2] = (float) state[x + 2];
+        for (int k = 0; k < places.length; k++) {
+            places[k] = (float) state[k / 3 * Particles.STRIDE + k % 3];
         }
         samples.addLast(new TrailSample(time, places, ids));
         while (samples.peekFirst().time() < time - duration - interval) {

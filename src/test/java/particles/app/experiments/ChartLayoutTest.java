@@ -32,7 +32,7 @@ import picocli.CommandLine;
 
 /** What is wrong with the layout of a chart is seen: boxes, type, labels and titles, as data. */
 class ChartLayoutTest {
-    private static final ChartFormat SLIDE = new ChartFormat(true, false);
+    private static final ChartFormat SLIDE = new ChartFormat(true, false, false);
     private static final Panel LINE = Panel.chart(new ChartData("rk4 rises", "time (s)", "height (m)", false, false,
             List.of(new Series("rk4", Mark.LINE, new double[] {0, 1}, new double[] {0, 1}))));
 

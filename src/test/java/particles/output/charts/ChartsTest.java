@@ -57,12 +57,12 @@ class ChartsTest {
     }
 
     private static XYPlot plot(boolean log, Series... series) {
-        return Charts.of(chart(log, series)).getXYPlot();
+        return Charts.of(Panel.chart(chart(log, series))).getXYPlot();
     }
 
     @Test
     void theDatasetIsTheData() {
-        JFreeChart chart = Charts.of(chart(false, series("same", 1, 4, 9), series("same", -1, -2)));
+        JFreeChart chart = Charts.of(Panel.chart(chart(false, series("same", 1, 4, 9), series("same", -1, -2))));
         XYDataset dataset = chart.getXYPlot().getDataset();
         assertEquals(2, dataset.getSeriesCount());
         assertEquals(3, dataset.getItemCount(0));
@@ -72,8 +72,8 @@ class ChartsTest {
         assertEquals("title", chart.getTitle().getText());
         assertEquals("x (m)", chart.getXYPlot().getDomainAxis().getLabel());
         assertEquals("y (s)", chart.getXYPlot().getRangeAxis().getLabel());
-        assertThrows(IllegalArgumentException.class, () -> Charts.of(chart(false,
-                new Series("short", Mark.LINE, new double[3], new double[2]))));
+        assertThrows(IllegalArgumentException.class, () -> Charts.of(Panel.chart(chart(false,
+                new Series("short", Mark.LINE, new double[3], new double[2])))));
     }
 
     @Test

@@ -158,7 +158,7 @@ class FittedChartTest {
         for (String name : List.of("rk4, 1 s", "rk4, 2 s", "rk4, 3 s", "mine", "yours", "verlet")) {
             series.add(new Series(name, Mark.LINE, new double[] {0, 1}, new double[] {series.size(), 1}));
         }
-        XYPlot plot = Charts.of(new ChartData("", "", "", false, false, series)).getXYPlot();
+        XYPlot plot = Charts.of(Panel.chart(new ChartData("", "", "", false, false, series))).getXYPlot();
         Set<List<Object>> looks = new HashSet<>();
         for (int k = 0; k < series.size(); k++) {
             assertTrue(looks.add(List.of(plot.getRenderer().getSeriesPaint(k), plot.getRenderer().getSeriesStroke(k))),
@@ -170,7 +170,7 @@ class FittedChartTest {
     void slidesAreWideAndSvgHasTheTextOfTheChart(@TempDir Path top) throws Exception {
         ChartData below = new ChartData("", "time (s)", "energy error / scale", false, false,
                 List.of(new Series("b", Mark.LINE, new double[] {0, 1}, new double[] {0, 1})));
-        ChartFormat format = new ChartFormat(true, true);
+        ChartFormat format = new ChartFormat(true, true, false);
         try (ChartWriter writer = new ChartWriter(OutputFolder.open(top), format)) {
             for (Picture slide : Picture.of("energy", "", Panel.stacked(List.of(ellipse(3), below))).laidOut(format)) {
                 writer.write(slide.file(), slide.page(format).orElseThrow());

@@ -98,16 +98,16 @@ class SolverStyleTest {
         Series line = new Series("order 4", Mark.LINE, new double[] {1, 2}, new double[] {1, 2});
         Series rk4 = new Series("rk4", Mark.LINE_AND_POINTS, new double[] {1, 2}, new double[] {1, 3});
         Series verlet = new Series("verlet (damped)", Mark.LINE, new double[] {1, 2}, new double[] {1, 4});
-        XYItemRenderer renderer = Charts.of(new ChartData("", "", "", false, false, List.of(line, rk4, verlet)))
-                .getXYPlot()
-                .getRenderer();
+        XYItemRenderer renderer = Charts.of(Panel.chart(
+                new ChartData("", "", "", false, false, List.of(line, rk4, verlet))))
+                .getXYPlot().getRenderer();
         assertEquals(ChartStyle.AXIS, renderer.getSeriesPaint(0));
         assertEquals(look("verlet").colour(), renderer.getSeriesPaint(1), "without dashes, so below those with some");
         assertEquals(look("verlet").stroke(), renderer.getSeriesStroke(1));
         assertEquals(look("rk4").colour(), renderer.getSeriesPaint(2));
         assertEquals(look("rk4").shape(), renderer.getSeriesShape(2));
-        XYItemRenderer alone = Charts.of(new ChartData("", "", "", false, false, List.of(line))).getXYPlot()
-                .getRenderer();
+        XYItemRenderer alone = Charts.of(Panel.chart(
+                new ChartData("", "", "", false, false, List.of(line)))).getXYPlot().getRenderer();
         assertEquals(ChartStyle.colour(0), alone.getSeriesPaint(0));
     }
 }

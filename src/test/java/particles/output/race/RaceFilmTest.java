@@ -139,7 +139,7 @@ class RaceFilmTest {
                     new RaceFilm.Words("rk4", "deltaT = 0.25 s, 16 evaluations", OptionalDouble.empty()),
                     new RaceFilm.Words("euler", "deltaT = 0.25 s, 16 evaluations", OptionalDouble.of(0.75))));
             film.write(folder, head, strip, part -> heard[0]++);
-            new ChartWriter(folder, new ChartFormat(false, true)).write("race.png", film.sheet(head, strip));
+            new ChartWriter(folder, new ChartFormat(false, true, false)).write("race.png", film.sheet(head, strip));
             parts = heard[0];
         }
         assertEquals(6, parts);

@@ -110,7 +110,7 @@ class ResultPageWriterTest {
         assertEquals(List.of(List.of("euler", "midpoint", "rk4", "adams", "stopped"),
                 List.of("verlet", "yoshida4", "symplectic-euler", "stopped")),
                 pages.get(0).data().stream().map(data -> data.series().stream().map(Series::name).toList()).toList());
-        List<Picture> slides = six.laidOut(new ChartFormat(true, false));
+        List<Picture> slides = six.laidOut(new ChartFormat(true, false, false));
         assertEquals(List.of("many-explicit", "many-symplectic"), slides.stream().map(Picture::name).toList());
         assertEquals(List.of("t", "t"),
                 slides.stream().map(slide -> slide.data().get(0).title()).toList());
