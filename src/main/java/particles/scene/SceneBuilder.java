@@ -17,7 +17,7 @@ import particles.rules.ExactImpacts;
 import particles.scene.checks.MemoryEstimate;
 import particles.scene.checks.RunLimits;
 import particles.scene.format.SceneDescription;
-import particles.scene.format.SceneDescription.Contents;
+import particles.scene.format.SceneFormat;
 import particles.scene.format.SolverDescription;
 import particles.scene.parts.Lattice;
 import particles.scene.parts.ParticleDescription;
@@ -28,6 +28,7 @@ import particles.scene.parts.ShapeDescription;
 import particles.scene.parts.SpringDescription;
 import particles.scene.parts.SpringFamily;
 import particles.spec.Chosen;
+import particles.spec.Values;
 import particles.spec.messages.InvalidInputException;
 import particles.spec.messages.Problems;
 import particles.view.Surface;
@@ -72,21 +73,23 @@ public final class SceneBuilder {
     private static Scene assemble(SceneDescription scene) {
         ParticleSystem system = new ParticleSystem();
         SpringForce springs = new SpringForce(system.getParticles());
-        Contents contents = scene.contents();
-        ParticleIndex index = contents.particles();
+        ParticleIndex index = scene.contents().particles();
         List<Surface> cloths = addParticles(index, system, springs);
-        for (SpringDescription spring : contents.springs()) {
-            double distance = index.way(spring.from(), spring.to()).length();
-            springs.addSpring(index.find(spring.from()).orElseThrow(), index.find(spring.to()).orElseThrow(),
-                    spring.stiffness(), spring.restLength().orElse(distance), spring.damping());
+        for (Values spring : scene.values().get(SceneFormat.SPRINGS)) {
+            String from = spring.get(SpringDescription.FROM);
+            String to = spring.get(SpringDescription.TO);
+            springs.addSpring(index.find(from).orElseThrow(), index.find(to).orElseThrow(),
+                    spring.get(SpringDescription.STIFFNESS),
+                    spring.find(SpringDescription.REST_LENGTH).orElse(index.way(from, to).length()),
+                    spring.get(SpringDescription.DAMPING));
         }
         if (springs.springCount() > 0) {
             system.addEffect(springs);
         }
         SceneAssembly assembly = new SceneAssembly(system, springs, index);
-        contents.effects().stream().sorted(Comparator.comparingInt(SceneBuilder::order))
+        scene.values().get(SceneFormat.EFFECTS).stream().sorted(Comparator.comparingInt(SceneBuilder::order))
                 .forEach(effect -> build(effect, assembly));
-        contents.rules().forEach(rule -> rule.kind().build(rule.values(), assembly));
+        scene.rules().forEach(rule -> rule.kind().build(rule.values(), assembly));
 
         double estimate = EnergyEstimate.of(system, springs, assembly, Math.max(scene.duration(), scene.deltaT()));
         Simulation simulation = new Simulation(system, scene.solving()::create, scene.deltaT(),
@@ -98,9 +101,9 @@ public final class SceneBuilder {
             simulation.addRule(scene.exactImpacts() ? new ExactImpacts(contacts.get())
                     : new ClampedImpacts(contacts.get()));
         }
-        contents.constraints().build(simulation, index, assembly, contacts);
+        scene.contents().constraints().build(simulation, index, assembly, contacts);
         if (scene.hasHardBalls()) {
-            simulation.getRules().forEach(rule -> checkOverlap(rule.getViolation(system), contents));
+            simulation.getRules().forEach(rule -> checkOverlap(rule.getViolation(system), scene));
         }
         assembly.rules().forEach(simulation::addRule);
         Scene built = new Scene(scene, simulation, springs, assembly.scenery(cloths), estimate);
@@ -108,9 +111,9 @@ public final class SceneBuilder {
         return built;
     }
 
-    private static void checkOverlap(Violation overlap, Contents contents) {
+    private static void checkOverlap(Violation overlap, SceneDescription scene) {
         if (overlap.part() > 0) {
-            throw new InvalidInputException(contents.rules().stream().filter(RuleKind::hasBalls).findFirst()
+            throw new InvalidInputException(scene.rules().stream().filter(RuleKind::hasBalls).findFirst()
                     .orElseThrow().place() + ": " + overlap.what()
                     + " at the start; hard balls may touch, but not overlap");
         }

@@ -20,6 +20,7 @@ import particles.output.animation.Shrinker;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
+import particles.scene.format.SceneFormat;
 import particles.spec.messages.InvalidInputException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -66,7 +67,7 @@ public final class LabCommand extends ProgramCommand {
             if (isClass(description.solver())) {
                 solvers.add(description.solver());
             }
-            description.contents().effects().stream().map(effect -> effect.kind().getName())
+            description.values().get(SceneFormat.EFFECTS).stream().map(effect -> effect.kind().getName())
                     .filter(name -> name.contains(".")).forEach(effects::add);
         }
         String page = builder().build(new LabBuilder.Contents(scenes, pictures(scenes), first,

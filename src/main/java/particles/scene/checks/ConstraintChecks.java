@@ -44,10 +44,10 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
     private static final int MOST_STEPS = 100;
 
     /** @return the springs without mistakes of their own */
-    List<SpringDescription> checkSprings() {
+    List<Values> checkSprings() {
         List<Values> springs = withKnownEnds(SceneFormat.SPRINGS);
         springs.forEach(spring -> checkEnds("spring", spring));
-        return springs.stream().map(SpringDescription::of).toList();
+        return springs;
     }
 
     /** @return the rods and wires without mistakes of their own */

@@ -41,9 +41,9 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
     private static final double MOST_GIGABYTES = 64;
 
     static MemoryEstimate of(SceneDescription scene) {
-        double springs = scene.contents().springs().size()
+        double springs = scene.values().get(SceneFormat.SPRINGS).size()
                 + scene.contents().particles().getShapes().stream().mapToLong(ShapeDescription::springCount).sum();
-        boolean removed = scene.contents().rules().stream().anyMatch(RuleKind::removes);
+        boolean removed = scene.rules().stream().anyMatch(RuleKind::removes);
         // if a rule removes particles, their number is unknown; at least those of one step exist
         double particles = scene.particlesAfter(removed ? scene.deltaT() : scene.duration());
         Frames frames = scene.output().frames();

@@ -16,7 +16,6 @@ import particles.scene.format.SolverDescription;
 import particles.scene.format.SolverDescription.Tolerances;
 import particles.scene.parts.ConstraintDescription;
 import particles.scene.parts.ParticleIndex;
-import particles.scene.parts.SpringDescription;
 import particles.spec.Chosen;
 import particles.spec.Values;
 import particles.spec.messages.Place;
@@ -47,7 +46,7 @@ public final class SceneChecks {
                     : "the scene has no particle; add some under 'particles' or 'shapes'");
         }
         ConstraintChecks constraints = new ConstraintChecks(scene, problems, known, index);
-        List<SpringDescription> springs = constraints.checkSprings();
+        List<Values> springs = constraints.checkSprings();
         ConstraintDescription rigid = constraints.check();
         checkEffects(scene, problems);
         OutsideCheck.check(rules.rules(), index, problems);
@@ -65,9 +64,7 @@ public final class SceneChecks {
         }
         return Optional.of(new SceneDescription(scene,
                 new SolverDescription(scene.get(SceneFormat.SOLVER).get(SolverDescription.NAME), tolerances),
-                new Contents(index, springs, rigid, List.copyOf(scene.get(SceneFormat.EFFECTS)),
-                        List.copyOf(scene.get(SceneFormat.RULES))),
-                new Drawing(camera, LookCheck.of(scene, index)),
+                new Contents(index, rigid), new Drawing(camera, LookCheck.of(scene, index)),
                 OutputDescription.of(scene.mapping(SceneFormat.OUTPUT))));
     }
 

@@ -2,11 +2,9 @@ package particles.scene.format;
 
 import java.util.List;
 import java.util.Optional;
-import particles.effects.EffectKind;
 import particles.scene.parts.ConstraintDescription;
 import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RuleKind;
-import particles.scene.parts.SpringDescription;
 import particles.spec.Chosen;
 import particles.spec.Key;
 import particles.spec.Values;
@@ -19,7 +17,7 @@ import particles.view.RenderOptions;
  *
  * @param values   the values by their keys in {@link SceneFormat}; solver and output may since have been replaced
  * @param solving  the solver
- * @param contents what moves, and by which laws
+ * @param contents what moves
  * @param drawing  how it is drawn
  * @param output   the files to write
  */
@@ -27,17 +25,12 @@ public record SceneDescription(Values values, SolverDescription solving, Content
         OutputDescription output) {
 
     /**
-     * What moves, and by which laws.
+     * What moves.
      *
      * @param particles   the single particles, first in the state, and the shapes, whose particles follow
-     * @param springs     the springs outside shapes
      * @param constraints the rods and wires
-     * @param effects     the effects that the scene names
-     * @param rules       the rules that it names
      */
-    public record Contents(ParticleIndex particles, List<SpringDescription> springs,
-            ConstraintDescription constraints, List<Chosen<EffectKind>> effects,
-            List<Chosen<RuleKind>> rules) {
+    public record Contents(ParticleIndex particles, ConstraintDescription constraints) {
     }
 
     /**
@@ -69,6 +62,11 @@ public record SceneDescription(Values values, SolverDescription solving, Content
         return values.get(SceneFormat.DURATION);
     }
 
+    /** @return the rules that the scene names */
+    public List<Chosen<RuleKind>> rules() {
+        return values.get(SceneFormat.RULES);
+    }
+
     /** @return whether steps are split at impacts */
     public boolean exactImpacts() {
         return values.get(SceneFormat.IMPACT).equals("exact") || hasHardBalls();
@@ -76,12 +74,12 @@ public record SceneDescription(Values values, SolverDescription solving, Content
 
     /** @return whether bounces become ever smaller and never end */
     public boolean bouncesForEver() {
-        return contents.rules().stream().anyMatch(RuleKind::bouncesForEver);
+        return rules().stream().anyMatch(RuleKind::bouncesForEver);
     }
 
     /** @return whether particles are hard balls */
     public boolean hasHardBalls() {
-        return contents.rules().stream().anyMatch(RuleKind::hasBalls);
+        return rules().stream().anyMatch(RuleKind::hasBalls);
     }
 
     /**
@@ -135,7 +133,7 @@ public record SceneDescription(Values values, SolverDescription solving, Content
      * @return the number of the scene's own particles plus those from its emitters that are still alive
      */
     public double particlesAfter(double time) {
-        return contents.particles.count() + contents.rules.stream()
+        return contents.particles.count() + rules().stream()
                 .mapToDouble(rule -> RuleKind.alive(rule.values(), deltaT(), time)).sum();
     }
 }
