@@ -208,7 +208,7 @@ final class Trial implements Observer {
 
     /** The change of momentum of a free system, relative to the sum of all sizes; 0 if something outside acts. */
     double momentum() {
-        boolean free = scene.description().contents().constraints().wires().isEmpty() && !hasSurfaces()
+        boolean free = scene.description().constraints().wires().isEmpty() && !hasSurfaces()
                 && system.getEffects().stream().allMatch(e -> e.getTraits().contains(Effect.Trait.INTERNAL));
         double[] change = new double[3];
         double size = 0;

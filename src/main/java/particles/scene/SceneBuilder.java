@@ -73,7 +73,7 @@ public final class SceneBuilder {
     private static Scene assemble(SceneDescription scene) {
         ParticleSystem system = new ParticleSystem();
         SpringForce springs = new SpringForce(system.getParticles());
-        ParticleIndex index = scene.contents().particles();
+        ParticleIndex index = scene.particles();
         List<Surface> cloths = addParticles(index, system, springs);
         for (Values spring : scene.values().get(SceneFormat.SPRINGS)) {
             String from = spring.get(SpringDescription.FROM);
@@ -101,7 +101,7 @@ public final class SceneBuilder {
             simulation.addRule(scene.exactImpacts() ? new ExactImpacts(contacts.get())
                     : new ClampedImpacts(contacts.get()));
         }
-        scene.contents().constraints().build(simulation, index, assembly, contacts);
+        scene.constraints().build(simulation, index, assembly, contacts);
         if (scene.hasHardBalls()) {
             simulation.getRules().forEach(rule -> checkOverlap(rule.getViolation(system), scene));
         }

@@ -37,7 +37,7 @@ class SturdyReaderTest {
     }
 
     private static ParticleDescription particle(String text) {
-        return TestScenes.read(text).contents().particles().getParticles().get(0);
+        return TestScenes.read(text).particles().getParticles().get(0);
     }
 
     @Test

@@ -42,7 +42,7 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
 
     static MemoryEstimate of(SceneDescription scene) {
         double springs = scene.values().get(SceneFormat.SPRINGS).size()
-                + scene.contents().particles().getShapes().stream().mapToLong(ShapeDescription::springCount).sum();
+                + scene.particles().getShapes().stream().mapToLong(ShapeDescription::springCount).sum();
         boolean removed = scene.rules().stream().anyMatch(RuleKind::removes);
         // if a rule removes particles, their number is unknown; at least those of one step exist
         double particles = scene.particlesAfter(removed ? scene.deltaT() : scene.duration());

@@ -9,7 +9,6 @@ import particles.scene.format.CameraFormat;
 import particles.scene.format.OutputDescription;
 import particles.scene.format.OutputDescription.Phase;
 import particles.scene.format.SceneDescription;
-import particles.scene.format.SceneDescription.Contents;
 import particles.scene.format.SceneDescription.Drawing;
 import particles.scene.format.SceneFormat;
 import particles.scene.format.SolverDescription;
@@ -64,7 +63,7 @@ public final class SceneChecks {
         }
         return Optional.of(new SceneDescription(scene,
                 new SolverDescription(scene.get(SceneFormat.SOLVER).get(SolverDescription.NAME), tolerances),
-                new Contents(index, rigid), new Drawing(camera, LookCheck.of(scene, index)),
+                index, rigid, new Drawing(camera, LookCheck.of(scene, index)),
                 OutputDescription.of(scene.mapping(SceneFormat.OUTPUT))));
     }
 

@@ -15,23 +15,15 @@ import particles.view.RenderOptions;
 /**
  * The checked contents of a scene file, with options in place of the file's values.
  *
- * @param values   the values by their keys in {@link SceneFormat}; solver and output may since have been replaced
- * @param solving  the solver
- * @param contents what moves
- * @param drawing  how it is drawn
- * @param output   the files to write
+ * @param values      the values by their keys in {@link SceneFormat}; solver and output may since have been replaced
+ * @param solving     the solver
+ * @param particles   the single particles, first in the state, and the shapes, whose particles follow
+ * @param constraints the rods and wires
+ * @param drawing     how it is drawn
+ * @param output      the files to write
  */
-public record SceneDescription(Values values, SolverDescription solving, Contents contents, Drawing drawing,
-        OutputDescription output) {
-
-    /**
-     * What moves.
-     *
-     * @param particles   the single particles, first in the state, and the shapes, whose particles follow
-     * @param constraints the rods and wires
-     */
-    public record Contents(ParticleIndex particles, ConstraintDescription constraints) {
-    }
+public record SceneDescription(Values values, SolverDescription solving, ParticleIndex particles,
+        ConstraintDescription constraints, Drawing drawing, OutputDescription output) {
 
     /**
      * How a scene is drawn.
@@ -92,7 +84,7 @@ public record SceneDescription(Values values, SolverDescription solving, Content
 
     /** @return the same scene with this solver */
     public SceneDescription withSolver(SolverDescription other) {
-        return new SceneDescription(values, other, contents, drawing, output);
+        return new SceneDescription(values, other, particles, constraints, drawing, output);
     }
 
     /**
@@ -113,7 +105,7 @@ public record SceneDescription(Values values, SolverDescription solving, Content
 
     /** @return the same scene with other files to write */
     public SceneDescription withOutput(OutputDescription other) {
-        return new SceneDescription(values, solving, contents, drawing, other);
+        return new SceneDescription(values, solving, particles, constraints, drawing, other);
     }
 
     /** @return the same scene with another value of a key */
@@ -123,7 +115,7 @@ public record SceneDescription(Values values, SolverDescription solving, Content
 
     /** @return the same scene with another value of a key, which stands at another place */
     public <T> SceneDescription with(Key<T> key, T value, Place place) {
-        return new SceneDescription(values.with(key, value, place), solving, contents, drawing, output);
+        return new SceneDescription(values.with(key, value, place), solving, particles, constraints, drawing, output);
     }
 
     /**
@@ -133,7 +125,7 @@ public record SceneDescription(Values values, SolverDescription solving, Content
      * @return the number of the scene's own particles plus those from its emitters that are still alive
      */
     public double particlesAfter(double time) {
-        return contents.particles.count() + rules().stream()
+        return particles.count() + rules().stream()
                 .mapToDouble(rule -> RuleKind.alive(rule.values(), deltaT(), time)).sum();
     }
 }
