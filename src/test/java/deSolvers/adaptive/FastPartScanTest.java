@@ -9,7 +9,9 @@ import deSolvers.DESolver;
 import deSolvers.adaptive.AdaptiveContract.Maker;
 import deSolvers.extrapolation.BulirschStoerSolver;
 import deSolvers.problems.ReferenceProblem;
+import java.util.function.Consumer;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -24,10 +26,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 class FastPartScanTest {
     private static final double[][] TOLERANCES = {{1e-6, 1e-9}, {1e-3, 1e-6}};
 
-    private static Arguments solver(String name, double decay, double spring, double pair, Maker maker) {
-        return Arguments.of(name, decay, spring, pair, maker);
-    }
-
     /**
      * The bounds in units of the tolerance, for decay, damped spring and stiff pair. Measured, with the tolerances
      * 1e-6/1e-9 and 1e-3/1e-6: step-doubling 46, 150, 48; bulirsch-stoer 14, 25, 2.5; dormand-prince 2.4, 19,
@@ -36,39 +34,37 @@ class FastPartScanTest {
      */
     static Stream<Arguments> solvers() {
         return Stream.of(
-                solver("step-doubling", 150, 450, 150, StepDoublingSolver::new),
-                solver("bulirsch-stoer", 50, 75, 10, BulirschStoerSolver::new),
-                solver("dormand-prince", 8, 60, 4, DormandPrinceSolver::new));
+                Arguments.of("step-doubling", 150, 450, 150, (Maker) StepDoublingSolver::new),
+                Arguments.of("bulirsch-stoer", 50, 75, 10, (Maker) BulirschStoerSolver::new),
+                Arguments.of("dormand-prince", 8, 60, 4, (Maker) DormandPrinceSolver::new));
     }
 
     /** s' = -lambda s: in units of the tolerance, worst of all steps of 3 s. */
     @ParameterizedTest(name = "{0}")
     @MethodSource("solvers")
     void aDecayedPartDoesNotReturn(String name, double bound, double spring, double pair, Maker maker) {
-        for (double[] tolerance : TOLERANCES) {
-            Scan scan = new Scan(maker, tolerance);
+        scan(maker, name, bound, scan -> {
             for (double lambda = 20; lambda < 400; lambda *= 1.06) {
                 for (double deltaT : new double[] {0.1, 0.25, 1}) {
-                    scan.run(decay(lambda), deltaT, largestError(tolerance), "lambda " + lambda);
+                    scan.run(decay(lambda), deltaT, scan::largestError, "lambda " + lambda);
                 }
             }
-            scan.assertWithin(bound, name);
-        }
+        });
     }
 
     /** x'' = -omega^2 x - 0.1 omega x' beside a slow oscillator: the velocity, from omega/2 to begin with. */
     @ParameterizedTest(name = "{0}")
     @MethodSource("solvers")
     void aDampedVibrationDoesNotReturn(String name, double decay, double bound, double pair, Maker maker) {
-        for (double[] tolerance : TOLERANCES) {
-            Scan scan = new Scan(maker, tolerance);
+        scan(maker, name, bound, scan -> {
             for (double omega = 30; omega < 500; omega *= 1.1) {
+                double fast = omega;
                 for (double deltaT : new double[] {1.0 / 60, 0.1, 0.5}) {
-                    scan.run(spring(omega), deltaT, overEnvelope(omega, tolerance), "omega " + omega);
+                    scan.run(slowAndFastSpring(omega, 0.05 * omega), deltaT, s -> scan.overEnvelope(s, fast),
+                            "omega " + omega);
                 }
             }
-            scan.assertWithin(bound, name);
-        }
+        });
     }
 
     /** Slow and fast parts in every entry. */
@@ -76,12 +72,19 @@ class FastPartScanTest {
     @ParameterizedTest(name = "{0}")
     @MethodSource("solvers")
     void aFastPartBesideASlowOneDoesNotReturn(String name, double decay, double spring, double bound, Maker maker) {
+        scan(maker, name, bound, scan -> {
+            for (double deltaT = 0.004; deltaT < 0.05; deltaT *= 1.04) {
+                scan.run(stiffPair(), deltaT, scan::largestError, "the pair");
+            }
+        });
+    }
+
+    private static void scan(Maker maker, String solver, double bound, Consumer<Scan> runs) {
         for (double[] tolerance : TOLERANCES) {
             Scan scan = new Scan(maker, tolerance);
-            for (double deltaT = 0.004; deltaT < 0.05; deltaT *= 1.04) {
-                scan.run(stiffPair(), deltaT, largestError(tolerance), "the pair");
-            }
-            scan.assertWithin(bound, name);
+            runs.accept(scan);
+            assertBelow(bound, scan.worst, solver + ", tolerances " + tolerance[0] + " and " + tolerance[1] + ", "
+                    + scan.where);
         }
     }
 
@@ -111,36 +114,19 @@ class FastPartScanTest {
             }
         }
 
-        void assertWithin(double bound, String solver) {
-            assertBelow(bound, worst, solver + ", tolerances " + tolerance[0] + " and " + tolerance[1] + ", " + where);
-        }
-    }
-
-    /** The largest error of an entry relative to its tolerance. */
-    private static ToDoubleFunction<ReferenceProblem> largestError(double[] tolerance) {
-        return problem -> {
+        /** The largest error of an entry relative to its tolerance. */
+        double largestError(ReferenceProblem problem) {
             double[] exact = problem.exactState(problem.getTime());
             double[] state = problem.getState();
-            double units = 0;
-            for (int i = 0; i < exact.length; i++) {
-                units = Math.max(units,
-                        Math.abs(state[i] - exact[i]) / (tolerance[1] + tolerance[0] * Math.abs(exact[i])));
-            }
-            return units;
-        };
-    }
+            return IntStream.range(0, exact.length).mapToDouble(i -> Math.abs(state[i] - exact[i])
+                    / (tolerance[1] + tolerance[0] * Math.abs(exact[i]))).max().orElseThrow();
+        }
 
-    /** The excess of the fast velocity over 1.2 times its envelope, in units of the absolute tolerance. */
-    private static ToDoubleFunction<ReferenceProblem> overEnvelope(double omega, double[] tolerance) {
-        return problem -> {
+        /** The excess of the fast velocity over 1.2 times its envelope, in units of the absolute tolerance. */
+        double overEnvelope(ReferenceProblem problem, double omega) {
             double envelope = 0.5 * omega * StrictMath.exp(-0.05 * omega * problem.getTime());
             double[] state = problem.getState();
             return Math.max(0, Math.hypot(state[2], state[3]) - 1.2 * envelope) / tolerance[1];
-        };
-    }
-
-    /** A spring with a twentieth of the critical damping. */
-    private static ReferenceProblem spring(double omega) {
-        return slowAndFastSpring(omega, 0.05 * omega);
+        }
     }
 }

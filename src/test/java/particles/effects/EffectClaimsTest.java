@@ -140,10 +140,6 @@ class EffectClaimsTest {
 
         @Override
         public void addForces(double[] state, double time, double[] force) {
-            if (first == 1 && others == 1) {
-                effect.addForces(state, time, force);
-                return;
-            }
             double[] right = new double[force.length];
             effect.addForces(state, time, right);
             for (int k = 0; k < force.length; k++) {
