@@ -92,7 +92,7 @@ public final class StabilityMap {
         List<double[][]> pieces = pieces();
         List<double[]> line = new ArrayList<>();
         double width = Math.min(window.cell(), window.top() / STRIPES);
-        for (int k = 0; (k + 0.5) * width <= y(grows.length - 1); k++) {
+        for (int k = 0; (k + 0.5) * width < y(grows.length - 1); k++) {
             double y = (k + 0.5) * width;
             List<Double> ends = new ArrayList<>(isStableAtLeft(y) ? List.of(x(0)) : List.of());
             pieces.stream().filter(p -> p[0][1] <= y != p[1][1] <= y).map(p -> p[0][0] + (y - p[0][1])
