@@ -49,11 +49,8 @@ class ShadowEnergyTest {
     /** The exact solution keeps the energy (measured 3e-15) up to the largest release; at 3.14159 it is lost. */
     @Test
     void aReleaseAtTheTopIsRefused() {
-        Pendulum high = new Pendulum(3.14);
-        for (double t : new double[] {0, 10, 1000}) {
-            double[] s = high.exactState(t);
-            assertEquals(-StrictMath.cos(3.14), s[1] * s[1] / 2 - StrictMath.cos(s[0]), 1e-13, "t = " + t);
-        }
+        double[] s = new Pendulum(3.14).exactState(1000);
+        assertEquals(-StrictMath.cos(3.14), s[1] * s[1] / 2 - StrictMath.cos(s[0]), 1e-13);
         assertRefused(() -> new Pendulum(3.14159), () -> new Pendulum(Double.NaN));
     }
 }

@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.catalog.SolverCatalog;
+import java.awt.Color;
+import java.awt.color.ColorSpace;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -64,11 +66,8 @@ class SolverStyleTest {
 
     /** CIELAB of an sRGB colour as somebody with this vision sees it. */
     private static double[] lab(int rgb, double[][] vision) {
-        double[] linear = new double[3];
-        for (int k = 0; k < 3; k++) {
-            double c = (rgb >> 16 - 8 * k & 255) / 255.0;
-            linear[k] = c <= 0.04045 ? c / 12.92 : Math.pow((c + 0.055) / 1.055, 2.4);
-        }
+        float[] linear = ColorSpace.getInstance(ColorSpace.CS_LINEAR_RGB).fromRGB(new Color(rgb)
+                .getRGBColorComponents(null));
         double[] seen = new double[3];
         for (int k = 0; k < 3; k++) {
             seen[k] = Math.max(0, Math.min(1, vision[k][0] * linear[0] + vision[k][1] * linear[1]
@@ -102,6 +101,7 @@ class SolverStyleTest {
                 new ChartData("", "", "", false, false, List.of(line, rk4, verlet))))
                 .getXYPlot().getRenderer();
         assertEquals(ChartStyle.AXIS, renderer.getSeriesPaint(0));
+        assertEquals(ChartStyle.AXIS, SolverStyle.orGrey("MySolver").colour());
         assertEquals(look("verlet").colour(), renderer.getSeriesPaint(1), "without dashes, so below those with some");
         assertEquals(look("verlet").stroke(), renderer.getSeriesStroke(1));
         assertEquals(look("rk4").colour(), renderer.getSeriesPaint(2));
