@@ -42,16 +42,21 @@ record OutsideCheck(Chosen<RuleKind> rule, Obstacle solid, double all, Problems 
         }
         checks.forEach(check -> index.getParticles().forEach(particle -> check.check(List.of(particle))));
         for (ShapeDescription shape : index.getShapes()) {
-            List<ParticleDescription> particles = shape.particles().toList();       // made once, for all solids
-            checks.forEach(check -> check.check(particles));
+            // each particle is made once for all solids, and only a misplaced one is kept: there may be a million
+            List<ParticleDescription> misplaced = shape.particles().filter(particle ->
+                    checks.stream().anyMatch(check -> check.isInside(particle))).toList();
+            checks.forEach(check -> check.check(misplaced));
         }
     }
 
     /** Reports the free particle that is deepest inside the solid, if one is. */
     private void check(List<ParticleDescription> particles) {
-        particles.stream().filter(particle -> !particle.fixed() && distance(particle) < 0)
-                .min(Comparator.comparingDouble(this::distance))
+        particles.stream().filter(this::isInside).min(Comparator.comparingDouble(this::distance))
                 .ifPresent(particle -> problems.add(particle.place(), inside(particle)));
+    }
+
+    private boolean isInside(ParticleDescription particle) {
+        return !particle.fixed() && distance(particle) < 0;
     }
 
     private String inside(ParticleDescription particle) {
