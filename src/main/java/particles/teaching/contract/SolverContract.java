@@ -206,8 +206,7 @@ public record SolverContract(Supplier<DESolver> maker) {
     public static double distance(double[] x, double[] y) {
         double distance = 0;
         for (int k = 0; k < x.length; k++) {
-            double d = Math.abs(x[k] - y[k]);
-            distance = d <= distance ? distance : d;    // NaN stays
+            distance = Math.max(distance, Math.abs(x[k] - y[k]));
         }
         return distance;
     }
