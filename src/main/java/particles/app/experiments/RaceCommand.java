@@ -142,7 +142,7 @@ public final class RaceCommand extends ExperimentCommand {
                         + " gets the tolerance that costs as much.";
         return new ResultPage(name(), RaceCharts.title(race), List.of(rule,
                 "The grey ghost is the reference, " + Race.REFERENCE + """
-                        . The strip below shows the energy error of each solver, physics taken out, over the energy \
+                        . The chart shows the energy error of each solver, physics taken out, over the energy \
                         scale. A solver that fails, or goes far from where the reference ever is, leaves the race; \
                         its panel stays as it was.""",
                 Digits.format("The animation runs %s.", Math.abs(speed - 1) < 0.01 ? "in real time"

@@ -32,6 +32,7 @@ record RacePage(int columns, int panelWidth, int panelHeight, Rectangle2D strip)
     static final int HEIGHT = 540;
     /** The places and sizes of panels are multiples of it: so many pixels of the page are 4 pixels of the film. */
     private static final int UNIT = 3;
+    private static final int MOST_COLUMNS = 6;
     /** A frame has at least 16 pixels in each direction. */
     private static final int LEAST = 4;
     private static final double WIDEST = 16.0 / 9;
@@ -73,9 +74,9 @@ record RacePage(int columns, int panelWidth, int panelHeight, Rectangle2D strip)
         return Math.min(WIDEST, (pitch(columns) - GAP) / (double) highest(panels, columns));
     }
 
-    /** One column more than there are panels leaves a cell for the chart. */
+    /** One column more than there are panels leaves a cell for the chart; more than six have no room for words. */
     private static int columns(int panels, double aspect) {
-        return IntStream.rangeClosed(1, panels + 1).boxed()
+        return IntStream.rangeClosed(1, Math.min(panels + 1, MOST_COLUMNS)).boxed()
                 .max(Comparator.comparingDouble(columns -> width(panels, columns, aspect))).orElseThrow();
     }
 
