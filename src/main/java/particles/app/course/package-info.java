@@ -56,8 +56,8 @@
  * not trust, use a container without network, after {@code gradle installDist}:
  *
  * <pre>
- * docker run --rm --network none --memory 2g -v "$PWD":/work -v "$PWD/submissions":/work/submissions:ro \
- *     -w /work eclipse-temurin:21 build/install/desolver/bin/desolver gradeClass --folder=submissions
+ * docker run --rm --network none --memory 2g -v "$PWD":/desolver -v "$PWD/submissions":/desolver/submissions:ro \
+ *     -w /desolver eclipse-temurin:21 build/install/desolver/bin/desolver gradeClass --folder=submissions
  * </pre>
  */
 package particles.app.course;
