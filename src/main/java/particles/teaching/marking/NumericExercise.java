@@ -93,6 +93,9 @@ public final class NumericExercise implements Exercise {
         Picks picks = draw.picks();
         for (int attempt = 0; attempt < MOST_DRAWS; attempt++) {
             Worked worked = work.apply(picks);
+            if (worked.mistakes.length != hints.size() - 1) {
+                throw new IllegalStateException("'" + title + "' needs a hint for each mistake");
+            }
             if (worked.isClear() && worked.answer >= lowest && worked.answer <= highest) {
                 return worked;
             }
