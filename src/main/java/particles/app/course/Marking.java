@@ -22,8 +22,8 @@ import particles.app.course.Result.HandIn;
 import particles.app.course.Result.Item;
 import particles.app.course.Result.Status;
 import particles.app.student.Check;
-import particles.app.student.CheckEffectCommand.EffectRun;
-import particles.app.student.CheckSolverCommand.SolverRun;
+import particles.app.student.CheckEffectCommand.CheckOfEffect;
+import particles.app.student.CheckSolverCommand.CheckOfSolver;
 import particles.app.student.StudentProcess;
 import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;
@@ -161,11 +161,11 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
     private List<Item> classes() {
         List<Item> items = new ArrayList<>();
         for (Map.Entry<String, Assignment.Asked> asked : assignment.solvers(sources.keySet()).entrySet()) {
-            items.add(check("solver", asked.getKey(), asked.getValue().weight(), own -> new SolverRun(own,
+            items.add(check("solver", asked.getKey(), asked.getValue().weight(), own -> new CheckOfSolver(own,
                     asked.getValue().method(), ChartFormat.PAGE)));
         }
         for (Map.Entry<String, Double> effect : assignment.effects().entrySet()) {
-            items.add(check("effect", effect.getKey(), effect.getValue(), EffectRun::new));
+            items.add(check("effect", effect.getKey(), effect.getValue(), CheckOfEffect::new));
         }
         return items;
     }

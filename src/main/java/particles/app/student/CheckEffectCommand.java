@@ -34,7 +34,7 @@ public final class CheckEffectCommand extends CheckCommand {
 
     @Override
     Check check() {
-        return new EffectRun(effect);
+        return new CheckOfEffect(effect);
     }
 
     /**
@@ -42,7 +42,7 @@ public final class CheckEffectCommand extends CheckCommand {
      *
      * @param subject the effect's name or class
      */
-    public record EffectRun(String subject) implements Check {
+    public record CheckOfEffect(String subject) implements Check {
         private static final long serialVersionUID = 1L;
 
         @Override

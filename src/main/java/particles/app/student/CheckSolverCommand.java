@@ -56,7 +56,7 @@ public final class CheckSolverCommand extends CheckCommand {
 
     @Override
     Check check() {
-        return new SolverRun(solver, method, charts.format());
+        return new CheckOfSolver(solver, method, charts.format());
     }
 
     /**
@@ -66,7 +66,7 @@ public final class CheckSolverCommand extends CheckCommand {
      * @param method  the method that it has to be
      * @param format  the format of its charts
      */
-    public record SolverRun(String subject, String method, ChartFormat format) implements Check {
+    public record CheckOfSolver(String subject, String method, ChartFormat format) implements Check {
         private static final long serialVersionUID = 1L;
 
         @Override

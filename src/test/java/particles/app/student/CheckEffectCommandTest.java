@@ -14,7 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.app.cli.ExitCode;
-import particles.app.student.CheckEffectCommand.EffectRun;
+import particles.app.student.CheckEffectCommand.CheckOfEffect;
 import particles.effects.EffectContext;
 import particles.effects.EffectKind;
 import particles.law.Effect;
@@ -82,7 +82,7 @@ class CheckEffectCommandTest {
     }
 
     private static String here(ExitCode expected, String effect, Path folder) {
-        return Checks.here(expected, new EffectRun(effect), folder);
+        return Checks.here(expected, new CheckOfEffect(effect), folder);
     }
 
     @Test
@@ -107,7 +107,7 @@ class CheckEffectCommandTest {
     @ParameterizedTest
     @ValueSource(classes = {Exits.class, ExitsAtOnce.class})
     void aClassThatEndsTheProgramIsFoundOut(Class<?> planted, @TempDir Path folder) throws Exception {
-        String found = Checks.failureOf(new EffectRun(planted.getName()), planted, folder);
+        String found = Checks.failureOf(new CheckOfEffect(planted.getName()), planted, folder);
         assertMatches(found, "failure: the class ends the whole program .System.exit., in "
                 + planted.getSimpleName() + "[.](getForce|<init>), line \\d+ of CheckEffectCommandTest.java");
     }

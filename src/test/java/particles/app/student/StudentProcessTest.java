@@ -11,7 +11,7 @@ import particles.app.cli.ExitCode;
 class StudentProcessTest {
     @Test
     void onlyAVerdictSignedInThisRunCounts() {
-        Check check = new CheckEffectCommand.EffectRun("gravity");
+        Check check = new CheckEffectCommand.CheckOfEffect("gravity");
         StudentProcess.Task task = new StudentProcess.Task(new byte[] {1, 2}, new TreeMap<>(), check, "");
         StudentProcess.Task other = new StudentProcess.Task(new byte[] {1, 3}, new TreeMap<>(), check, "");
         StudentProcess.Outcome right = new StudentProcess.Outcome(ExitCode.DONE, List.of("a line", "", "another"));
