@@ -98,18 +98,18 @@ public final class StabilityCommand extends ExperimentCommand {
                                 only 0 belongs to the regions of euler, midpoint and adams; the outline of adams runs \
                                 so close beside the axis, up to 0.9, that the picture cannot show it: at 0.8 a step \
                                 still grows by 0.7 %.""",
-                                List.of("euler", "midpoint", "rk4", "adams"), new Window(-3.5, 1, -3.5, 3.5, 0.05), 5.5)
+                                List.of("euler", "midpoint", "rk4", "adams"), new Window(-3.5, 1, -3.5, 3.5, 0.05), 4.7)
                                         .draw(progress, 0.5),
                         new Region("adaptive",
                                 "One sub-step. Longer steps are divided, so these"
                                         + " outlines show the cost of a stiff system.",
                                 List.of("step-doubling", "dormand-prince", "bulirsch-stoer"),
-                                new Window(-8, 2.5, -6.5, 6.5, 0.08), 9.5).draw(progress, 0.6),
+                                new Window(-8, 2.5, -6.5, 6.5, 0.08), 8.5).draw(progress, 0.6),
                         new Region("symplectic",
                                 "A damped spring. Without damping, on the imaginary axis, the limit is 2 (1.57 for"
                                         + " yoshida4); damping lowers it.",
                                 List.of("symplectic-euler", "verlet", "yoshida4"),
-                                new Window(-2.5, 1, -2.5, 2.5, 0.04), 4).draw(progress, 0.7),
+                                new Window(-2.5, 1, -2.5, 2.5, 0.04), 3).draw(progress, 0.7),
                         new Region("implicit",
                                 """
                                         Stable in the shaded region: left of the outline of implicit-midpoint, the \

@@ -37,10 +37,10 @@ public final class SceneStabilityCharts {
         List<double[]> points = spectrum.modes().stream().map(mode ->
                 new double[] {deltaT * mode.re(), deltaT * mode.im()}).toList();
         double far = spectrum.modes().stream().mapToDouble(mode -> 1.1 * deltaT * mode.size()).reduce(3, Math::max);
-        Series upper = Series.of("deltaT times an eigenvalue of the scene", Mark.POINTS, points);
+        Series upper = Series.of("modes of the scene", Mark.POINTS, points);
         Series both = Series.of(upper.name(), Mark.POINTS, Stream.concat(points.stream(), points.stream().map(point ->
                 new double[] {point[0], -point[1]})).toList());
-        ChartData half = StabilityRegion.outlines(solvers, new Window(-1.5 * far, far / 2, 0, far, far / CELLS));
+        ChartData half = StabilityRegion.outlines(solvers, new Window(-1.2 * far, 0.4 * far, 0, far, far / CELLS));
         ChartData whole = StabilityRegion.outlines(solvers, new Window(-far, far / 3, -far, far, far / CELLS));
         return List.of(add(whole, both).titled(title), add(half, upper).titled(title));
     }

@@ -4,6 +4,7 @@ import java.awt.Shape;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.jfree.chart.LegendItem;
 import org.jfree.chart.LegendItemCollection;
 import org.jfree.chart.plot.XYPlot;
@@ -13,9 +14,9 @@ import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
 
 /**
- * The legend below a chart: one item for each series, with its line and its points. A series whose name is in the chart
- * has none, and neither has a single series, unless it is that of a solver or of failures, which the axis does not
- * name.
+ * The legend of a chart: one item for each series, with its line and its points. A series whose name is in the chart
+ * has none, nor has the inside of another one's line, as "rk4: stable" has; and neither has a single series, unless it
+ * is that of a solver or of failures, which the axis does not name.
  */
 final class ChartLegend {
     private ChartLegend() {
@@ -41,13 +42,16 @@ final class ChartLegend {
             ChartDataset dataset = (ChartDataset) part.getDataset();
             for (int k = 0; k < dataset.getSeriesCount(); k++) {
                 XYLineAndShapeRenderer renderer = (XYLineAndShapeRenderer) part.getRenderer();
+                String name = dataset.name(k);
                 Shape shape = renderer.lookupSeriesShape(k);
                 boolean failure = shape == ChartStyle.FAILURE || shape == ChartStyle.GIVEN_UP;
-                boolean known = failure || SolverStyle.of(dataset.name(k)).isPresent();
+                boolean known = failure || SolverStyle.of(name).isPresent();
                 boolean alone = dataset.getSeriesCount() == 1 && !known;
                 boolean nothing = dataset.getItemCount(k) == 0 && !renderer.getItemShapeVisible(k, 0);
                 boolean same = oneLook || known;
-                if (!alone && !nothing && !inChart.contains(dataset.name(k)) && (!same || named.add(dataset.name(k)))) {
+                boolean inside = IntStream.range(0, dataset.getSeriesCount()).anyMatch(other ->
+                        name.startsWith(dataset.name(other) + ":"));
+                if (!alone && !nothing && !inside && !inChart.contains(name) && (!same || named.add(name))) {
                     items.add(item(renderer, k));
                 }
             }

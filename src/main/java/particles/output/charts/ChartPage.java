@@ -31,6 +31,9 @@ public record ChartPage(int width, int height, boolean showsScene, Consumer<Grap
         List<ChartData> charts = panel.charts();
         int rows = charts.stream().mapToInt(data -> data.rows().size()).max().orElse(0);
         long ofQuantities = charts.stream().filter(data -> data.rows().isEmpty()).count();
+        if (chart.hasEqualUnits() && format.slide()) {
+            chart.setLegendBeside();
+        }
         int width = format.width(chart.hasEqualUnits() ? SQUARE_WIDTH : WIDTH);
         int height = format.height(chart.hasEqualUnits() ? SQUARE_HEIGHT
                 : (ofQuantities > 1 ? STACKED_HEIGHT : HEIGHT) + (rows == 0 ? 0 : Charts.ROW * (rows + 2)));

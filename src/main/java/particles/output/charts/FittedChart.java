@@ -7,6 +7,7 @@ import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.jfree.chart.ChartRenderingInfo;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.NumberAxis;
@@ -80,6 +81,11 @@ final class FittedChart extends JFreeChart {
     /** @return whether a unit along x is as long as one along y */
     boolean hasEqualUnits() {
         return equalUnits;
+    }
+
+    /** Puts the legend beside the points: on a wide page, below them it would make a round chart small. */
+    void setLegendBeside() {
+        Optional.ofNullable(getLegend()).ifPresent(legend -> legend.setPosition(RectangleEdge.RIGHT));
     }
 
     /** @return the names at the ends of lines */

@@ -294,7 +294,7 @@ class HeadlineTest {
             Claim.each(NAMES + " also makes? fast growth decay", (solver, said, drawn) ->
                     drawn.of(solver).stream().anyMatch(p -> p[0] > 1)),
             new Claim("the fastest mode lies at deltaT \\|lambda\\| = " + NUMBER, (said, drawn) ->
-                    drawn.of("deltaT times an eigenvalue of the scene").stream().anyMatch(p ->
+                    drawn.of("modes of the scene").stream().anyMatch(p ->
                             near(1, Math.hypot(p[0], p[1]) / said.number(1), 0.005))),
             new Claim("Runs move apart beyond deltaT = (?=\\d)"),
             new Claim(NUMBER + " s \\((" + NAME + ")\\)", (said, drawn) ->
