@@ -5,11 +5,13 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import particles.app.cli.ChartOptions;
 import particles.app.cli.Failures;
@@ -17,6 +19,7 @@ import particles.app.cli.Mistakes;
 import particles.app.cli.PrintedProgress;
 import particles.app.cli.ResultsCommand;
 import particles.app.cli.Version;
+import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
 import particles.output.files.OutputException;
@@ -47,9 +50,12 @@ public final class ReportCommand extends ResultsCommand {
     /** What each experiment takes on two quiet cores (s). */
     private static final Map<String, Integer> SECONDS = Map.of("lectureFigures", 2, "energyDrift", 2, "phasePlots", 1,
             "race", 5, "workPrecision", 43, "stiffGallery", 6, "stability", 1, "effectCost", 4, "stiffCloth", 25);
-    /** What those take that look at a scene: in any case, and for each full race's work that rk4 has there (s). */
-    private static final Map<String, double[]> OF_SCENE = Map.of("energyDrift", new double[] {2, 1.2},
-            "phasePlots", new double[] {1, 2.5}, "race", new double[] {11, 17}, "stability", new double[] {1.5, 2});
+    /** Measured CPU time of those that look at a scene: in any case (s), and for a second of energyDrift there. */
+    private static final Map<String, double[]> OF_SCENE = Map.of("energyDrift", new double[] {0, 1},
+            "phasePlots", new double[] {0, 1}, "race", new double[] {9.5, 2}, "stability", new double[] {0.5, 0.9});
+    /** Measured CPU time of energyDrift: in any case, and for each full race's work of rk4 in the scene (s). */
+    private static final double DRIFT = 1.3;
+    private static final double DRIFT_OF_A_RACE = 1.9;
     private static final int MOST_LINES = 8;
     /** This number of experiments takes no longer than about a minute. */
     private static final int FEW = 2;
@@ -76,6 +82,8 @@ public final class ReportCommand extends ResultsCommand {
     private Supplier<Optional<SceneDescription>> about;
     private Supplier<List<SolverChoice>> choices;
     private Supplier<List<ExperimentCommand>> chosen;
+    /** The CPU time that energyDrift takes on the scene, if there is one: expected, then measured (s). */
+    private Optional<Double> drift;
 
     /** @param experiments all experiments, in the order of the report */
     public ReportCommand(List<ExperimentCommand> experiments) {
@@ -94,19 +102,23 @@ public final class ReportCommand extends ResultsCommand {
     @Override
     public void run(PrintWriter lines) {
         List<ExperimentCommand> chosen = this.chosen.get();
-        Optional<Double> races = about.get().map(RaceCommand::fullRaces);
+        long begin = System.nanoTime();
+        drift = about.get().map(scene -> DRIFT + DRIFT_OF_A_RACE * RaceCommand.fullRaces(scene));
+        Map<ExperimentCommand, RuntimeException> wrong = new HashMap<>();
+        chosen.forEach(one -> prepare(one).ifPresent(why -> wrong.put(one, why)));
+        ToDoubleFunction<ExperimentCommand> cost = one -> wrong.containsKey(one) ? 0 : seconds(one, drift);
         if (chosen.size() > FEW) {
-            int minutes = (int) (chosen.stream().mapToDouble(one -> seconds(one, races)).sum() / 60) + 1;
+            int minutes = (int) (chosen.stream().mapToDouble(cost).sum() / 60) + 1;
             lines.println("about " + minutes + (minutes == 1 ? " minute; " : " minutes; ")
                     + getStyle().option("experiments") + " with fewer names takes less");
             lines.flush();
         }
-        long begin = System.nanoTime();
         PrintedProgress progress = new PrintedProgress(lines, System::nanoTime);
         List<Section> sections;
         try (OutputFolder folder = OutputFolder.open(getFolder(), FILE)) {
-            sections = progress.parts(chosen, one -> seconds(one, races), (experiment, part) ->
-                    section(experiment, (done, what) -> part.reached(done, experiment.name() + ", " + what)));
+            sections = progress.parts(chosen, cost, (experiment, part) -> section(experiment,
+                    Optional.ofNullable(wrong.get(experiment)),
+                    (done, what) -> part.reached(done, experiment.name() + ", " + what)));
             ReportWriter.write(folder, FILE, new Report(title(), text(), sections,
                     Digits.format("Made by gradle report of DESolver %s in %.0f s.", Version.CURRENT,
                     (System.nanoTime() - begin) * NANO)));
@@ -120,11 +132,11 @@ public final class ReportCommand extends ResultsCommand {
                 getFolder().resolve(FILE));
     }
 
-    /** @param races the work of rk4 on the report's scene, in the longest races; a race is cut off at one */
-    static double seconds(ExperimentCommand experiment, Optional<Double> races) {
+    /** @param drift the time that energyDrift takes on the report's scene (s), if it has one */
+    static double seconds(ExperimentCommand experiment, Optional<Double> drift) {
         double[] linear = OF_SCENE.get(experiment.name());
-        return races.isEmpty() || linear == null ? SECONDS.getOrDefault(experiment.name(), 1)
-                : linear[0] + linear[1] * (experiment instanceof RaceCommand ? Math.min(1, races.get()) : races.get());
+        return drift.isEmpty() || linear == null ? SECONDS.getOrDefault(experiment.name(), 1)
+                : linear[0] + linear[1] * drift.get();
     }
 
     private Optional<SceneDescription> readScene() {
@@ -155,27 +167,43 @@ public final class ReportCommand extends ResultsCommand {
                 .replaceFirst("[.]yaml$", "");
     }
 
-    /** The section of an experiment, also if it fails; a full disk ends the report. */
-    private Section section(ExperimentCommand experiment, ProgressListener progress) {
+    /**
+     * Reads the options of an experiment.
+     *
+     * @return the reason why it cannot run, such as a scene without anything that limits a step
+     */
+    private Optional<RuntimeException> prepare(ExperimentCommand experiment) {
         CommandLine line = new CommandLine(experiment);
-        String purpose = String.join(" ", line.getCommandSpec().usageMessage().description());
-        Path into = getFolder().resolve(experiment.name());
-        long begin = System.nanoTime();
-        Optional<ResultPage> page = Optional.empty();
-        Optional<String> failure = Optional.empty();
         try {
             experiment.typedIn(getStyle());
             line.setExpandAtFiles(false).parseArgs(options(line.getCommandSpec()));
-            progress.reached(0, "begins");
             List<String> mistakes = experiment.mistakes();
-            if (!mistakes.isEmpty()) {
-                throw new InvalidInputException(mistakes);
+            return mistakes.isEmpty() ? Optional.empty() : Optional.of(new InvalidInputException(mistakes));
+        } catch (RuntimeException e) {
+            return Optional.of(e);
+        }
+    }
+
+    /** The section of an experiment, also if it is wrong or fails; a full disk ends the report. */
+    private Section section(ExperimentCommand experiment, Optional<RuntimeException> wrong, ProgressListener progress) {
+        String purpose = String.join(" ", new CommandLine(experiment).getCommandSpec().usageMessage().description());
+        Path into = getFolder().resolve(experiment.name());
+        long begin = System.nanoTime();
+        double used = CpuClock.ofAllThreads();
+        Optional<ResultPage> page = Optional.empty();
+        Optional<String> failure = wrong.map(ReportCommand::reason);
+        try {
+            if (wrong.isEmpty()) {
+                progress.reached(0, "begins");
+                page = Optional.of(experiment.writeInto(into, progress));
             }
-            page = Optional.of(experiment.writeInto(into, progress));
         } catch (OutputException e) {
             throw e;
         } catch (RuntimeException e) {
             failure = Optional.of(reason(e));
+        }
+        if (experiment instanceof EnergyDriftCommand) {
+            drift = drift.map(expected -> CpuClock.ofAllThreads() - used);
         }
         return new Section(experiment.name(), purpose, into, (System.nanoTime() - begin) * NANO, page, failure);
     }

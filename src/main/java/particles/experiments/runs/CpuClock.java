@@ -2,9 +2,10 @@ package particles.experiments.runs;
 
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
+import java.time.Duration;
 import java.util.List;
 
-/** Measures the CPU time of the calling thread, which does not include other work on the machine. */
+/** Measures CPU time, which does not include other work on the machine. */
 public final class CpuClock {
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
     private static final double NANO = 1e-9;
@@ -18,11 +19,17 @@ public final class CpuClock {
     }
 
     /**
-     * @return the time since some moment (s): CPU time, or elapsed time if the virtual machine does not measure CPU
-     *         time
+     * @return the time since some moment (s): CPU time of the calling thread, or elapsed time if the virtual machine
+     *         does not measure CPU time
      */
     public static double seconds() {
         return NANO * (THREADS.isCurrentThreadCpuTimeSupported() ? THREADS.getCurrentThreadCpuTime()
                 : System.nanoTime());
+    }
+
+    /** @return the same of all threads of the program together (s) */
+    public static double ofAllThreads() {
+        return NANO * ProcessHandle.current().info().totalCpuDuration().map(Duration::toNanos)
+                .orElseGet(System::nanoTime);
     }
 }

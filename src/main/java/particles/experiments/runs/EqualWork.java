@@ -159,10 +159,13 @@ public record EqualWork(SceneDescription scene, long target, List<Long> adaptive
     public Shares share(List<SolverChoice> solvers, ProgressListener progress) {
         long work = target;
         Optional<SolverChoice> slowest = Optional.empty();
+        double left = 1;
         for (int round = 1; ; round++) {
             long least = work;
-            List<Match> matches = progress.onAllCores(solvers, solver -> "equal work for " + solver.label(), solver ->
-                    find(solver, LOOSEST, least));
+            // there may be more rounds, each with half of what is left
+            List<Match> matches = progress.part(1 - left, 1 - left / 2).onAllCores(solvers, solver -> 1, solver ->
+                    "equal work for " + solver.label(), solver -> find(solver, LOOSEST, least));
+            left /= 2;
             double most = MOST_RAISE * target;
             Optional<Match> over = matches.stream().filter(match -> match.whole() && match.evaluations() <= most
                     && match.evaluations() - least >= match.aStep()).max(Comparator.comparingLong(Match::evaluations));

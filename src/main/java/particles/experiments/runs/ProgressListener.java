@@ -2,7 +2,7 @@ package particles.experiments.runs;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.DoubleAdder;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
@@ -40,18 +40,16 @@ public interface ProgressListener {
      * Does a task for each item, one after the other.
      *
      * @param items the items
-     * @param cost  the time that an item takes, in any unit
+     * @param cost  the time that an item takes, in any unit; asked again before each, by when more may be known
      * @param task  the task, which receives the progress of its part
      * @return the results
      */
     default <T, R> List<R> parts(List<T> items, ToDoubleFunction<T> cost, BiFunction<T, ProgressListener, R> task) {
-        double all = items.stream().mapToDouble(cost).sum();
         List<R> results = new ArrayList<>();
-        double done = 0;
         for (T item : items) {
-            double end = done + cost.applyAsDouble(item) / all;
-            results.add(task.apply(item, part(done, end)));
-            done = end;
+            double all = items.stream().mapToDouble(cost).sum();
+            double done = items.subList(0, results.size()).stream().mapToDouble(cost).sum();
+            results.add(task.apply(item, part(done / all, (done + cost.applyAsDouble(item)) / all)));
         }
         return results;
     }
@@ -60,12 +58,15 @@ public interface ProgressListener {
      * Does a task for each item, several at a time. The tasks must not share anything that one of them changes.
      *
      * @param items the items
+     * @param cost  the time that an item takes, in any unit
      * @param name  names an item that is done
      * @param task  the task; an exception of it ends all
      * @return the results, in the order of the items
      */
-    default <T, R> List<R> onAllCores(List<T> items, Function<T, String> name, Function<T, R> task) {
-        AtomicInteger done = new AtomicInteger();
+    default <T, R> List<R> onAllCores(List<T> items, ToDoubleFunction<T> cost, Function<T, String> name,
+            Function<T, R> task) {
+        double all = items.stream().mapToDouble(cost).sum();
+        DoubleAdder done = new DoubleAdder();
         ClassLoader classes = Thread.currentThread().getContextClassLoader();      // it finds a student's classes
         return items.parallelStream().map(item -> {
             Thread worker = Thread.currentThread();
@@ -74,7 +75,8 @@ public interface ProgressListener {
             try {
                 R result = task.apply(item);
                 synchronized (done) {
-                    reached((double) done.incrementAndGet() / items.size(), name.apply(item));
+                    done.add(cost.applyAsDouble(item));
+                    reached(done.sum() / all, name.apply(item));
                 }
                 return result;
             } finally {
