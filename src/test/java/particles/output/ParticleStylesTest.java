@@ -4,6 +4,7 @@ import static deSolvers.problems.Bounds.assertAbove;
 import static deSolvers.problems.Bounds.assertBelow;
 import static deSolvers.problems.Bounds.assertBetween;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Systems.rk4;
 import static particles.output.SmallPictures.FRONT;
@@ -25,6 +26,7 @@ import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.Systems;
+import particles.law.Particles;
 import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;
@@ -181,23 +183,25 @@ class ParticleStylesTest {
             system.addParticle("p" + k, 1, new Vector3(k, 0, 0), Vector3.ZERO, false);
         }
         TrailRecorder trails = new TrailRecorder(1, 25);
-        trails.take(0, system.getOwnState(), () -> FrameStructure.of(system, List.of()));
+        Particles particles = system.getParticles();
+        trails.take(0, system.getOwnState(), particles);
         system.removeParticles(new boolean[] {true, false, false});
         system.addParticle("new", 1, new Vector3(9, 0, 0), Vector3.ZERO, false);
         FrameStructure structure = FrameStructure.of(system, List.of());
-        trails.take(0.01, system.getOwnState(), () -> structure);
-        trails.take(0.02, system.getOwnState(), () -> structure);
+        trails.take(0.01, system.getOwnState(), particles);
+        trails.take(0.02, system.getOwnState(), particles);
         FrameState state = new FrameState(0.02, system.getOwnState(), structure, trails.samples(), List.of());
         Vector3 one = new Vector3(1, 0, 0);
         assertEquals(List.of(one, one, one), state.path(0), "p1");
         assertEquals(2, state.path(2).size(), "the new one");
+        assertSame(trails.samples().get(0).ids(), trails.samples().get(1).ids(), "nobody is born or removed");
         for (int k = 3; k < 400; k++) {
-            trails.take(0.01 * k, system.getOwnState(), () -> structure);
+            trails.take(0.01 * k, system.getOwnState(), particles);
         }
         int regular = trails.samples().size();
         assertTrue(trails.samples().get(regular - 1).time() <= 2.99 && regular < 110, "the old ones are forgotten");
         for (int k = 0; k < 1000; k++) {
-            trails.takeCorner(3.99, system.getOwnState(), () -> structure);
+            trails.takeCorner(3.99, system.getOwnState(), particles);
         }
         assertEquals(125, trails.samples().size(), "of which " + regular + " are regular");
         assertEquals(Double.POSITIVE_INFINITY, new TrailRecorder(0, 25).getNextTime(),

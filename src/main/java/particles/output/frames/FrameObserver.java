@@ -64,7 +64,7 @@ public final class FrameObserver implements Observer, AutoCloseable {
     public void started(ParticleSystem system) {
         structure = null;
         index = (int) Math.max(0, Math.ceil(system.getTime() * fps - ROUNDING));
-        trails.take(system.getTime(), system.getOwnState(), () -> structure(system));
+        trails.take(system.getTime(), system.getOwnState(), system.getParticles());
         drawIfDue(system);
     }
 
@@ -81,7 +81,7 @@ public final class FrameObserver implements Observer, AutoCloseable {
         }
         for (double time = getNextTime(); time <= motion.getEndTime(); time = getNextTime()) {
             motion.interpolate(time, between);
-            trails.take(time, between, () -> structure(system));
+            trails.take(time, between, system.getParticles());
             if (time == index / fps) {
                 draw(system, between);
             }
@@ -92,7 +92,7 @@ public final class FrameObserver implements Observer, AutoCloseable {
     @Override
     public void changed(ParticleSystem system, Rule rule) {
         structure = null;
-        trails.takeCorner(system.getTime(), system.getOwnState(), () -> structure(system));
+        trails.takeCorner(system.getTime(), system.getOwnState(), system.getParticles());
     }
 
     @Override

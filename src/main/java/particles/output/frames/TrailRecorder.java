@@ -2,12 +2,12 @@ package particles.output.frames;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.Deque;
 import java.util.List;
-import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import particles.law.Particles;
-import particles.output.painters.FrameStructure;
 import particles.output.painters.TrailSample;
 
 /** Records the positions of particles at regular times and at impacts, for as long as trails are visible. */
@@ -44,13 +44,16 @@ public final class TrailRecorder {
      * Takes a sample if it is due.
      *
      * @param state     a state in the layout of the system's state
-     * @param structure says which particles these are
+     * @param particles the particles that it is of
      */
-    public void take(double time, double[] state, Supplier<FrameStructure> structure) {
+    public void take(double time, double[] state, Particles particles) {
         if (time < next) {
             return;
         }
-        String[] ids = structure.get().ids();
+        String[] ids = IntStream.range(0, particles.count()).mapToObj(particles::id).toArray(String[]::new);
+        if (!samples.isEmpty() && Arrays.equals(ids, samples.peekLast().ids())) {
+            ids = samples.peekLast().ids();             // one array for as long as none is born or removed
+        }
         float[] places = new float[3 * ids.length];
         for (int k = 0; k < places.length; k++) {
             places[k] = (float) state[k / 3 * Particles.STRIDE + k % 3];
@@ -66,10 +69,10 @@ public final class TrailRecorder {
      * Takes a sample where paths turn, as at an impact, unless the trail has many of these already. Without it, a
      * bounce would be cut off between two regular samples.
      */
-    public void takeCorner(double time, double[] state, Supplier<FrameStructure> structure) {
+    public void takeCorner(double time, double[] state, Particles particles) {
         if (samples.size() < mostWithCorners) {
             next = time;
-            take(time, state, structure);
+            take(time, state, particles);
         }
     }
 
