@@ -6,14 +6,14 @@ import java.util.function.UnaryOperator;
 import particles.scene.checks.RunLimits;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
-import particles.scene.format.SolverDescription;
 import particles.spec.Key;
 import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
 
 /** Options that replace values of a scene's file; each is read once, and checked as the file's own value is. */
 public final class Overrides {
-    private static final List<Key<?>> KEYS = List.of(SceneFormat.DELTA_T, SceneFormat.DURATION, SceneFormat.THREADS);
+    private static final List<Key<?>> KEYS = List.of(SceneFormat.SOLVER, SceneFormat.DELTA_T, SceneFormat.DURATION,
+            SceneFormat.THREADS);
 
     private final List<UnaryOperator<SceneDescription>> changes = new ArrayList<>();
     private final Problems problems = new Problems();
@@ -35,14 +35,8 @@ public final class Overrides {
         if (text == null) {
             return this;
         }
-        Place place = Place.of(option.apply(name));
-        if (name.equals("solver")) {
-            SolverDescription.NAME.type().readOption(text, place.toString(), problems)
-                    .ifPresent(value -> changes.add(scene -> scene.withSolver(value)
-                            .with(SceneFormat.SOLVER, scene.values().get(SceneFormat.SOLVER), place)));
-        } else {
-            read(KEYS.stream().filter(key -> key.name().equals(name)).findFirst().orElseThrow(), text, place);
-        }
+        read(KEYS.stream().filter(key -> key.name().equals(name)).findFirst().orElseThrow(), text,
+                Place.of(option.apply(name)));
         return this;
     }
 

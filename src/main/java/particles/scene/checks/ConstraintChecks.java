@@ -40,18 +40,11 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
     /** Largest distance from the line of a rod that counts as on it, as a fraction of its length. */
     private static final double IN_LINE = 1e-5;
     private static final double MOST_FEEDBACK = 0.5;
-    /** The largest number of Newton steps; far from a wire each may only halve the distance. */
-    private static final int MOST_STEPS = 100;
+    /** The number of Newton steps; far from a wire two may only halve the distance. */
+    private static final int STEPS = 200;
 
-    /** @return the springs without mistakes of their own */
-    List<Values> checkSprings() {
-        List<Values> springs = withKnownEnds(SceneFormat.SPRINGS);
-        springs.forEach(spring -> checkEnds("spring", spring));
-        return springs;
-    }
-
-    /** @return the rods and wires without mistakes of their own */
-    ConstraintDescription check() {
+    void check() {
+        withKnownEnds(SceneFormat.SPRINGS).forEach(spring -> checkEnds("spring", spring));
         List<Values> rods = withKnownEnds(SceneFormat.RODS);
         rods.stream().filter(rod -> checkEnds("rod", rod)).forEach(this::checkMotion);
         checkLines(rods);
@@ -62,7 +55,6 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
         if (!(rods.isEmpty() && wires.isEmpty()) && settings.isSound()) {
             checkFeedback(settings.get(ConstraintDescription.FEEDBACK));
         }
-        return new ConstraintDescription(rods, wires, settings);
     }
 
     private static String from(Values rod) {
@@ -193,17 +185,12 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
         }
     }
 
-    /** Describes the distance of a point from a wire, found by Newton's method. */
+    /** Describes the distance of a point from a wire, found by Newton's method on one of its functions at a time. */
     private static String distance(Curve curve, Vector3 from) {
         Vector3 at = from;
-        for (int n = 0; n < MOST_STEPS; n++) {
-            Vector3 a = curve.gradient(0, at);
-            Vector3 b = curve.gradient(1, at);
-            double toA = curve.value(0, at);
-            double toB = curve.value(1, at);
-            double determinant = a.dot(a) * b.dot(b) - a.dot(b) * a.dot(b);
-            at = at.minus(a.times((b.dot(b) * toA - a.dot(b) * toB) / determinant))
-                    .minus(b.times((a.dot(a) * toB - a.dot(b) * toA) / determinant));
+        for (int n = 0; n < STEPS; n++) {
+            Vector3 gradient = curve.gradient(n % Curve.ROWS, at);
+            at = at.minus(gradient.times(curve.value(n % Curve.ROWS, at) / gradient.dot(gradient)));
         }
         double distance = at.minus(from).length();
         return Double.isFinite(distance) ? "about " + Digits.few(distance) + " m" : "far";

@@ -46,15 +46,15 @@ record RuleChecks(List<Chosen<RuleKind>> rules, Values scene, Problems problems,
                         + " hard balls are neither born nor removed"));
     }
 
-    /** @param springs whether the scene has springs */
-    void check(boolean springs) {
+    void check() {
         checkBalls();
         Map<String, Place> moved = new HashMap<>();
         for (Chosen<RuleKind> rule : rules) {
             if (known.has(rule.values(), RuleKind.ANCHOR)) {
                 checkAnchor(rule.values().get(RuleKind.ANCHOR), rule.values().place(RuleKind.ANCHOR), moved);
             }
-            if (RuleKind.needsSprings(rule) && !springs && problems.count() == 0) {
+            if (RuleKind.needsSprings(rule) && problems.count() == 0 && scene.list(SceneFormat.SPRINGS).isEmpty()
+                    && known.getIndex().getShapes().stream().allMatch(shape -> shape.springCount() == 0)) {
                 problems.add(rule.place(), rule.kind().getLabel() + " acts on springs, and the scene has none");
             }
         }

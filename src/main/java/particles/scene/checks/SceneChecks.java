@@ -12,8 +12,6 @@ import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneDescription.Drawing;
 import particles.scene.format.SceneFormat;
 import particles.scene.format.SolverDescription;
-import particles.scene.format.SolverDescription.Tolerances;
-import particles.scene.parts.ConstraintDescription;
 import particles.scene.parts.ParticleIndex;
 import particles.spec.Chosen;
 import particles.spec.Values;
@@ -44,26 +42,22 @@ public final class SceneChecks {
                             + " 'particles', such as {id: source, position: [0, 0, 0], fixed: true}"
                     : "the scene has no particle; add some under 'particles' or 'shapes'");
         }
-        ConstraintChecks constraints = new ConstraintChecks(scene, problems, known, index);
-        List<Values> springs = constraints.checkSprings();
-        ConstraintDescription rigid = constraints.check();
+        new ConstraintChecks(scene, problems, known, index).check();
         checkEffects(scene, problems);
         OutsideCheck.check(rules.rules(), index, problems);
-        rules.check(!springs.isEmpty() || index.getShapes().stream().anyMatch(shape -> shape.springCount() > 0));
+        rules.check();
         Optional<Camera> camera = scene.find(SceneFormat.CAMERA).filter(Values::isSound)
                 .flatMap(values -> CameraFormat.of(values, problems));
         scene.find(SceneFormat.OUTPUT).flatMap(output -> output.find(OutputDescription.PHASE))
                 .ifPresent(phase -> checkPhase(phase, problems, known));
         LookCheck.check(scene, problems, known);
-        Optional<Tolerances> tolerances = scene.find(SceneFormat.SOLVER).filter(Values::isSound)
-                .flatMap(values -> SolverDescription.tolerances(values, problems));
+        scene.find(SceneFormat.SOLVER).filter(Values::isSound)
+                .ifPresent(values -> SolverDescription.checkTolerances(values, problems));
         RunLimits.check(scene, problems);
         if (problems.count() > 0) {
             return Optional.empty();
         }
-        return Optional.of(new SceneDescription(scene,
-                new SolverDescription(scene.get(SceneFormat.SOLVER).get(SolverDescription.NAME), tolerances),
-                index, rigid, new Drawing(camera, LookCheck.of(scene, index)),
+        return Optional.of(new SceneDescription(scene, index, new Drawing(camera, LookCheck.of(scene, index)),
                 OutputDescription.of(scene.mapping(SceneFormat.OUTPUT))));
     }
 

@@ -15,15 +15,12 @@ import particles.view.RenderOptions;
 /**
  * The checked contents of a scene file, with options in place of the file's values.
  *
- * @param values      the values by their keys in {@link SceneFormat}; solver and output may since have been replaced
- * @param solving     the solver
- * @param particles   the single particles, first in the state, and the shapes, whose particles follow
- * @param constraints the rods and wires
- * @param drawing     how it is drawn
- * @param output      the files to write
+ * @param values    the values by their keys in {@link SceneFormat}; the output may since have been replaced
+ * @param particles the single particles, first in the state, and the shapes, whose particles follow
+ * @param drawing   how it is drawn
+ * @param output    the files to write
  */
-public record SceneDescription(Values values, SolverDescription solving, ParticleIndex particles,
-        ConstraintDescription constraints, Drawing drawing, OutputDescription output) {
+public record SceneDescription(Values values, ParticleIndex particles, Drawing drawing, OutputDescription output) {
 
     /**
      * How a scene is drawn.
@@ -39,9 +36,20 @@ public record SceneDescription(Values values, SolverDescription solving, Particl
         return values.get(SceneFormat.TITLE);
     }
 
+    /** @return the solver */
+    public SolverDescription solving() {
+        return SolverDescription.of(values.get(SceneFormat.SOLVER));
+    }
+
     /** @return the name of the solver */
     public String solver() {
-        return solving.name();
+        return solving().name();
+    }
+
+    /** @return the rods and wires */
+    public ConstraintDescription constraints() {
+        return new ConstraintDescription(values.get(SceneFormat.RODS), values.get(SceneFormat.WIRES),
+                values.mapping(SceneFormat.CONSTRAINTS));
     }
 
     /** @return the time step (s) */
@@ -84,7 +92,7 @@ public record SceneDescription(Values values, SolverDescription solving, Particl
 
     /** @return the same scene with this solver */
     public SceneDescription withSolver(SolverDescription other) {
-        return new SceneDescription(values, other, particles, constraints, drawing, output);
+        return with(SceneFormat.SOLVER, other.values(values.place(SceneFormat.SOLVER)));
     }
 
     /**
@@ -105,7 +113,7 @@ public record SceneDescription(Values values, SolverDescription solving, Particl
 
     /** @return the same scene with other files to write */
     public SceneDescription withOutput(OutputDescription other) {
-        return new SceneDescription(values, solving, particles, constraints, drawing, other);
+        return new SceneDescription(values, particles, drawing, other);
     }
 
     /** @return the same scene with another value of a key */
@@ -115,7 +123,7 @@ public record SceneDescription(Values values, SolverDescription solving, Particl
 
     /** @return the same scene with another value of a key, which stands at another place */
     public <T> SceneDescription with(Key<T> key, T value, Place place) {
-        return new SceneDescription(values.with(key, value, place), solving, particles, constraints, drawing, output);
+        return new SceneDescription(values.with(key, value, place), particles, drawing, output);
     }
 
     /**

@@ -11,6 +11,7 @@ import particles.spec.MappingType;
 import particles.spec.NameType;
 import particles.spec.NumberType;
 import particles.spec.Values;
+import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
 
 /**
@@ -62,19 +63,30 @@ public record SolverDescription(String name, Optional<Tolerances> tolerances) {
                 : SolverCatalog.create(name, tolerances.get().relative(), tolerances.get().absolute());
     }
 
-    /** @return the tolerances with these values, if they are given and have no problem */
-    public static Optional<Tolerances> tolerances(Values values, Problems problems) {
-        if (!values.isGiven(RELATIVE) && !values.isGiven(ABSOLUTE)) {
-            return Optional.empty();
-        }
-        String name = values.get(NAME);
-        if (SolverCatalog.find(name).filter(solver -> !solver.adaptive()).isPresent()) {
-            problems.add(values.place(values.isGiven(RELATIVE) ? RELATIVE : ABSOLUTE), "solver '" + name
+    /** @return the solver with these values, which have no problem */
+    static SolverDescription of(Values values) {
+        return new SolverDescription(values.get(NAME), values.isGiven(RELATIVE) || values.isGiven(ABSOLUTE)
+                ? Optional.of(new Tolerances(values.find(RELATIVE).orElse(1e-6), values.find(ABSOLUTE).orElse(1e-9)))
+                : Optional.empty());
+    }
+
+    /** @return the values of which {@link #of} makes this solver, as if they stood at this place */
+    Values values(Place place) {
+        Values named = new Values(place).with(NAME, name, place);
+        return tolerances.map(both -> named.with(RELATIVE, both.relative, place).with(ABSOLUTE, both.absolute, place))
+                .orElse(named);
+    }
+
+    /** Adds a problem if these values give tolerances to a solver that has none. */
+    public static void checkTolerances(Values values, Problems problems) {
+        SolverDescription solver = of(values);
+        if (solver.tolerances.isPresent()
+                && SolverCatalog.find(solver.name).filter(known -> !known.adaptive()).isPresent()) {
+            problems.add(values.place(values.isGiven(RELATIVE) ? RELATIVE : ABSOLUTE), "solver '" + solver.name
                     + "' takes steps of deltaT and has no tolerances; solvers with"
                     + " tolerances: " + String.join(", ", SolverCatalog.names().stream()
                             .filter(known -> SolverCatalog.info(known).adaptive()).toList()));
         }
-        return Optional.of(new Tolerances(values.find(RELATIVE).orElse(1e-6), values.find(ABSOLUTE).orElse(1e-9)));
     }
 
     /** Adds a problem if the scene's solver cannot be created. */
