@@ -34,10 +34,8 @@ public class SimulationException extends RuntimeException {
      * @param cause    the cause, or null if the loop itself found the problem
      */
     public SimulationException(double time, int particle, String message, Throwable cause) {
-        super(message, cause);
-        end = End.FAILURE;
-        this.time = time;
-        this.particle = particle;
+        this(End.FAILURE, time, particle, message);
+        initCause(cause);
     }
 
     /**

@@ -89,8 +89,8 @@ public final class EnergyHistory extends StridedRecorder {
         double[] force = new double[system.getStateSize()];
         system.addUpEffects(state, system.getTime(), force);
         Vector3 sum = Vector3.ZERO;
-        for (int i = 0; i < particles.count(); i++) {
-            sum = particles.isFixed(i) ? sum : sum.plus(Vector3.at(force, Particles.STRIDE * i + 3));
+        for (int i : particles.free().toArray()) {
+            sum = sum.plus(Vector3.at(force, Particles.STRIDE * i + 3));
         }
         double weight = Math.sqrt(sum.dot(sum));
         if (!(weight > 0)) {

@@ -95,7 +95,7 @@ public class EnergyLedger extends StridedRecorder {
             }
             if (Collections.disjoint(effect.getTraits(), Trait.OF_ENERGY)) {
                 accounts.add(new Account(effect.getName(), false,
-                        (state, time) -> power(Stream.of(effect), free(system.getParticles()), state, time),
+                        (state, time) -> power(Stream.of(effect), system.getParticles().free(), state, time),
                         effect::getPotentialEnergy));
             }
         }
@@ -188,10 +188,6 @@ public class EnergyLedger extends StridedRecorder {
         return mean;
     }
 
-    private static IntStream free(Particles particles) {
-        return IntStream.range(0, particles.count()).filter(i -> !particles.isFixed(i));
-    }
-
     /** The power of effects' forces on some particles (W). */
     private static double power(Stream<Effect> effects, IntStream particles, double[] state, double time) {
         double[] force = new double[state.length];
@@ -240,10 +236,6 @@ public class EnergyLedger extends StridedRecorder {
 
     /** @return the numerical error (J): the total energy now, minus that at the beginning, minus all work */
     public double getNumericalError() {
-        double explained = 0;
-        for (double joules : getWork().values()) {
-            explained += joules;
-        }
-        return energy - startEnergy - explained;
+        return energy - startEnergy - getWork().values().stream().reduce(0.0, (sum, work) -> sum + work);
     }
 }

@@ -85,7 +85,7 @@ public final class NumericalErrorLimit implements Observer {
     /** Notes the particle with the largest kinetic energy, or one whose energy is not a number. */
     private void find(Motion motion) {
         Particles particles = motion.getSystem().getParticles();
-        strongest = IntStream.range(0, particles.count()).filter(i -> !particles.isFixed(i)).boxed()
+        strongest = particles.free().boxed()
                 .max(Comparator.comparingDouble(i -> {
                     Vector3 v = Vector3.at(motion.getEndState(), Particles.STRIDE * i + 3);
                     return particles.mass(i) * v.dot(v);

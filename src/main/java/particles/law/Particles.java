@@ -127,6 +127,11 @@ public final class Particles {
         return mass;
     }
 
+    /** @return the indices of the particles that can move, from the lowest */
+    public IntStream free() {
+        return IntStream.range(0, count()).filter(i -> !isFixed(i));
+    }
+
     /** @return the index of the fastest particle that can move, or of one whose velocity is not a number; 0 if none */
     public int fastest(double[] state) {
         int fastest = 0;

@@ -91,7 +91,7 @@ public final class SceneBuilder {
                 .forEach(effect -> build(effect, assembly));
         scene.rules().forEach(rule -> rule.kind().build(rule.values(), assembly));
 
-        double estimate = EnergyEstimate.of(system, springs, assembly, Math.max(scene.duration(), scene.deltaT()));
+        double estimate = assembly.energyEstimate(Math.max(scene.duration(), scene.deltaT()));
         Simulation simulation = new Simulation(system, scene.solving()::create, scene.deltaT(),
                 scene.duration());
         Optional<RestingContacts> contacts = Optional.empty();

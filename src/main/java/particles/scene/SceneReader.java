@@ -72,7 +72,7 @@ public final class SceneReader {
     /** As {@link #read(String, byte[])}, with classes as in {@link #read(Path, ClassNames)}. */
     public static SceneDescription read(String source, byte[] bytes, ClassNames classes) {
         Problems problems = new Problems();
-        return readValues(bytes, new Reading(source, problems, classes))
+        return SceneFormat.SCENE.read(bytes, new Reading(source, problems, classes))
                 .flatMap(values -> SceneChecks.describe(values, problems))
                 .orElseThrow(() -> new InvalidInputException(problems.lines()));
     }
@@ -80,12 +80,7 @@ public final class SceneReader {
     /** @return the numbers in a scene's text, in the order in which they are read; of what has mistakes, the others */
     public static List<Reading.NumberInText> numbers(byte[] bytes, ClassNames classes) {
         Reading in = new Reading("", new Problems(), classes);
-        readValues(bytes, in);
+        SceneFormat.SCENE.read(bytes, in);
         return in.numbers();
-    }
-
-    /** Reads the values and checks each by itself, as the schema does; conditions between parts are checked later. */
-    static Optional<Values> readValues(byte[] bytes, Reading in) {
-        return SceneFormat.SCENE.read(bytes, in);
     }
 }

@@ -59,14 +59,10 @@ public record NumberType(double least, double most, String unit, String range) i
             in.numbers().add(new Reading.NumberInText(what, value, in.place(node), least, most, unit));
             return number;
         }
-        if (Double.isNaN(value) && !isNotANumber(node) || Math.abs(value) > HUGE) {
+        if (Double.isNaN(value) && !((ScalarNode) node).getValue().equalsIgnoreCase(".nan") || Math.abs(value) > HUGE) {
             return wrong(node, what, "numbers in a scene are at most 1e30", in);
         }
         return wrong(node, what, in);
-    }
-
-    private static boolean isNotANumber(Node node) {
-        return ((ScalarNode) node).getValue().equalsIgnoreCase(".nan");
     }
 
     /** Parses a number by YAML 1.2's core schema: 1e-3, .5, +2, 0x10, but also .inf and .nan. */

@@ -68,7 +68,7 @@ class SchemaAgreesWithReaderTest {
 
     private static List<String> problems(String text) {
         Problems problems = new Problems();
-        SceneReader.readValues(text.getBytes(StandardCharsets.UTF_8), new Reading("x.yaml", problems));
+        SceneFormat.SCENE.read(text.getBytes(StandardCharsets.UTF_8), new Reading("x.yaml", problems));
         return problems.lines().stream().filter(line -> !line.contains("class 'my.Solver' cannot be used")).toList();
     }
 

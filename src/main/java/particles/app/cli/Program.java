@@ -22,22 +22,18 @@ public record Program(List<ProgramCommand> commands, OptionStyle style, PrintWri
      * @return the exit code
      */
     public ExitCode execute(String... args) {
-        ExitCode code = attempt(args);
+        ExitCode code = ExitCode.DONE;
+        try {
+            run(args);
+        } catch (Throwable thrown) {
+            code = new Failures(err).print(thrown);
+        }
         if (out.checkError()) {
             err.println("some output could not be printed: the destination is full or closed");
             code = code == ExitCode.DONE ? ExitCode.TROUBLE : code;
         }
         err.flush();
         return code;
-    }
-
-    private ExitCode attempt(String... args) {
-        try {
-            run(args);
-            return ExitCode.DONE;
-        } catch (Throwable thrown) {
-            return new Failures(err).print(thrown);
-        }
     }
 
     private void run(String... args) throws Exception {

@@ -99,7 +99,7 @@ public final class PhasePlotsCommand extends ExperimentCommand {
 
     /** The last free particle at the start; particles that are born later have no complete path. */
     private int lastFree(Particles all) {
-        return IntStream.range(0, all.count()).filter(i -> !all.isFixed(i)).max().orElseThrow(() ->
+        return all.free().max().orElseThrow(() ->
                 wrong("scene", "at its start this scene has no free particle, so there is no path to draw"));
     }
 

@@ -57,18 +57,14 @@ public final class CameraFinder {
         } catch (SimulationException | CancellationException e) {
             limits.blewUp |= e instanceof SimulationException;      // the run itself reports why it ends
         }
-        return limits.blewUp ? limits.beforeBlowUp : Box.of(extent);
+        return limits.blewUp ? limits.beforeBlowUp : Box.of(extent, 1);
     }
 
     /** A box from the lowest to the highest coordinates (m). */
     private record Box(Vector3 low, Vector3 high) {
-        static Box of(Extent extent) {
-            return new Box(extent.low(), extent.high());
-        }
-
-        Box grown() {
-            Vector3 more = high.minus(low).times((GROWTH - 1) / 2);
-            return new Box(low.minus(more), high.plus(more));
+        static Box of(Extent extent, double growth) {
+            Vector3 more = extent.high().minus(extent.low()).times((growth - 1) / 2);
+            return new Box(extent.low().minus(more), extent.high().plus(more));
         }
     }
 
@@ -91,7 +87,7 @@ public final class CameraFinder {
             mostEnergy = MOST_ENERGY * scene.energyEstimate();
             mostEvaluations = MOST_PARTICLE_EVALUATIONS / scene.system().getParticles().count();
             extent.started(scene.system());
-            beforeBlowUp = Box.of(extent).grown();      // a run may fail before its first step
+            beforeBlowUp = Box.of(extent, GROWTH);      // a run may fail before its first step
         }
 
         @Override
@@ -101,7 +97,7 @@ public final class CameraFinder {
             double energy = system.getInternalEnergy(state, motion.getEndTime());
             boolean right = Math.abs(ledger.getNumericalError()) <= energy / 2;
             if (right) {
-                beforeBlowUp = Box.of(extent).grown();
+                beforeBlowUp = Box.of(extent, GROWTH);
             }
             blewUp = system.getKineticEnergy(state) > mostEnergy && !right;
             if (blewUp || system.getEvaluations() > mostEvaluations) {

@@ -90,7 +90,7 @@ public final class GalleryCommand extends ProgramCommand {
         RenderOptions look = scene.description().drawing().look();
         ParticleStyle style = look.style();
         Particles particles = scene.system().getParticles();
-        long free = IntStream.range(0, particles.count()).filter(i -> !particles.isFixed(i)).count();
+        long free = particles.free().count();
         if (free > MOST_TRAILS || style.kind() != ParticleStyle.Kind.BALLS || style.trail() > 0) {
             return look;
         }

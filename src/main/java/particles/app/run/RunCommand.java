@@ -128,8 +128,8 @@ public final class RunCommand extends ResultsCommand {
         SceneDescription scene = overrides.applyTo(
                 SceneReader.read(SceneReader.nameOf(file), bytes, new StudentClasses()));
         OutputDescription output = scene.output();
-        description = scene.withOutput(!frames ? output.withoutFrames()
-                : sized(video != null ? output.withFilm(video.equals(OutputDescription.MP4)) : output));
+        boolean film = video != null ? video.equals(OutputDescription.MP4) : output.frames().film();
+        description = scene.withOutput(frames ? sized(output.with(true, film)) : output.with(false, false));
         RunLimits.checkPictures(description, getStyle().option("frames"));
     }
 

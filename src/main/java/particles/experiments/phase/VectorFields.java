@@ -36,7 +36,7 @@ public final class VectorFields {
             return Optional.empty();
         }
         Particles particles = system.getParticles();
-        int[] free = IntStream.range(0, particles.count()).filter(i -> !particles.isFixed(i)).toArray();
+        int[] free = particles.free().toArray();
         double[] xs = grid(x, COLUMNS);
         double[] vs = grid(v, ROWS);
         if (free.length != 1 || xs.length == 0 || vs.length == 0) {

@@ -34,7 +34,7 @@ final class Linearisation {
     Linearisation(ParticleSystem system) {
         this.system = system;
         Particles particles = system.getParticles();
-        places = IntStream.range(0, particles.count()).filter(i -> !particles.isFixed(i))
+        places = particles.free()
                 .flatMap(i -> IntStream.range(3 * i, 3 * i + 3)).toArray();
         rootMasses = Arrays.stream(places).mapToDouble(place -> Math.sqrt(particles.mass(place / 3))).toArray();
         displacement = new double[3 * particles.count()];

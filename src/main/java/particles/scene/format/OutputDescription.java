@@ -107,23 +107,19 @@ public record OutputDescription(Frames frames, boolean energy, Optional<Phase> p
                 values.get(ENERGY), values.find(PHASE).map(Phase::of), values.find(TRAJECTORY_STRIDE));
     }
 
-    /** @return the same files, with a film of the pictures or without one */
-    public OutputDescription withFilm(boolean film) {
-        return with(new Frames(frames.drawn, frames.rate, frames.width, frames.height, frames.animation, film));
+    /**
+     * @param drawn whether there are pictures
+     * @param film  whether there is a film of them
+     * @return the other files of this output, with these
+     */
+    public OutputDescription with(boolean drawn, boolean film) {
+        return new OutputDescription(new Frames(drawn, frames.rate, frames.width, frames.height,
+                drawn ? frames.animation : 0, film), energy, phase, trajectoryStride);
     }
 
     /** @return the same files with frames, animation and film of this size (pixels) */
     public OutputDescription sized(int width, int height) {
-        return with(new Frames(frames.drawn, frames.rate, width, height, frames.animation > 0 ? width : 0,
-                frames.film));
-    }
-
-    /** @return the same files without pictures */
-    public OutputDescription withoutFrames() {
-        return with(new Frames(false, frames.rate, frames.width, frames.height, 0, false));
-    }
-
-    private OutputDescription with(Frames others) {
-        return new OutputDescription(others, energy, phase, trajectoryStride);
+        return new OutputDescription(new Frames(frames.drawn, frames.rate, width, height,
+                frames.animation > 0 ? width : 0, frames.film), energy, phase, trajectoryStride);
     }
 }

@@ -73,8 +73,7 @@ public class RuleKind extends Kind {
 
     /** @return the key with the prefix of new particles' ids, if the rule makes any */
     public final Optional<Key<String>> newIds() {
-        return Stream.of(BirthAndDeath.ID, BirthAndDeath.SAMPLE_ID)
-                .filter(id -> getKeys().stream().anyMatch(key -> key == id)).findFirst();
+        return Stream.of(BirthAndDeath.ID, BirthAndDeath.SAMPLE_ID).filter(getKeys()::contains).findFirst();
     }
 
     /**

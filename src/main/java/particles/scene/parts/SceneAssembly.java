@@ -83,11 +83,6 @@ public final class SceneAssembly implements EffectContext {
         births += massRate;
     }
 
-    /** @return the mass born per second (kg/s) */
-    public double getBirths() {
-        return births;
-    }
-
     @Override
     public Particles particles() {
         return system.getParticles();
@@ -161,18 +156,16 @@ public final class SceneAssembly implements EffectContext {
         acceleration = acceleration.plus(g);
     }
 
-    /** @return the sum of all accelerations noted (m/s&sup2;) */
-    public Vector3 getAcceleration() {
-        return acceleration;
-    }
-
     @Override
     public void noteSpeed(double fastest) {
         speed = Math.max(speed, fastest);
     }
 
-    /** @return the largest speed noted (m/s) */
-    public double getSpeed() {
-        return speed;
+    /**
+     * @param duration the duration of the run (s), over 0
+     * @return the kinetic energy to expect, by the system at its start and all that was noted (J)
+     */
+    public double energyEstimate(double duration) {
+        return new EnergyEstimate(system, duration).joules(acceleration, speed, births);
     }
 }

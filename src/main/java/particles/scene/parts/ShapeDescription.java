@@ -39,13 +39,10 @@ public record ShapeDescription(Chosen<ShapeKind> chosen, Lattice lattice, BitSet
             return problems.add(chosen.place(), kind.getLabel()
                     + " has no extent in one direction: its particles would lie on top of each other");
         }
-        BitSet fixed = new BitSet();
+        ShapeDescription shape = new ShapeDescription(chosen, lattice, new BitSet());
         int before = problems.count();
-        for (String part : new LinkedHashSet<>(values.get(ShapeKind.FIXED))) {
-            addPart(part, lattice, kind, fixed, values.place(ShapeKind.FIXED), problems);
-        }
-        return problems.count() > before ? Optional.empty()
-                : Optional.of(new ShapeDescription(chosen, lattice, fixed));
+        new LinkedHashSet<>(values.get(ShapeKind.FIXED)).forEach(part -> shape.fix(part, problems));
+        return problems.count() > before ? Optional.empty() : Optional.of(shape);
     }
 
     private Values values() {
@@ -73,7 +70,7 @@ public record ShapeDescription(Chosen<ShapeKind> chosen, Lattice lattice, BitSet
     /** @return its springs */
     public List<SpringFamily> springs() {
         return Stream.of(Sort.values()).flatMap(sort -> values().find(sort.key()).stream()
-                .map(family -> SpringFamily.of(sort, family))).toList();
+                .map(family -> new SpringFamily(sort, family))).toList();
     }
 
     /** @return whether it is drawn as a surface */
@@ -81,19 +78,18 @@ public record ShapeDescription(Chosen<ShapeKind> chosen, Lattice lattice, BitSet
         return lattice.counts().size() > 1 && values().get(ShapeKind.SURFACE);
     }
 
-    private static void addPart(String part, Lattice lattice, ShapeKind kind, BitSet fixed, Place place,
-            Problems problems) {
+    private void fix(String part, Problems problems) {
         if (part.endsWith("]")) {
             OptionalInt number = lattice.find(part);
             if (number.isEmpty()) {
-                problems.add(place, "unknown particle " + Wording.quote(part)
+                problems.add(values().place(ShapeKind.FIXED), "unknown particle " + Wording.quote(part)
                         + " in 'fixed'; known: " + lattice.range());
             }
             number.ifPresent(fixed::set);
             return;
         }
         for (int n = 0; n < lattice.size(); n++) {
-            List<String> sides = kind.sidesOf(lattice.indices(n), lattice.counts());
+            List<String> sides = chosen.kind().sidesOf(lattice.indices(n), lattice.counts());
             if (switch (part) {
                 case "corners" -> sides.size() == lattice.counts().size();
                 case "edges" -> !sides.isEmpty();

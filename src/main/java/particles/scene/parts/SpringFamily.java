@@ -66,8 +66,8 @@ public record SpringFamily(Sort sort, double stiffness, double damping) {
         }
     }
 
-    static SpringFamily of(Sort sort, Values values) {
-        return new SpringFamily(sort, values.get(STIFFNESS), values.get(DAMPING));
+    SpringFamily(Sort sort, Values values) {
+        this(sort, values.get(STIFFNESS), values.get(DAMPING));
     }
 
     /** Receives the springs one by one. */

@@ -103,7 +103,7 @@ final class SceneDesign implements Exercise {
 
     private static Mark run(Wanted wanted, Scene scene) {
         Particles particles = scene.system().getParticles();
-        long moving = IntStream.range(0, particles.count()).filter(i -> !particles.isFixed(i)).count();
+        long moving = particles.free().count();
         String solver = scene.description().solver();
         double duration = scene.description().duration();
         int springs = scene.springs().springCount();

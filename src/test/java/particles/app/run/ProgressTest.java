@@ -31,7 +31,7 @@ class ProgressTest {
                 duration: 50
                 particles: [{id: bob, position: [0, 1, 0], fixed: true}]
                 """ + more);
-        return more.startsWith("output") ? scene : scene.withOutput(scene.output().withoutFrames());
+        return more.startsWith("output") ? scene : scene.withOutput(scene.output().with(false, false));
     }
 
     /** Runs 100 steps in the given time on the clock. */

@@ -1,4 +1,4 @@
-package particles.scene;
+package particles.scene.parts;
 
 import java.util.Collections;
 import java.util.DoubleSummaryStatistics;
@@ -25,39 +25,36 @@ import particles.scene.parts.SceneAssembly;
  * If all four are 0, nothing in the scene causes motion. The estimate is then the kinetic energy with which every
  * particle would cross the scene once during the run, the sum of m (L/T)&sup2;/2 with L the scene's extent, or 1 m if
  * that is 0. Fixed particles do not count, except for H and L; if all are fixed it is 1 J.
+ *
+ * @param system   the system at its start
+ * @param duration the duration of the run (s), over 0
  */
-final class EnergyEstimate {
-    private EnergyEstimate() {
-    }
-
+record EnergyEstimate(ParticleSystem system, double duration) {
     /**
-     * @param system   the system at its start
-     * @param springs  its springs
-     * @param assembly its gravity and wind
-     * @param duration the duration of the run (s), over 0
-     * @return the scale (J), over 0
+     * @param g      the sum of the accelerations of uniform fields (m/s&sup2;)
+     * @param speed  the largest speed of wind, emitters and moving anchors (m/s)
+     * @param births the mass born per second (kg/s)
+     * @return the estimate (J), over 0
      */
-    static double of(ParticleSystem system, SpringForce springs, SceneAssembly assembly, double duration) {
-        double[] state = system.getOwnState();
-        double mass = system.getParticles().freeMass() + assembly.getBirths() * duration;
+    double joules(Vector3 g, double speed, double births) {
+        double mass = system.getParticles().freeMass() + births * duration;
         if (mass == 0) {
             return 1;
         }
-        double atStart = system.getKineticEnergy(state) + springs.getPotentialEnergy(state, system.getTime());
+        double atStart = system.getKineticEnergy(system.getOwnState());
         for (Effect effect : system.getEffects()) {
-            if (effect != springs && !Trait.isUniform(effect)) {
-                atStart += Math.abs(effect.getPotentialEnergy(state, system.getTime()));
+            if (!Trait.isUniform(effect)) {
+                atStart += Math.abs(effect.getPotentialEnergy(system.getOwnState(), system.getTime()));
             }
         }
-        double g = assembly.getAcceleration().length();
-        double height = g == 0 ? 0 : extent(system, assembly.getAcceleration().normalized());
-        double byGravity = mass * g * (height + g * duration * duration / 2);
-        double byWind = mass * assembly.getSpeed() * assembly.getSpeed() / 2;
-        double scale = Math.max(Math.max(atStart, byOwnLaws(system, duration)), Math.max(byGravity, byWind));
-        return scale > 0 ? scale : crossing(system, mass, duration);
+        double height = g.isZero() ? 0 : extent(g.normalized());
+        double byGravity = mass * g.length() * (height + g.length() * duration * duration / 2);
+        double byWind = mass * speed * speed / 2;
+        double scale = Math.max(Math.max(atStart, byOwnLaws()), Math.max(byGravity, byWind));
+        return scale > 0 ? scale : crossing(mass);
     }
 
-    private static double byOwnLaws(ParticleSystem system, double duration) {
+    private double byOwnLaws() {
         double[] force = new double[system.getStateSize()];
         for (Effect effect : system.getEffects()) {
             if (Collections.disjoint(effect.getTraits(), Trait.OF_ENERGY)) {
@@ -72,14 +69,14 @@ final class EnergyEstimate {
         return energy;
     }
 
-    private static double crossing(ParticleSystem system, double mass, double duration) {
-        double extent = Math.max(extent(system, new Vector3(1, 0, 0)),
-                Math.max(extent(system, new Vector3(0, 1, 0)), extent(system, new Vector3(0, 0, 1))));
+    private double crossing(double mass) {
+        double extent = Stream.of(new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1))
+                .mapToDouble(this::extent).max().orElseThrow();
         double speed = (extent > 0 ? extent : 1) / duration;
         return Math.max(Double.MIN_NORMAL, mass * speed * speed / 2);
     }
 
-    private static double extent(ParticleSystem system, Vector3 direction) {
+    private double extent(Vector3 direction) {
         DoubleSummaryStatistics along = system.getParticles().along(system.getOwnState(), direction);
         return along.getMax() - along.getMin();
     }
