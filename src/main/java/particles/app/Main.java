@@ -1,6 +1,10 @@
 package particles.app;
 
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -8,7 +12,6 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Program;
 import particles.app.cli.ProgramCommand;
-import particles.app.cli.StandardOutput;
 import particles.app.course.AutogradingCommand;
 import particles.app.course.GradeClassCommand;
 import particles.app.course.GradeCommand;
@@ -92,5 +95,32 @@ public final class Main {
                 new ExercisesCommand(), new ExerciseCommand(), new GradeCommand(exercises()),
                 new GradeClassCommand(), new SheetsCommand(), new AutogradingCommand()));
         return commands;
+    }
+
+    /** Standard output. If it goes to a program that reads no further, as {@code head} does, the rest is dropped. */
+    private static final class StandardOutput extends FileOutputStream {
+        private static final Path DEVICE = Path.of("/dev/stdout");
+        private static final int FILE_TYPE = 0xf000;
+        private static final int PIPE = 0x1000;
+
+        StandardOutput() {
+            super(FileDescriptor.out);
+        }
+
+        @Override
+        public void write(byte[] bytes, int offset, int length) throws IOException {
+            try {
+                super.write(bytes, offset, length);
+            } catch (IOException e) {
+                if (!isPipe()) {
+                    throw e;                                // a full disk, for example
+                }
+            }
+        }
+
+        /** Asks for the kind of file, since the message of an exception depends on the user's language. */
+        private static boolean isPipe() throws IOException {
+            return Files.exists(DEVICE) && ((int) Files.getAttribute(DEVICE, "unix:mode") & FILE_TYPE) == PIPE;
+        }
     }
 }

@@ -2,7 +2,6 @@ package particles.energy;
 
 import deSolvers.text.Digits;
 import java.util.Comparator;
-import java.util.stream.IntStream;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;

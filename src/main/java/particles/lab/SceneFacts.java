@@ -15,12 +15,12 @@ import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
 import particles.spec.Ordered;
 import particles.view.Camera;
-import particles.view.CurveView;
-import particles.view.ParticleMark;
 import particles.view.ParticleStyle;
+import particles.view.ParticleStyle.ParticleMark;
 import particles.view.RenderOptions;
 import particles.view.Scenery;
-import particles.view.Surface;
+import particles.view.Scenery.CurveView;
+import particles.view.Scenery.Surface;
 
 /** The facts of a scene that the page needs before its first frame. */
 final class SceneFacts {

@@ -27,11 +27,11 @@ import particles.scene.parts.SceneAssembly;
 import particles.scene.parts.ShapeDescription;
 import particles.scene.parts.SpringDescription;
 import particles.scene.parts.SpringFamily;
-import particles.spec.Chosen;
+import particles.spec.Kind.Chosen;
 import particles.spec.Values;
 import particles.spec.messages.InvalidInputException;
 import particles.spec.messages.Problems;
-import particles.view.Surface;
+import particles.view.Scenery.Surface;
 
 /**
  * Builds a simulation from a scene description. It creates only the effects and rules that the description names, and

@@ -2,14 +2,12 @@ package particles.scene;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import particles.scene.checks.SceneChecks;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
 import particles.spec.ClassNames;
 import particles.spec.Reading;
 import particles.spec.SourceText;
-import particles.spec.Values;
 import particles.spec.messages.InvalidInputException;
 import particles.spec.messages.Problems;
 

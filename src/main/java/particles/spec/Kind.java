@@ -2,6 +2,7 @@ package particles.spec;
 
 import java.util.List;
 import java.util.Optional;
+import particles.spec.messages.Place;
 
 /** A named kind of list entry, a mapping with its own keys: an effect, a rule, a shape, a wire. */
 public abstract class Kind extends MappingType {
@@ -25,5 +26,16 @@ public abstract class Kind extends MappingType {
     /** @return the name by which scenes choose it */
     public final String getName() {
         return name;
+    }
+
+    /**
+     * One entry of a list in a file: the kind that it names, its values and its place.
+     *
+     * @param kind   the kind
+     * @param values the values of its keys
+     * @param place  the place of its name
+     * @param <K>    the common class of the kinds
+     */
+    public record Chosen<K extends Kind>(K kind, Values values, Place place) {
     }
 }

@@ -1,6 +1,7 @@
 package particles.view;
 
 import java.util.List;
+import java.util.OptionalInt;
 
 /**
  * The drawing style of free particles: kind, colours, trails, day or night.
@@ -46,5 +47,16 @@ public record ParticleStyle(Kind kind, List<Integer> ageColours, double trail, b
     /** @return the same with trails of this duration (s) */
     public ParticleStyle withTrail(double seconds) {
         return new ParticleStyle(kind, ageColours, seconds, night, arrows, marks);
+    }
+
+    /**
+     * The drawing style of one particle that differs from all others.
+     *
+     * @param particle its id
+     * @param colour   its colour and that of its trail, 0xRRGGBB, if it has one of its own
+     * @param radius   the radius of its ball (m); 0 for that of all others
+     * @param label    the text beside it; empty for none
+     */
+    public record ParticleMark(String particle, OptionalInt colour, double radius, String label) {
     }
 }

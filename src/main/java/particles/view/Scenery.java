@@ -3,6 +3,7 @@ package particles.view;
 import java.util.List;
 import particles.law.Plane;
 import particles.law.Sphere;
+import particles.law.Vector3;
 
 /**
  * Things to draw beside particles and springs: surfaces, planes, spheres and wires.
@@ -22,5 +23,27 @@ public record Scenery(List<Surface> surfaces, List<Plane> planes, List<Sphere> s
         planes = List.copyOf(planes);
         spheres = List.copyOf(spheres);
         wires = List.copyOf(wires);
+    }
+
+    /**
+     * A surface spanned by particles, to be drawn shaded.
+     *
+     * @param triangles indices of particles, three a triangle, counter-clockwise seen from the front
+     * @param ofSprings whether springs along the edges hold it together: a triangle with fewer than two of them left is
+     *                  torn and not drawn
+     */
+    public record Surface(int[] triangles, boolean ofSprings) {
+    }
+
+    /** A curve in space, as needed for drawing. */
+    public interface CurveView {
+        /**
+         * @param u the curve's parameter, a length along the curve or along a straight line beside it (m); any number
+         * @return the point (m)
+         */
+        Vector3 at(double u);
+
+        /** @return the u at which a closed curve is back at its beginning (m); infinity for an open one */
+        double length();
     }
 }

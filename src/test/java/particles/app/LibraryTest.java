@@ -12,11 +12,11 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import particles.app.cli.Version;
+import particles.app.cli.Program;
 
 /** README's programs compile and run with the project's jar, as in somebody else's project. */
 class LibraryTest {
-    private static final String JAR = "build/libs/desolver-" + Version.CURRENT + ".jar";
+    private static final String JAR = "build/libs/desolver-" + Program.VERSION + ".jar";
     private static final List<String> EXAMPLES = Pattern.compile("(?s)```java\n(.*?)```").matcher(ReadmeTest.README)
             .results().map(block -> block.group(1)).toList();
 

@@ -18,8 +18,8 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
+import particles.app.cli.Program;
 import particles.app.cli.ProgramCommand;
-import particles.app.cli.Version;
 import particles.app.run.RunCommand;
 import particles.app.run.StopRequest;
 import particles.teaching.exercises.Exercises;
@@ -118,7 +118,7 @@ class ReadmeTest {
 
     @Test
     void theBuildHasTheVersionAndSetsTheStartedByProperty() {
-        for (String line : List.of("version = '" + Version.CURRENT + "'",
+        for (String line : List.of("version = '" + Program.VERSION + "'",
                 "systemProperty '" + OptionStyle.STARTED_BY + "', 'gradle'")) {
             assertTrue(BUILD.contains(line), line);
         }

@@ -16,7 +16,7 @@ import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
 import particles.app.run.RunCommand;
 import particles.app.run.StopRequest;
-import particles.scene.SceneName;
+import particles.scene.SceneFiles.SceneName;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 

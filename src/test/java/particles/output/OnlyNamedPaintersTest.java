@@ -24,12 +24,12 @@ import particles.law.Plane;
 import particles.law.Vector3;
 import particles.output.frames.FrameRenderer;
 import particles.output.painters.FrameState;
-import particles.view.CurveView;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
-import particles.view.Surface;
+import particles.view.Scenery.CurveView;
+import particles.view.Scenery.Surface;
 
 /** A renderer has memory only for layers that a picture shows; all its layers are counted after a frame. */
 class OnlyNamedPaintersTest {

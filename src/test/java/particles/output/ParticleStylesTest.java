@@ -38,8 +38,8 @@ import particles.output.painters.TrailSample;
 import particles.view.Camera;
 import particles.view.ParticleStyle;
 import particles.view.Scenery;
+import particles.view.Scenery.Surface;
 import particles.view.SpringList;
-import particles.view.Surface;
 
 /** Styles of particles: areas, positions and brightness against computed values. */
 class ParticleStylesTest {

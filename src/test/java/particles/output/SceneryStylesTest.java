@@ -22,11 +22,11 @@ import particles.law.Vector3;
 import particles.output.frames.FrameRenderer;
 import particles.output.painters.FrameState;
 import particles.view.Camera;
-import particles.view.CurveView;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
+import particles.view.Scenery.CurveView;
 
 /** Sizes and positions of drawn rods, wires and spheres. */
 class SceneryStylesTest {

@@ -19,14 +19,14 @@ import particles.output.painters.FrameState;
 import particles.output.painters.FrameStructure;
 import particles.output.painters.TrailSample;
 import particles.view.Camera;
-import particles.view.CurveView;
-import particles.view.ParticleMark;
 import particles.view.ParticleStyle;
+import particles.view.ParticleStyle.ParticleMark;
 import particles.view.RenderOptions;
 import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
+import particles.view.Scenery.CurveView;
+import particles.view.Scenery.Surface;
 import particles.view.SpringList;
-import particles.view.Surface;
 
 /** Small pictures seen from the front, 20 pixels a metre, for tests that count pixels. */
 public final class SmallPictures {

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import particles.spec.messages.InvalidInputException;
-import particles.view.ParticleMark;
+import particles.view.ParticleStyle.ParticleMark;
 import particles.view.RenderOptions;
 
 /** Balls of a scene have the radius that it gives them, in the law of repulsion and in pictures. */

@@ -14,12 +14,12 @@ import particles.law.Vector3;
 import particles.scene.format.OutputDescription.Phase;
 import particles.spec.messages.InvalidInputException;
 import particles.view.Camera;
-import particles.view.CurveView;
-import particles.view.ParticleMark;
 import particles.view.ParticleStyle;
+import particles.view.ParticleStyle.ParticleMark;
 import particles.view.RenderOptions;
 import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
+import particles.view.Scenery.CurveView;
 
 class SceneBuilderTest {
     private static final String HEAD = "title: T\nteaches: t\nsolver: rk4\ndeltaT: 0.01\nduration: 2\n";

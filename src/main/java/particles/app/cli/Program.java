@@ -17,6 +17,9 @@ import picocli.CommandLine.ParseResult;
  * @param err      the error stream
  */
 public record Program(List<ProgramCommand> commands, OptionStyle style, PrintWriter out, PrintWriter err) {
+    /** The program's version, written to run.json; equal to that in build.gradle. */
+    public static final String VERSION = "0.1.0";
+
     /**
      * @param args a command's name and its options, {@code --name=value}
      * @return the exit code

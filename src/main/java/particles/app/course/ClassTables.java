@@ -16,7 +16,7 @@ import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import particles.app.cli.Version;
+import particles.app.cli.Program;
 import particles.app.course.Result.HandIn;
 import particles.app.course.Result.Item;
 import particles.app.course.Result.Status;
@@ -130,7 +130,7 @@ final class ClassTables {
         ResultPageWriter.write(files, page, ChartFormat.PAGE);
         ReportWriter.write(files, "class.html", new Report(page.title(), List.of(), List.of(new Report.Section(
                 GradeClassCommand.NAME, "marks the hand-ins of a class", folder, 0, Optional.of(page),
-                Optional.empty())), "version " + Version.CURRENT));
+                Optional.empty())), "version " + Program.VERSION));
         return results.size() + " students; table: " + folder.resolve("class.html");
     }
 }

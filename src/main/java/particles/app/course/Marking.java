@@ -17,7 +17,7 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
-import particles.app.cli.Version;
+import particles.app.cli.Program;
 import particles.app.course.Result.HandIn;
 import particles.app.course.Result.Item;
 import particles.app.course.Result.Status;
@@ -74,7 +74,7 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
      */
     static Supplier<Result> begin(String student, Submission handIn, Assignment assignment, List<String> numbers,
             Path results, Path copy) throws IOException {
-        String digest = digest(Version.CURRENT + '\0' + assignment + '\0' + numbers + handIn.digest());
+        String digest = digest(Program.VERSION + '\0' + assignment + '\0' + numbers + handIn.digest());
         Optional<Result> earlier = earlier(results.resolve(Result.FILE)).filter(result -> result.isDecided()
                 && result.digest().equals(digest) && result.student().equals(student));
         if (earlier.isPresent()) {
@@ -109,7 +109,7 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
                 .toList();
         return () -> {
             items.addAll(classes());
-            return new Result(new HandIn(student, handIn.name(), handIn.newest()), Version.CURRENT, digest, problems,
+            return new Result(new HandIn(student, handIn.name(), handIn.newest()), Program.VERSION, digest, problems,
                     Copies.of(sources), items);
         };
     }

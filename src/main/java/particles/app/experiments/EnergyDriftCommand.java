@@ -1,7 +1,7 @@
 package particles.app.experiments;
 
 import java.util.List;
-import particles.app.cli.Mistakes;
+import particles.app.cli.ProgramCommand.Mistakes;
 import particles.experiments.energy.DriftCharts;
 import particles.experiments.energy.DriftHeadline;
 import particles.experiments.energy.EnergyDrift;

@@ -15,10 +15,10 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import particles.app.cli.ChartOptions;
 import particles.app.cli.Failures;
-import particles.app.cli.Mistakes;
 import particles.app.cli.PrintedProgress;
+import particles.app.cli.Program;
+import particles.app.cli.ProgramCommand.Mistakes;
 import particles.app.cli.ResultsCommand;
-import particles.app.cli.Version;
 import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
@@ -120,7 +120,7 @@ public final class ReportCommand extends ResultsCommand {
                     Optional.ofNullable(wrong.get(experiment)),
                     (done, what) -> part.reached(done, experiment.name() + ", " + what)));
             ReportWriter.write(folder, FILE, new Report(title(), text(), sections,
-                    Digits.format("Made by gradle report of DESolver %s in %.0f s.", Version.CURRENT,
+                    Digits.format("Made by gradle report of DESolver %s in %.0f s.", Program.VERSION,
                     (System.nanoTime() - begin) * NANO)));
         }
         for (Section section : sections) {

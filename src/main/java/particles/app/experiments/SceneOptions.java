@@ -3,7 +3,7 @@ package particles.app.experiments;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Supplier;
-import particles.app.cli.Mistakes;
+import particles.app.cli.ProgramCommand.Mistakes;
 import particles.app.cli.ResultsCommand;
 import particles.app.student.StudentClasses;
 import particles.experiments.runs.SolverChoice;

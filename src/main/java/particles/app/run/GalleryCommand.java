@@ -5,7 +5,6 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.IntStream;
 import particles.app.cli.ProgramCommand;
 import particles.app.student.StudentClasses;
 import particles.law.Particles;
@@ -19,9 +18,11 @@ import particles.output.frames.Pipeline;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneFiles;
-import particles.scene.SceneName;
+import particles.scene.SceneFiles.SceneName;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
+import particles.scene.format.SceneFormat;
+import particles.spec.documents.Reference;
 import particles.view.Camera;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
@@ -39,6 +40,40 @@ public final class GalleryCommand extends ProgramCommand {
     /** The largest number of trails; more would hide the motion. */
     private static final int MOST_TRAILS = 6;
 
+    /** The page's name, in the folder of scenes. */
+    public static final String FILE = "README.md";
+    /** The folder of its pictures, in the folder of scenes. */
+    public static final String PICTURES = "pictures";
+
+    private static final String BEGINNING = """
+            # Scenes
+
+            A scene is a text file that names particles, forces, rules and a solver. `gradle run -Pscene=9` runs scene
+            9; `-Pscene=my-scene.yaml` runs a file of your own. To write one, copy the scene nearest to what you want
+            and change it: each file explains itself in comments. Editors that know JSON Schema complete and check
+            keys: the first line of a scene names the schema, `scene.schema.json`.
+
+            `gradle gallery` writes this page, with one picture of each scene. Lines are the paths of
+            particles.
+
+            | picture | scene |
+            | --- | --- |
+            """;
+    /** A picture twice as fine as it is shown, for sharp screens, and the words beside it. */
+    private static final String ROW = """
+            | <img src="%3$s/%1$s.png" alt="%6$s" width="320"> \
+            | [%1$s](%1$s.yaml): **%2$s**<br>%4$s<br>Solver: %5$s |
+            """;
+    private static final String KEYS = """
+
+            ## Keys of a scene file
+
+            Lengths are in metres, masses in kilograms, times in seconds; y points up. Keys whose default is *required*
+            have to be given, and keys with an empty default may be left out unless their meaning says otherwise. An
+            unknown key is an error, reported with its line.
+
+            """;
+
     private final Path folder;
 
     /** @param folder the folder of the scenes and of the page */
@@ -49,8 +84,8 @@ public final class GalleryCommand extends ProgramCommand {
     @Override
     public void run(PrintWriter out) throws IOException {
         // read all scenes before drawing any
-        String page = GalleryPage.of(folder);
-        Path pictures = Files.createDirectories(folder.resolve(GalleryPage.PICTURES));
+        String page = page(folder);
+        Path pictures = Files.createDirectories(folder.resolve(PICTURES));
         try (Pipeline<Path> scenes = new Pipeline<>(Runtime.getRuntime().availableProcessors(), () -> pictures)) {
             for (Path file : SceneFiles.list(folder)) {
                 scenes.add(into -> {
@@ -63,8 +98,8 @@ public final class GalleryCommand extends ProgramCommand {
                 });
             }
         }
-        Files.writeString(folder.resolve(GalleryPage.FILE), page);
-        out.println("the gallery: " + folder.resolve(GalleryPage.FILE));
+        Files.writeString(folder.resolve(FILE), page);
+        out.println("the gallery: " + folder.resolve(FILE));
     }
 
     private static void draw(Path file, Path picture) {
@@ -95,5 +130,24 @@ public final class GalleryCommand extends ProgramCommand {
             return look;
         }
         return look.withStyle(style.withTrail(duration));
+    }
+
+    /**
+     * @param folder the folder of the scenes
+     * @return the page, in Markdown
+     */
+    public static String page(Path folder) {
+        StringBuilder page = new StringBuilder(BEGINNING);
+        for (Path file : SceneFiles.list(folder)) {
+            page.append(row(SceneName.of(file), SceneReader.read(file, new StudentClasses())));
+        }
+        return page + KEYS + Reference.of(SceneFormat.SCENE, "###");
+    }
+
+    private static String row(SceneName name, SceneDescription scene) {
+        String words = String.join(" ", scene.values().get(SceneFormat.TEACHES).strip().split("\\s+"));
+        String teaches = words.replace("|", "\\|");
+        return ROW.formatted(name.whole(), scene.title(), PICTURES, teaches, scene.solver(),
+                scene.title().replace("\"", "&quot;"));
     }
 }

@@ -7,7 +7,7 @@ import java.util.List;
 import particles.app.cli.ProgramCommand;
 import particles.app.student.StudentClasses;
 import particles.scene.SceneFiles;
-import particles.scene.SceneName;
+import particles.scene.SceneFiles.SceneName;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import particles.Simulation;
-import particles.app.cli.Version;
+import particles.app.cli.Program;
 import particles.energy.EnergyHistory;
 import particles.energy.EnergyLedgerRecorder;
 import particles.energy.EnergyRecorder;
@@ -60,7 +60,7 @@ record Summary(String name, String hash, Scene scene, EnergyRecorder recorder, d
                 "relativeNumericalError", relative(books().getNumericalError()),
                 "largestRelativeNumericalError", relative(books().getLargestNumericalError()),
                 "work", books().getWork());
-        return JsonText.of(Ordered.map("version", Version.CURRENT, "scene", name, "sceneSha256", hash,
+        return JsonText.of(Ordered.map("version", Program.VERSION, "scene", name, "sceneSha256", hash,
                 "solver", scene.description().solver(), "deltaT", simulation().getDeltaT(),
                 "duration", simulation().getDuration(), "endTime", scene.system().getTime(),
                 "steps", simulation().getSteps(), "evaluations", scene.system().getEvaluations(),

@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.app.cli.ChartOptions;
-import particles.app.cli.Mistakes;
+import particles.app.cli.ProgramCommand.Mistakes;
 import particles.app.student.Check.Checked;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.Panel;

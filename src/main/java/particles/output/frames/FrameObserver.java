@@ -10,7 +10,7 @@ import particles.output.files.OutputException;
 import particles.output.painters.FrameState;
 import particles.output.painters.FrameStructure;
 import particles.output.painters.TrailSample;
-import particles.view.ParticleMark;
+import particles.view.ParticleStyle.ParticleMark;
 
 /**
  * An observer that draws frames at regular simulated times, frame i at i / fps. Between two steps the motion is

@@ -10,7 +10,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.law.Particles;
-import particles.view.ParticleMark;
+import particles.view.ParticleStyle.ParticleMark;
 import particles.view.SpringList;
 
 /**

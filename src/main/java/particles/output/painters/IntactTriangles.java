@@ -2,8 +2,8 @@ package particles.output.painters;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import particles.view.Scenery.Surface;
 import particles.view.SpringList;
-import particles.view.Surface;
 
 /** Finds the intact triangles of a surface: in a tearing cloth, one with fewer than two spring edges left is torn. */
 public final class IntactTriangles {

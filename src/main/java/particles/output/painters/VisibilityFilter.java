@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import particles.view.RenderOptions;
 import particles.view.RenderOptions.Visibility;
-import particles.view.Surface;
+import particles.view.Scenery.Surface;
 
 /**
  * Decides which particles and springs are drawn: those of a surface can be left out, and with a closed surface such as

@@ -7,7 +7,7 @@ import particles.law.Vector3;
 import particles.output.raster.CameraProjection;
 import particles.output.raster.CameraProjection.Place;
 import particles.output.raster.RoundShapes;
-import particles.view.CurveView;
+import particles.view.Scenery.CurveView;
 
 /**
  * Draws curves in space as wires; infinite ones are cut off outside the picture.

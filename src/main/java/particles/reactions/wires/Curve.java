@@ -1,7 +1,7 @@
 package particles.reactions.wires;
 
 import particles.law.Vector3;
-import particles.view.CurveView;
+import particles.view.Scenery.CurveView;
 
 /**
  * A wire: a curve in space along which a bead slides, defined as the common zeros of two smooth functions of position.

@@ -15,8 +15,8 @@ import particles.scene.parts.RuleKind;
 import particles.scene.parts.ShapeDescription;
 import particles.spec.Values;
 import particles.spec.messages.Problems;
-import particles.view.ParticleMark;
 import particles.view.ParticleStyle;
+import particles.view.ParticleStyle.ParticleMark;
 import particles.view.RenderOptions;
 
 /** Draws balls with their radius: that of an effect, or their own. A shape's mark is that of its particles. */

@@ -11,7 +11,7 @@ import particles.scene.parts.ParticleDescription;
 import particles.scene.parts.ParticleIndex;
 import particles.scene.parts.RuleKind;
 import particles.scene.parts.ShapeDescription;
-import particles.spec.Chosen;
+import particles.spec.Kind.Chosen;
 import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
 

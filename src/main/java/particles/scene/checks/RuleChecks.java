@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import particles.scene.format.SceneFormat;
 import particles.scene.parts.RuleKind;
-import particles.spec.Chosen;
+import particles.spec.Kind.Chosen;
 import particles.spec.Values;
 import particles.spec.messages.Place;
 import particles.spec.messages.Problems;

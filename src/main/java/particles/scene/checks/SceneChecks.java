@@ -13,7 +13,7 @@ import particles.scene.format.SceneDescription.Drawing;
 import particles.scene.format.SceneFormat;
 import particles.scene.format.SolverDescription;
 import particles.scene.parts.ParticleIndex;
-import particles.spec.Chosen;
+import particles.spec.Kind.Chosen;
 import particles.spec.Values;
 import particles.spec.messages.Place;
 import particles.spec.messages.Problems;

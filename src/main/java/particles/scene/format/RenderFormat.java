@@ -11,9 +11,9 @@ import particles.spec.NumberType;
 import particles.spec.TextType;
 import particles.spec.Values;
 import particles.spec.messages.Problems;
-import particles.view.ParticleMark;
 import particles.view.ParticleStyle;
 import particles.view.ParticleStyle.Kind;
+import particles.view.ParticleStyle.ParticleMark;
 import particles.view.RenderOptions;
 import particles.view.RenderOptions.Visibility;
 

@@ -2,6 +2,7 @@ package particles.scene.parts;
 
 import java.util.Collections;
 import java.util.DoubleSummaryStatistics;
+import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.effects.springs.SpringForce;
 import particles.law.Effect;

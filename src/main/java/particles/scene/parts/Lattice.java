@@ -7,7 +7,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.law.Vector3;
-import particles.view.Surface;
+import particles.view.Scenery.Surface;
 
 /**
  * A regular grid of particles in one, two or three directions: a rope, a cloth or a block. The first index varies

@@ -18,9 +18,9 @@ import particles.law.Vector3;
 import particles.reactions.contact.ContactSurface;
 import particles.rules.Collisions;
 import particles.rules.Deaths;
-import particles.view.CurveView;
 import particles.view.Scenery;
-import particles.view.Surface;
+import particles.view.Scenery.CurveView;
+import particles.view.Scenery.Surface;
 
 /** A scene under construction: effects and rules are added to it and share its wind, surfaces and totals. */
 public final class SceneAssembly implements EffectContext {

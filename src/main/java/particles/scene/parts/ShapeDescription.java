@@ -7,11 +7,9 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import particles.law.Vector3;
 import particles.scene.parts.SpringFamily.Sort;
-import particles.spec.Chosen;
+import particles.spec.Kind.Chosen;
 import particles.spec.Values;
-import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
 

@@ -24,7 +24,7 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
 import particles.scene.SceneFiles;
-import particles.scene.SceneName;
+import particles.scene.SceneFiles.SceneName;
 
 /** The gallery of scenes: its page matches the scenes, and each scene has its picture. */
 class GalleryTest {
@@ -33,7 +33,7 @@ class GalleryTest {
 
     @Test
     void thePageMatchesTheScenes() throws IOException {
-        assertEquals(GalleryPage.of(SCENES), Files.readString(SCENES.resolve(GalleryPage.FILE)),
+        assertEquals(GalleryCommand.page(SCENES), Files.readString(SCENES.resolve(GalleryCommand.FILE)),
                 "scenes/README.md is out of date; gradle gallery writes it again");
     }
 
@@ -43,7 +43,7 @@ class GalleryTest {
                 .collect(Collectors.toCollection(TreeSet::new));
         Set<String> pictures = new TreeSet<>();
         long bytes = 0;
-        try (Stream<Path> files = Files.list(SCENES.resolve(GalleryPage.PICTURES))) {
+        try (Stream<Path> files = Files.list(SCENES.resolve(GalleryCommand.PICTURES))) {
             for (Path file : files.toList()) {
                 pictures.add(file.getFileName().toString());
                 bytes += Files.size(file);

@@ -33,8 +33,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
+import particles.app.cli.Program;
 import particles.app.cli.Screen;
-import particles.app.cli.Version;
 import particles.scene.SceneFiles;
 
 /** Runs through the program: files, output and exit codes. */
@@ -187,7 +187,7 @@ class RunCommandTest {
                 "files in " + out + ": frames, animation.gif, energy.png, phase.png, trajectory.csv, run.json");
         assertJson("\"scene\" : \"01-block\"", "\"solver\" : \"rk4\"", "\"steps\" : 50",
                 "\"evaluations\" : 200",
-                "\"version\" : \"" + Version.CURRENT + "\"", "\"endTime\" : 0.5");
+                "\"version\" : \"" + Program.VERSION + "\"", "\"endTime\" : 0.5");
     }
 
     @Test

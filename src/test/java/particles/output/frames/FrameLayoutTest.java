@@ -25,10 +25,10 @@ import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
-import particles.view.CurveView;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions.Visibility;
-import particles.view.Surface;
+import particles.view.Scenery.CurveView;
+import particles.view.Scenery.Surface;
 
 /** In every scene, near the start, in the middle and at the end: words are clear of bodies, and bodies are seen. */
 @Tag("slow")

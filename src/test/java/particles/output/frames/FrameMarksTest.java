@@ -27,8 +27,8 @@ import particles.output.painters.FrameState;
 import particles.output.painters.FrameStructure;
 import particles.output.painters.TrailSample;
 import particles.output.raster.CameraProjection;
-import particles.view.ParticleMark;
 import particles.view.ParticleStyle;
+import particles.view.ParticleStyle.ParticleMark;
 import particles.view.RenderOptions;
 import particles.view.Scenery;
 

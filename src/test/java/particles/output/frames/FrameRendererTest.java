@@ -31,8 +31,8 @@ import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
+import particles.view.Scenery.Surface;
 import particles.view.SpringList;
-import particles.view.Surface;
 
 /** Pictures against computed values: positions, visibility and shadows. */
 class FrameRendererTest {
