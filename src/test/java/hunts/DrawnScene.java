@@ -1,5 +1,7 @@
 package hunts;
 
+import static particles.spec.Ordered.map;
+
 import deSolvers.catalog.SolverCatalog;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -114,14 +116,6 @@ record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wi
 
     private static List<Double> list(Vector3 v) {
         return List.of(v.x(), v.y(), v.z());
-    }
-
-    private static Map<String, Object> map(Object... keysAndValues) {
-        Map<String, Object> map = new LinkedHashMap<>();
-        for (int k = 0; k < keysAndValues.length; k += 2) {
-            map.put((String) keysAndValues[k], keysAndValues[k + 1]);
-        }
-        return map;
     }
 
     private boolean hasPivot() {

@@ -107,9 +107,17 @@ class EnergyLedgerTest {
 
     /** Bound: within 0.2 of the order. Measured: 1.01, 0.97, 2.11, 2.02, 3.86, 0.99, 2.00, 4.13, 4.00. */
     @ParameterizedTest
-    @CsvSource({"euler, 1, 0.002", "symplectic-euler, 1, 0.002", "midpoint, 2, 0.0002", "verlet, 2, 0.008",
-            "rk4, 4, 0.01", "backward-euler, 1, 0.002", "implicit-midpoint, 2, 0.016", "adams, 4, 0.002",
-            "yoshida4, 4, 0.016"})
+    @CsvSource(textBlock = """
+            euler,             1, 0.002
+            symplectic-euler,  1, 0.002
+            midpoint,          2, 0.0002
+            verlet,            2, 0.008
+            rk4,               4, 0.01
+            backward-euler,    1, 0.002
+            implicit-midpoint, 2, 0.016
+            adams,             4, 0.002
+            yoshida4,          4, 0.016
+            """)
     void numericalErrorFallsWithTheSolversOrder(String solver, int order, double h) {
         assertEquals(order, slope(EVERYTHING, solver, h, 1.03), 0.2);
     }
@@ -132,7 +140,12 @@ class EnergyLedgerTest {
      * uncertainty: 0.0011, 0.0052, 0.048 and 0.0054.
      */
     @ParameterizedTest
-    @CsvSource({"step-doubling, 0.00229", "dormand-prince, 0.00175", "bulirsch-stoer, 12.5", "radau, 4.99e-5"})
+    @CsvSource(textBlock = """
+            step-doubling,  0.00229
+            dormand-prince, 0.00175
+            bulirsch-stoer, 12.5
+            radau,          4.99e-5
+            """)
     void aLongStepOfAnAdaptiveSolverIsBookedInItsSubSteps(String solver, double uncertainty) {
         EnergyLedger ledger = ShortRun.of(solver + " clamp 10 10", EVERYTHING).getLedger();
         assertEquals(uncertainty, ledger.getUncertainty(), 0.05 * uncertainty);

@@ -34,7 +34,12 @@ class ImplicitParticlesTest {
      * or GMRES where damping is not symmetric.
      */
     @ParameterizedTest
-    @CsvSource({"5, 100, 0", "5, 100, 0.02", "9, 20, 0", "9, 20, 0.02"})
+    @CsvSource(textBlock = """
+            5, 100, 0
+            5, 100, 0.02
+            9, 20,  0
+            9, 20,  0.02
+            """)
     void blocksLeadToTheSameStepAsAFullMatrix(int n, double stiffness, double damping) {
         for (int kind = 0; kind < 2; kind++) {
             ParticleSystem system = Cloth.hanging(n, stiffness, damping);
@@ -56,7 +61,12 @@ class ImplicitParticlesTest {
      * descent and satisfies the step's own, nonlinear equations v1 = v0 + h a(x1, v1), x1 = x0 + h v1.
      */
     @ParameterizedTest
-    @CsvSource({"8, 1e4, 0", "8, 1e6, 0", "8, 1e6, 0.05", "12, 1e5, 0.05"})
+    @CsvSource(textBlock = """
+            8,  1e4, 0
+            8,  1e6, 0
+            8,  1e6, 0.05
+            12, 1e5, 0.05
+            """)
     void compressedSpringsDoNotStopNewton(int n, double stiffness, double damping) {
         double h = 1.0 / 60;
         ParticleSystem system = Cloth.hanging(n, stiffness, damping);

@@ -60,8 +60,13 @@ class RadauParticlesTest {
      */
     @Tag("slow")
     @ParameterizedTest
-    @CsvSource({"70, 1000, 0.4, false, 2, 3e-11", "8, 1e6, 200, false, 15, 1e-8", "8, 1e6, 200, false, -15, 1e-12",
-        "20, 100, 0.4, true, 1, 1e-13", "20, 1e5, 60, true, 1, 4e-10"})
+    @CsvSource(textBlock = """
+            70, 1000, 0.4, false, 2,   3e-11
+            8,  1e6,  200, false, 15,  1e-8
+            8,  1e6,  200, false, -15, 1e-12
+            20, 100,  0.4, true,  1,   1e-13
+            20, 1e5,  60,  true,  1,   4e-10
+            """)
     void blocksLeadToTheSamePathAsAFullMatrix(int n, double stiffness, double damping, boolean swirl, int steps,
     double bound) {
         ParticleSystem system = chain(n, stiffness, damping);

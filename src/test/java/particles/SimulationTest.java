@@ -8,7 +8,6 @@ import static particles.Systems.addGravity;
 import static particles.Systems.onMove;
 import static particles.Systems.oneParticle;
 import static particles.Systems.run;
-import static particles.Systems.springs;
 
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;
@@ -42,8 +41,15 @@ class SimulationTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"0.1, 1, 10", "0.01, 1, 100", "0.3, 1, 4", "1, 0.25, 1", "0.001, 10, 10000", "0.1, 0, 0",
-            "0.25, 1e6, 4000000"})
+    @CsvSource(textBlock = """
+            0.1,   1,    10
+            0.01,  1,    100
+            0.3,   1,    4
+            1,     0.25, 1
+            0.001, 10,   10000
+            0.1,   0,    0
+            0.25,  1e6,  4000000
+            """)
     void theRunEndsAtItsDuration(double deltaT, double duration, long steps) {
         ParticleSystem system = new ParticleSystem();
         Simulation simulation = run(system, new EulerSolver(), deltaT, duration);

@@ -58,7 +58,12 @@ class ResolutionTest {
      * atan(theta / 2), where the forces tell. The first sums do not cover whole periods: measured 0.6 % off.
      */
     @ParameterizedTest
-    @CsvSource({"0.5", "0.9", "1.1", "1.4"})
+    @CsvSource(textBlock = """
+            0.5
+            0.9
+            1.1
+            1.4
+            """)
     void theShorterOfTheComputedAndTheTruePeriodCounts(double theta) {
         assertEquals(2 * Math.PI / theta, oscillator("implicit-midpoint", theta, 400).stepsPerPeriod(SCALE), 1e-6);
         double turns = Math.PI / Math.asin(theta / 2);

@@ -44,21 +44,22 @@ class EverySolverOnCollidingBallsTest {
 
     /** The errors measured on the five scenes (J); 0 stands for round-off. */
     @ParameterizedTest
-    @CsvSource({
-        "euler,             9.6e-2,  7.95,   142,    1.29,   0.268",
-        "midpoint,          3.2e-5,  3.6e-2, 0.15,   3.3e-3, 0",
-        "rk4,               6.5e-9,  2.4e-3, 6.2e-3, 1.8e-4, 0",
-        "step-doubling,     3.7e-10, 9.5e-5, 1.6e-5, 2.0e-6, 0",
-        "dormand-prince,    4.2e-11, 1.2e-4, 4.5e-4, 2.0e-6, 0",
-        "bulirsch-stoer,    6.1e-10, 5.2e-5, 2.3e-4, 2.3e-6, 0",
-        "adams,             1.2e-7,  1.1e-2, 4.5e-2, 2.2e-3, 0",
-        "symplectic-euler,  1.1e-2,  8.1e-3, 0.18,   0.40,   0.268",
-        "verlet,            2.6e-4,  9.1e-3, 4.4e-2, 1.5e-3, 0",
-        "yoshida4,          5.9e-7,  1.2e-2, 3.4e-2, 3.9e-3, 0",
-        "backward-euler,    8.6e-2,  1.54,   49.3,   1.12,   0.268",
-        "linearised-euler,  8.6e-2,  1.51,   52.1,   1.11,   0.268",
-        "implicit-midpoint, 2.8e-5,  4.3e-3, 1.2e-2, 8.1e-3, 0",
-        "radau,             6.2e-11, 3.2e-5, 4.4e-5, 5.2e-8, 0"})
+    @CsvSource(textBlock = """
+            euler,             9.6e-2,  7.95,   142,    1.29,   0.268
+            midpoint,          3.2e-5,  3.6e-2, 0.15,   3.3e-3, 0
+            rk4,               6.5e-9,  2.4e-3, 6.2e-3, 1.8e-4, 0
+            step-doubling,     3.7e-10, 9.5e-5, 1.6e-5, 2.0e-6, 0
+            dormand-prince,    4.2e-11, 1.2e-4, 4.5e-4, 2.0e-6, 0
+            bulirsch-stoer,    6.1e-10, 5.2e-5, 2.3e-4, 2.3e-6, 0
+            adams,             1.2e-7,  1.1e-2, 4.5e-2, 2.2e-3, 0
+            symplectic-euler,  1.1e-2,  8.1e-3, 0.18,   0.40,   0.268
+            verlet,            2.6e-4,  9.1e-3, 4.4e-2, 1.5e-3, 0
+            yoshida4,          5.9e-7,  1.2e-2, 3.4e-2, 3.9e-3, 0
+            backward-euler,    8.6e-2,  1.54,   49.3,   1.12,   0.268
+            linearised-euler,  8.6e-2,  1.51,   52.1,   1.11,   0.268
+            implicit-midpoint, 2.8e-5,  4.3e-3, 1.2e-2, 8.1e-3, 0
+            radau,             6.2e-11, 3.2e-5, 4.4e-5, 5.2e-8, 0
+            """)
     void theErrorIsThatOfItsOrder(String solver, double cradle, double billiards, double gas, double pile, double two) {
         double[] measured = {cradle, billiards, gas, pile, two};
         for (int k = 0; k < measured.length; k++) {
@@ -141,6 +142,6 @@ class EverySolverOnCollidingBallsTest {
     void everySolverHasARow() {
         CsvSource table = Arrays.stream(getClass().getDeclaredMethods()).filter(method -> method.isAnnotationPresent(
                 CsvSource.class)).findFirst().orElseThrow().getAnnotation(CsvSource.class);
-        assertEquals(SolverCatalog.names(), Arrays.stream(table.value()).map(row -> row.split(",")[0]).toList());
+        assertEquals(SolverCatalog.names(), table.textBlock().lines().map(row -> row.split(",")[0]).toList());
     }
 }

@@ -118,9 +118,20 @@ class LargeStepsOfSoftBodiesTest {
      * m/s. The two most expensive solvers run for twenty and for ten seconds.
      */
     @ParameterizedTest
-    @CsvSource({"backward-euler, 60, 120", "implicit-midpoint, 60, 120", "midpoint, 256, 120", "rk4, 256, 120",
-        "adams, 256, 120", "symplectic-euler, 256, 120", "verlet, 256, 120", "dormand-prince, 60, 120",
-        "step-doubling, 60, 120", "bulirsch-stoer, 60, 120", "yoshida4, 256, 20", "radau, 60, 10"})
+    @CsvSource(textBlock = """
+            backward-euler,    60,  120
+            implicit-midpoint, 60,  120
+            midpoint,          256, 120
+            rk4,               256, 120
+            adams,             256, 120
+            symplectic-euler,  256, 120
+            verlet,            256, 120
+            dormand-prince,    60,  120
+            step-doubling,     60,  120
+            bulirsch-stoer,    60,  120
+            yoshida4,          256, 20
+            radau,             60,  10
+            """)
     void theJellyLiesStillForTwoMinutes(String solver, double stepsASecond, double duration) {
         ParticleSystem system = run(JELLY, solver, 1 / stepsASecond, duration);
         assertEquals(0.796903, extreme(system, 1), 1e-6);

@@ -76,9 +76,17 @@ class LoadedChainTest {
      * by four methods. Below 2/omega_max, 1 ms, the explicit ones do as well: 4e-4 s are 0.8.
      */
     @ParameterizedTest
-    @CsvSource({"step-doubling, 512, 1e-5", "dormand-prince, 512, 1e-5", "bulirsch-stoer, 512, 1e-5",
-        "implicit-midpoint, 512, 5e-5", "backward-euler, 512, 5e-3", "rk4, 2500, 1e-5", "verlet, 2500, 1e-5",
-        "yoshida4, 2500, 1e-5", "symplectic-euler, 2500, 1e-3"})
+    @CsvSource(textBlock = """
+            step-doubling,     512,  1e-5
+            dormand-prince,    512,  1e-5
+            bulirsch-stoer,    512,  1e-5
+            implicit-midpoint, 512,  5e-5
+            backward-euler,    512,  5e-3
+            rk4,               2500, 1e-5
+            verlet,            2500, 1e-5
+            yoshida4,          2500, 1e-5
+            symplectic-euler,  2500, 1e-3
+            """)
     void theLoadOscillatesAboutItsEquilibrium(String solver, double stepsASecond, double bound) {
         ParticleSystem system = chain(0);
         simulation(system, solver, 1 / stepsASecond, 1, 1e5).run();

@@ -93,7 +93,12 @@ class StiffSpringsTest {
      * within 2.3e-2.
      */
     @ParameterizedTest
-    @CsvSource({"step-doubling, 2e6", "dormand-prince, 1.3e6", "bulirsch-stoer, 8e5", "radau, 2.6e6"})
+    @CsvSource(textBlock = """
+            step-doubling,  2e6
+            dormand-prince, 1.3e6
+            bulirsch-stoer, 8e5
+            radau,          2.6e6
+            """)
     void adaptiveSolversFollowEveryOscillation(String solver, double evaluations) {
         for (double stiffness : new double[] {1, 1e3, 1e6}) {
             ParticleSystem system = weight(1e-3, stiffness, 0);

@@ -108,7 +108,12 @@ class ProgressTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"42.1, 43 s", "343, 6 min", "1e4, 3 h", "1e6, 12 days"})
+    @CsvSource(textBlock = """
+            42.1, 43 s
+            343,  6 min
+            1e4,  3 h
+            1e6,  12 days
+            """)
     void timesAreInTheUnitThatSuits(double seconds, String text) {
         assertEquals(text, Progress.time(seconds));
     }

@@ -124,9 +124,13 @@ class RunFindingsTest {
 
     /** With constant velocity, both halves are of one size. */
     @ParameterizedTest
-    @CsvSource({"1, a path of 1 state", "2, a path of 2 states", "9, a path of 9 states",
-        "10, the second half of the path is as large as the first",
-        "11, the second half of the path is as large as the first"})
+    @CsvSource(textBlock = """
+            1,  a path of 1 state
+            2,  a path of 2 states
+            9,  a path of 9 states
+            10, the second half of the path is as large as the first
+            11, the second half of the path is as large as the first
+            """)
     void aPathOfFewStatesHasNoHalves(int states, String title) {
         double[] even = IntStream.range(0, states).asDoubleStream().toArray();
         assertEquals(title, RunFindings.path(new Series("path", Mark.LINE, even, even)));
