@@ -84,6 +84,8 @@ public final class ReportCommand extends ResultsCommand {
     private Supplier<List<ExperimentCommand>> chosen;
     /** The CPU time that energyDrift takes on the scene, if there is one: expected, then measured (s). */
     private Optional<Double> drift;
+    /** The reasons why experiments could not run. */
+    private final Map<ExperimentCommand, String> failures = new HashMap<>();
 
     /** @param experiments all experiments, in the order of the report */
     public ReportCommand(List<ExperimentCommand> experiments) {
@@ -104,9 +106,8 @@ public final class ReportCommand extends ResultsCommand {
         List<ExperimentCommand> chosen = this.chosen.get();
         long begin = System.nanoTime();
         drift = about.get().map(scene -> DRIFT + DRIFT_OF_A_RACE * RaceCommand.fullRaces(scene));
-        Map<ExperimentCommand, RuntimeException> wrong = new HashMap<>();
-        chosen.forEach(one -> prepare(one).ifPresent(why -> wrong.put(one, why)));
-        ToDoubleFunction<ExperimentCommand> cost = one -> wrong.containsKey(one) ? 0 : seconds(one, drift);
+        chosen.forEach(this::prepare);
+        ToDoubleFunction<ExperimentCommand> cost = one -> failures.containsKey(one) ? 0 : seconds(one, drift);
         if (chosen.size() > FEW) {
             int minutes = (int) (chosen.stream().mapToDouble(cost).sum() / 60) + 1;
             lines.println("about " + minutes + (minutes == 1 ? " minute; " : " minutes; ")
@@ -116,9 +117,8 @@ public final class ReportCommand extends ResultsCommand {
         PrintedProgress progress = new PrintedProgress(lines, System::nanoTime);
         List<Section> sections;
         try (OutputFolder folder = OutputFolder.open(getFolder(), FILE)) {
-            sections = progress.parts(chosen, cost, (experiment, part) -> section(experiment,
-                    Optional.ofNullable(wrong.get(experiment)),
-                    (done, what) -> part.reached(done, experiment.name() + ", " + what)));
+            sections = progress.parts(chosen, cost, (experiment, part) ->
+                    section(experiment, (done, what) -> part.reached(done, experiment.name() + ", " + what)));
             ReportWriter.write(folder, FILE, new Report(title(), text(), sections,
                     Digits.format("Made by gradle report of DESolver %s in %.0f s.", Program.VERSION,
                     (System.nanoTime() - begin) * NANO)));
@@ -167,45 +167,43 @@ public final class ReportCommand extends ResultsCommand {
                 .replaceFirst("[.]yaml$", "");
     }
 
-    /**
-     * Reads the options of an experiment.
-     *
-     * @return the reason why it cannot run, such as a scene without anything that limits a step
-     */
-    private Optional<RuntimeException> prepare(ExperimentCommand experiment) {
+    /** Reads the options of an experiment, which fails, for example, if nothing in the scene limits a step. */
+    private void prepare(ExperimentCommand experiment) {
         CommandLine line = new CommandLine(experiment);
         try {
             experiment.typedIn(getStyle());
             line.setExpandAtFiles(false).parseArgs(options(line.getCommandSpec()));
             List<String> mistakes = experiment.mistakes();
-            return mistakes.isEmpty() ? Optional.empty() : Optional.of(new InvalidInputException(mistakes));
+            if (!mistakes.isEmpty()) {
+                throw new InvalidInputException(mistakes);
+            }
         } catch (RuntimeException e) {
-            return Optional.of(e);
+            failures.put(experiment, reason(e));
         }
     }
 
-    /** The section of an experiment, also if it is wrong or fails; a full disk ends the report. */
-    private Section section(ExperimentCommand experiment, Optional<RuntimeException> wrong, ProgressListener progress) {
+    /** The section of an experiment, also if it fails; a full disk ends the report. */
+    private Section section(ExperimentCommand experiment, ProgressListener progress) {
         String purpose = String.join(" ", new CommandLine(experiment).getCommandSpec().usageMessage().description());
         Path into = getFolder().resolve(experiment.name());
         long begin = System.nanoTime();
         double used = CpuClock.ofAllThreads();
         Optional<ResultPage> page = Optional.empty();
-        Optional<String> failure = wrong.map(ReportCommand::reason);
         try {
-            if (wrong.isEmpty()) {
+            if (!failures.containsKey(experiment)) {
                 progress.reached(0, "begins");
                 page = Optional.of(experiment.writeInto(into, progress));
             }
         } catch (OutputException e) {
             throw e;
         } catch (RuntimeException e) {
-            failure = Optional.of(reason(e));
+            failures.put(experiment, reason(e));
         }
         if (experiment instanceof EnergyDriftCommand) {
             drift = drift.map(expected -> CpuClock.ofAllThreads() - used);
         }
-        return new Section(experiment.name(), purpose, into, (System.nanoTime() - begin) * NANO, page, failure);
+        return new Section(experiment.name(), purpose, into, (System.nanoTime() - begin) * NANO, page,
+                Optional.ofNullable(failures.get(experiment)));
     }
 
     /** The options of an experiment; experiments on a scene get the report's scene. */

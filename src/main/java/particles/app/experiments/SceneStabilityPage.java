@@ -23,8 +23,6 @@ import particles.view.DataTable;
 final class SceneStabilityPage {
     private static final String NAME = "stability";
     private static final int MOST_MODES = 12;
-    /** The part of the time before outlines are drawn. */
-    private static final double OUTLINED = 0.9;
     /** The solvers whose regions are drawn by default. */
     private static final List<String> OUTLINES = List.of("euler", "midpoint", "rk4", "symplectic-euler", "verlet");
 
@@ -35,8 +33,8 @@ final class SceneStabilityPage {
     static ResultPage measure(SceneDescription scene, Spectrum spectrum, List<SolverChoice> solvers,
             ProgressListener progress) {
         Mode fastest = spectrum.modes().stream().filter(mode -> mode.re() <= 0).findFirst().orElseThrow();
-        List<Limit> limits = SceneStability.measure(scene, spectrum, solvers, progress.part(0, OUTLINED));
-        progress.reached(OUTLINED, "outlines of the regions");
+        List<Limit> limits = SceneStability.measure(scene, spectrum, solvers, progress.part(0, 0.9));
+        progress.reached(0.9, "outlines of the regions");
         List<String> outlined = solvers.size() == 1
                 ? solvers.stream().filter(solver -> solver.info().isPresent()).map(SolverChoice::name)
                 .toList() : OUTLINES;

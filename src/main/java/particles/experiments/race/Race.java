@@ -46,11 +46,6 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
     /** A run farther than this from the reference, in units of the scene's extent, has left the race. */
     private static final double BEYOND = 0.25;
 
-    /** Measured: the part of the time that is over after the reference, the search, and the reference's frames. */
-    private static final double REFERENCE_PART = 0.1;
-    private static final double SHARED = 0.4;
-    private static final double DRAWN_REFERENCE = 0.6;
-
     /** Makes the observers of each run, for example to draw pictures of it. */
     public interface ObserverFactory {
         /**
@@ -120,18 +115,17 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
         FrameStates reference = new FrameStates(rate);
         Extent extent = new Extent();
         double scale = runReference(reference, extent);
-        progress.reached(REFERENCE_PART, "equal work");
         long evaluations = 4 * Math.max(1, Math.round(scene.duration() / scene.deltaT()));
         boolean equalTime = solvers.stream().anyMatch(SolverChoice::implicit);
-        ProgressListener first = progress.part(REFERENCE_PART, SHARED);
+        // measured: the reference takes a tenth of the time, the search a third, the reference's frames a fifth
+        ProgressListener first = progress.part(0.1, 0.4);
         Shares shares = equalTime ? new EqualTime(scene, evaluations, frames, clock).share(solvers, first)
                 : EqualWork.ofFrames(scene, evaluations, frames).share(solvers, first);
         Scene again = SceneRun.build(scene, tight());
         SceneRun.run(again, factory.of(again, Optional.empty(), extent));
-        progress.reached(DRAWN_REFERENCE, "the race");
         List<Supplier<Lane>> runs = shares.matches().stream().map(match ->
                 lane(match, rate, scale, reference.getStates(), extent, factory)).toList();
-        List<Lane> lanes = progress.part(DRAWN_REFERENCE, 1).onAllCores(runs, run -> 1, run -> "the race",
+        List<Lane> lanes = progress.part(0.6, 1).onAllCores(runs, run -> 1, run -> "the race",
                 Supplier::get);
         double[] times = IntStream.range(0, reference.getStates().size()).mapToDouble(k -> k / rate).toArray();
         return new Result(scene.title(), scene.duration(), times, equalTime, shares, scale, reference.getStates(),
