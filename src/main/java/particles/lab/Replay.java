@@ -11,6 +11,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import particles.Observer;
 import particles.energy.EnergyLedgerRecorder;
 import particles.scene.Scene;
@@ -82,18 +83,19 @@ public final class Replay {
     private String recorded(String failure) {
         List<Frame> frames = recorder.getHistory().after(Double.NEGATIVE_INFINITY);
         Map<Structure, Integer> structures = new LinkedHashMap<>();
-        int size = frames.stream().mapToInt(frame -> frame.state().length + frame.energies().length).sum();
-        ByteBuffer bytes = ByteBuffer.allocate(Float.BYTES * size).order(ByteOrder.LITTLE_ENDIAN);
+        frames.forEach(frame -> structures.putIfAbsent(frame.structure(), structures.size()));
+        List<float[]> parts = Stream.concat(structures.keySet().stream().map(Structure::numbers),
+                frames.stream().flatMap(frame -> Stream.of(frame.energies(), frame.state()))).toList();
+        ByteBuffer bytes = ByteBuffer.allocate(Float.BYTES * parts.stream().mapToInt(part -> part.length).sum())
+                .order(ByteOrder.LITTLE_ENDIAN);
         FloatBuffer floats = bytes.asFloatBuffer();
-        for (Frame frame : frames) {
-            structures.putIfAbsent(frame.structure(), structures.size());
-            floats.put(frame.energies()).put(frame.state());
-        }
+        parts.forEach(floats::put);
         Map<String, Object> facts = SceneFacts.of(scene, recorder);
         facts.put("numbers", List.of());
         facts.put("recorded", thinning().orElse(""));
         return JsonText.compact(Ordered.map("facts", facts,
-                "structures", structures.keySet().stream().map(Structure::facts).toList(),
+                "ids", structures.keySet().stream().map(structure -> List.of(structure.ids())).toList(),
+                "lengths", structures.keySet().stream().map(structure -> structure.numbers().length).toList(),
                 "times", frames.stream().map(Frame::time).toList(),
                 "steps", frames.stream().map(frame -> frame.account().steps()).toList(),
                 "evaluations", frames.stream().map(frame -> frame.account().evaluations()).toList(),

@@ -218,9 +218,14 @@ public final class Session {
         return System.identityHashCode(shown.structure());
     }
 
-    /** @return the particles, springs and rods at the moment that is shown, as JSON */
-    public String structure() {
-        return JsonText.compact(shown.structure().facts());
+    /** @return the names of the particles at the moment that is shown, as JSON */
+    public String ids() {
+        return JsonText.compact(List.of(shown.structure().ids()));
+    }
+
+    /** @return what is known of these particles, and the springs and rods: three and four numbers each */
+    public float[] structure() {
+        return shown.structure().numbers();
     }
 
     /**

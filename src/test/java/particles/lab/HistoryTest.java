@@ -10,14 +10,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
-import particles.view.SpringList;
 
 /** The memory of moments seen stays within its limit, from the first moment to the latest. */
 class HistoryTest {
     private static final int PARTICLES = 100;
     private static final long LIMIT = 1_000_000;
-    private static final Structure STRUCTURE = new Structure(new String[PARTICLES], new int[PARTICLES],
-            new float[PARTICLES], new float[PARTICLES], SpringList.NONE);
+    private static final Structure STRUCTURE = new Structure(new String[PARTICLES], new float[3 * PARTICLES]);
 
     private static Frame frame(double time) {
         return new Frame(time, new float[6 * PARTICLES], new float[4], STRUCTURE, new Frame.Account(0, 0, Map.of()));

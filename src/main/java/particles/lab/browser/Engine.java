@@ -81,7 +81,13 @@ public final class Engine {
     }
 
     @JSExport
-    public static String structure() {
+    public static String ids() {
+        return SESSION.ids();
+    }
+
+    @JSExport
+    @JSByRef
+    public static float[] structure() {
         return SESSION.structure();
     }
 

@@ -5,14 +5,11 @@ const times = RECORDED.times, parts = RECORDED.facts.energies.length, last = tim
 const moments = [];                     // the energies and the state of each
 let now = 0, at = 0;
 
-for (let k = 0, from = 0; k <= last; k++) {
-  const to = from + parts + 6 * structureOf(k).ids.length;
-  moments.push({energies: floats.subarray(from, from + parts), state: floats.subarray(from + parts, to)});
-  from = to;
-}
-
-function structureOf(k) {
-  return RECORDED.structures[RECORDED.structureOf[k]];
+let from = 0;
+const next = length => floats.subarray(from, from += length);
+const structures = RECORDED.lengths.map(next);
+for (const k of RECORDED.structureOf) {
+  moments.push({energies: next(parts), state: next(6 * RECORDED.ids[k].length)});
 }
 
 /** The latest moment that is not after a time, or the first. */
@@ -68,11 +65,12 @@ function rows(time, read) {
 
 const energies = time => rows(time, k => [times[k], ...moments[k].energies]);
 const structureNumber = () => RECORDED.structureOf[at];
-const structure = () => JSON.stringify(structureOf(at));
+const ids = () => JSON.stringify(RECORDED.ids[structureNumber()]);
+const structure = () => structures[structureNumber()];
 
 function phase(id, axis, time) {
   return rows(time, k => {
-    const i = structureOf(k).ids.indexOf(id);
+    const i = RECORDED.ids[RECORDED.structureOf[k]].indexOf(id);
     return i < 0 ? [] : [times[k], moments[k].state[6 * i + axis], moments[k].state[6 * i + axis + 3]];
   });
 }

@@ -5,10 +5,13 @@ import {solid} from './sky.js';
 const SMOOTH = 0.85;                    // the cosine between a triangle's normal and the mean, from which it is smooth
 const GLOSS = 0.35;
 
+/** An edge, with its direction. */
+const keyOf = (a, b) => 2 ** 26 * a + b;
+
 /** The indices of the corners of closed surfaces: each edge is also one of another triangle, in the other direction. */
 export const cornersOfClosed = surfaces => new Set(surfaces.map(surface => surface.triangles).filter(triangles => {
-  const edges = edgesOf(triangles), all = new Set(edges.map(String));
-  return edges.every(([a, b]) => all.has(String([b, a])));
+  const edges = edgesOf(triangles), all = new Set(edges.map(([a, b]) => keyOf(a, b)));
+  return edges.every(([a, b]) => all.has(keyOf(b, a)));
 }).flat());
 
 const edgesOf = triangles => triangles.map((a, k) => [a, triangles[k % 3 === 2 ? k - 2 : k + 1]]);
@@ -27,8 +30,11 @@ export class Surface {
 
   /** A triangle of springs that keeps fewer than two of them is torn. pairs: the ends of the springs that are left */
   tear(pairs) {
-    const held = new Set(pairs.flatMap((a, k) => k % 2 ? [] : [a + ' ' + pairs[k + 1], pairs[k + 1] + ' ' + a]));
-    const edges = edgesOf(this.triangles).map(([a, b]) => held.has(a + ' ' + b));
+    const held = new Set();
+    for (let k = 0; this.ofSprings && k < pairs.length; k += 2) {
+      held.add(keyOf(pairs[k], pairs[k + 1])).add(keyOf(pairs[k + 1], pairs[k]));
+    }
+    const edges = edgesOf(this.triangles).map(([a, b]) => held.has(keyOf(a, b)));
     this.kept = this.triangles.filter((a, k) => {
       const t = k - k % 3;
       return !this.ofSprings || edges[t] + edges[t + 1] + edges[t + 2] >= 2;

@@ -4,7 +4,8 @@ import {solid} from './sky.js';
 
 const COMPRESSED = new THREE.Color(0x2166ac), AT_REST = new THREE.Color(0xc9c6c0);
 const STRETCHED = new THREE.Color(0xc4161c), ROD = new THREE.Color(0x6c7683);
-const MOST_COILS = 40, PIECES_OF_TURN = 10;
+const MOST_COILS = 40, SOFT = 0.01;      // a spring is far softer below this part of the largest stiffness
+const PIECES_OF_TURN = 10;
 const STRAIGHT = 0.07, WIDE = 0.11;     // of a coil's length: a straight end; from where it has its full radius
 // radii, in radii of balls
 const TUBE = 0.3, RAILING = 0.2, BAR = 0.34, COIL = 0.62, COILED = 0.13;
@@ -84,20 +85,31 @@ export function wire(points, ball) {
   return tubes.object;
 }
 
-/** Springs coloured by their strain: as coils if they are few. Rods, and springs between fixed particles, are bars. */
+/**
+ * Springs coloured by their strain, as in the frames: as coils if they are few or far softer than the others. Rods, and
+ * springs between fixed particles, are bars.
+ */
 export class Springs extends Tubes {
+  /** stiffness: of all springs when the scene is opened (N/m) */
+  constructor({stiffness}) {
+    super();
+    const soft = SOFT * stiffness.reduce((most, one) => one < Infinity ? Math.max(most, one) : most, 0);
+    this.coilBelow = stiffness.length <= MOST_COILS ? Infinity
+        : stiffness.filter(one => one < soft).length <= MOST_COILS ? soft : 0;
+  }
+
   /** shown: the indices of the springs to be drawn; back: towards the viewer; ball: the radius of balls (m) */
-  place(state, {springs, restLengths, rigid, fixed}, shown, strainRange, ball, back) {
+  place(state, {springs, restLengths, stiffness, fixed}, shown, strainRange, ball, back) {
     const a = new THREE.Vector3(), b = new THREE.Vector3();
     this.clear();
     for (const s of shown) {
-      const [i, j] = springs.slice(2 * s, 2 * s + 2), rest = restLengths[s];
+      const i = springs[2 * s], j = springs[2 * s + 1], rest = restLengths[s];
       a.fromArray(state, 6 * i);
       b.fromArray(state, 6 * j);
       const length = a.distanceTo(b), strain = rest > 0 ? (length - rest) / rest / strainRange : Math.sign(length);
-      if (rigid[s] || fixed[i] && fixed[j]) {
+      if (stiffness[s] === Infinity || fixed[i] && fixed[j]) {
         this.join(a, b, BAR * ball, ROD);
-      } else if (restLengths.length <= MOST_COILS && rest > 0 && length > 4 * COILED * ball) {
+      } else if (stiffness[s] < this.coilBelow && rest > 0 && length > 4 * COILED * ball) {
         this.coil(a, b, rest, ball, strainColour(strain), back);
       } else {
         this.join(a, b, TUBE * ball, strainColour(strain));

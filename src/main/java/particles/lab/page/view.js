@@ -57,17 +57,33 @@ class View {
     this.matrix = new THREE.Matrix4();
     this.colour = new THREE.Color();
     this.resize();
+    this.compile();
+  }
+
+  /** The programs of most pictures are compiled while the page waits for its scene: their copies here draw nothing. */
+  compile() {
+    const scene = new THREE.Scene(), balls = new Copies(new THREE.PlaneGeometry(), solid({}));
+    const surface = new Surface({triangles: [0, 0, 0]}, [0, 0]), sky = new Sky(this.camera.camera.up, false);
+    balls.add(this.matrix.makeScale(0, 0, 0), this.colour);
+    surface.tear([]);
+    scene.add(new THREE.DirectionalLight(), new THREE.HemisphereLight(), sky.mesh, balls.object, surface.object);
+    this.renderer.domElement.hidden = true;
+    this.renderer.render(scene, this.camera.camera);
   }
 
   // ---- a new scene ----
 
   open(facts, structure, state) {
     this.facts = facts;
+    this.renderer.domElement.hidden = false;
     this.scene?.traverse(thing => { thing.geometry?.dispose(); thing.material?.dispose(); });
     this.scene = new THREE.Scene();
     this.fastest = 0;
     this.camera.open(facts, structure, state);
     this.ball = this.radiusOfBalls(structure);
+    this.inSurface = new Set(facts.surfaces.flatMap(surface => surface.triangles));
+    this.hidden = cornersOfClosed(facts.surfaces);
+    this.pairs = null;
     const reach = this.reach(structure), up = this.camera.camera.up.clone().normalize(), lampward = this.findLamp(up);
     this.sky = new Sky(up, facts.planes.length > 0 && facts.camera?.perspective !== false);
     this.grounds = facts.planes.map(plane => new Ground(plane, reach, this.sky, lampward, up));
@@ -80,7 +96,7 @@ class View {
     this.shine();
     const hemisphere = new THREE.HemisphereLight();
     hemisphere.position.copy(up);
-    this.springs = new Springs();
+    this.springs = new Springs(structure);
     this.trails = new Trails();
     this.blobs = new Blobs(facts.look.colours[0]);
     this.blobs.object.visible = facts.look.kind === 'blobs';
@@ -103,9 +119,8 @@ class View {
 
   /** How far a particle that lies on a plane reaches below its centre (m). */
   reach({ids}) {
-    const {look: {kind, particles}, surfaces} = this.facts;
-    const inSurface = new Set(surfaces.flatMap(surface => surface.triangles)).size;
-    const shown = particles === 'always' || particles === 'beside_surfaces' && ids.length > inSurface;
+    const {kind, particles} = this.facts.look;
+    const shown = particles === 'always' || particles === 'beside_surfaces' && ids.length > this.inSurface.size;
     return shown && ['balls', 'blobs'].includes(kind) ? this.ball : 0;
   }
 
@@ -141,20 +156,21 @@ class View {
   setStructure(structure) {
     this.structure = structure;
     this.ball = this.radiusOfBalls(structure);
-    const pairs = structure.springs, look = this.facts.look;
-    const inSurface = new Set(this.facts.surfaces.flatMap(surface => surface.triangles));
+    const {inSurface, hidden} = this, pairs = structure.springs, look = this.facts.look;
     this.isShown = structure.ids.map((id, i) => look.particles === 'always'
         || look.particles === 'beside_surfaces' && !inSurface.has(i));
-    const hidden = cornersOfClosed(this.facts.surfaces), isBeside = ([a, b]) => !(inSurface.has(a) && inSurface.has(b))
-        && !hidden.has(a) && !hidden.has(b);
-    this.shownSprings = structure.restLengths.map((length, s) => s).filter(s => look.springs === 'always'
+    const isBeside = ([a, b]) => !(inSurface.has(a) && inSurface.has(b)) && !hidden.has(a) && !hidden.has(b);
+    this.shownSprings = [...structure.restLengths.keys()].filter(s => look.springs === 'always'
         || look.springs === 'beside_surfaces' && isBeside(pairs.slice(2 * s, 2 * s + 2)));
     // without a graphics processor the triangles of many round balls would take a quarter of a second
     if (this.areMany !== structure.ids.length > FEW_BALLS) {
       this.areMany = !this.areMany;
       this.balls.setShape(new THREE.SphereGeometry(1, ...(this.areMany ? [8, 6] : [16, 12])));
     }
-    this.surfaces.forEach(surface => surface.tear(pairs));
+    if (this.pairs?.join() !== pairs.join()) {
+      this.pairs = pairs;
+      this.surfaces.forEach(surface => surface.tear(pairs));
+    }
     this.setNames();
   }
 

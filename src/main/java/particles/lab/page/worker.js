@@ -13,10 +13,20 @@ function tell(more) {
   plotted = Math.max(plotted, message.reached);
   if (structureNumber() !== knownStructure) {
     knownStructure = structureNumber();
-    message.structure = JSON.parse(structure());
+    message.structure = structureNow();
   }
   postMessage(message, [message.state.buffer, message.energies.buffer, message.points.buffer]);
   return message;
+}
+
+/** The particles, springs and rods, as columns; structure() has three numbers for a particle and four for a spring. */
+function structureNow() {
+  const names = JSON.parse(ids()), numbers = structure(), particles = numbers.subarray(0, 3 * names.length);
+  const springs = numbers.subarray(particles.length);
+  const column = (rows, width, k) => rows.filter((number, i) => i % width === k);
+  return {ids: names, fixed: column(particles, 3, 0), births: column(particles, 3, 1), lives: column(particles, 3, 2),
+    springs: springs.filter((number, i) => i % 4 < 2), restLengths: column(springs, 4, 2),
+    stiffness: column(springs, 4, 3)};
 }
 
 /** An error that nobody expected is told in the program's own words; what is asked next is done as ever. */
@@ -96,15 +106,15 @@ function play() {
 function tableOfRun(names) {
   const rows = energies(-1).slice(), width = 1 + names.length, shown = JSON.parse(status()).time;
   const moments = [], columns = new Map();
-  let ids = null, known = null;
+  let present = null, known = null;
   for (let r = 0; r < rows.length; r += width) {
     look(rows[r] + 1e-7 * Math.abs(rows[r]));           // its time is rounded to 7 digits
     if (structureNumber() !== known) {
       known = structureNumber();
-      ids = JSON.parse(structure()).ids;
-      ids.forEach(id => columns.has(id) || columns.set(id, columns.size));
+      present = JSON.parse(ids());
+      present.forEach(id => columns.has(id) || columns.set(id, columns.size));
     }
-    moments.push({time: JSON.parse(status()).time, energies: rows.subarray(r + 1, r + width), ids,
+    moments.push({time: JSON.parse(status()).time, energies: rows.subarray(r + 1, r + width), ids: present,
       state: state().slice()});
   }
   look(shown);

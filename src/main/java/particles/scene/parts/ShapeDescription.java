@@ -86,12 +86,13 @@ public record ShapeDescription(Chosen<ShapeKind> chosen, Lattice lattice, BitSet
             number.ifPresent(fixed::set);
             return;
         }
+        List<String> together = List.of(part.split("-"));
         for (int n = 0; n < lattice.size(); n++) {
             List<String> sides = chosen.kind().sidesOf(lattice.indices(n), lattice.counts());
             if (switch (part) {
                 case "corners" -> sides.size() == lattice.counts().size();
                 case "edges" -> !sides.isEmpty();
-                default -> sides.containsAll(List.of(part.split("-")));
+                default -> sides.containsAll(together);
             }) {
                 fixed.set(n);
             }

@@ -1,11 +1,10 @@
 package particles.spec.documents;
 
 import deSolvers.text.Digits;
+import java.util.Arrays;
 import java.util.Collection;
-import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.snakeyaml.engine.v2.api.Load;
 import org.snakeyaml.engine.v2.api.LoadSettings;
@@ -31,7 +30,7 @@ public final class JsonText {
     /**
      * In one line, for programs.
      *
-     * @param value as for {@link #of}, and arrays of numbers
+     * @param value as for {@link #of}, and arrays of whole numbers
      */
     public static String compact(Object value) {
         return write(value, "");
@@ -56,18 +55,13 @@ public final class JsonText {
         if (value instanceof Collection<?> list) {
             return enclosed("[", list.stream().map(element -> write(element, inner)), "]", line, inner);
         }
-        if (value instanceof int[] || value instanceof float[]) {
-            return write(value instanceof int[] whole ? IntStream.of(whole).boxed().toList()
-                    : doubles((float[]) value), line);
+        if (value instanceof int[] numbers) {
+            return Arrays.toString(numbers);
         }
         if (value instanceof Double number && (!line.isEmpty() || !Double.isFinite(number))) {
             return Double.isFinite(number) ? Digits.exact(number) : "null";
         }
         return value instanceof Number || value instanceof Boolean ? value.toString() : quote(value.toString());
-    }
-
-    private static List<Double> doubles(float[] numbers) {
-        return IntStream.range(0, numbers.length).mapToObj(i -> (double) numbers[i]).toList();
     }
 
     private static String enclosed(String open, Stream<String> parts, String close, String line, String inner) {
