@@ -14,7 +14,10 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.openqa.selenium.interactions.Actions;
+import org.openqa.selenium.interactions.PointerInput.Kind;
 
 /** Use of the lab's page in a browser: clicks, keys, and what is shown. */
 class LabPageTest extends LabPageTestCase {
@@ -127,22 +130,15 @@ class LabPageTest extends LabPageTestCase {
                 """));
     }
 
-    @Test
-    void aPulledParticleFollowsAndThePullIsInTheWork() {
+    @ParameterizedTest
+    @EnumSource(names = {"MOUSE", "TOUCH"})
+    void aPulledParticleFollowsAndThePullIsInTheWork(Kind kind) {
         page.openScene("02-one-spring");
-        page.script("""
-                const view = document.getElementById('view'), {left, top} = view.getBoundingClientRect();
-                const moving = window.lab.view.structure.ids.findIndex((id, i) => !window.lab.view.structure.fixed[i]);
-                const [x, y] = window.lab.view.onScreen(moving);
-                const send = (type, dy) => view.dispatchEvent(new PointerEvent(type, {clientX: left + x,
-                  clientY: top + y + dy, pointerId: 1, pointerType: 'mouse', button: 0, bubbles: true}));
-                view.setPointerCapture = () => {};
-                send('pointerdown', 0);
-                send('pointermove', -80);
-                """);
+        Actions pointer = hold(kind, 1).moveByOffset(0, -80);
+        pointer.perform();
         page.await("the pull's work", () -> page.text("work").matches("(?s).*pointer \\(driven\\): [0-9].*"));
         until("text('forceList').includes('pointer')");
-        page.script("document.getElementById('view').dispatchEvent(new PointerEvent('pointerup', {pointerId: 1}));");
+        pointer.release().perform();
         until("!text('forceList').includes('pointer')");
         page.script("const time = document.getElementById('time'); time.value = 0.1;"
                 + " time.dispatchEvent(new Event('input'));");

@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.logging.Level;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.openqa.selenium.interactions.Actions;
+import org.openqa.selenium.interactions.PointerInput;
 import org.openqa.selenium.logging.LogType;
 
 /** Opens the page for each test, and fails where the page reports an error of its own. */
@@ -46,6 +48,14 @@ abstract class LabPageTestCase {
                 const code = document.querySelector('.CodeMirror').CodeMirror; const text = \
                 code.getValue().replace(arguments[0], arguments[1]); code.replaceRange(text, {line: 0, ch: 0}, \
                 {line: code.lineCount(), ch: 0}, '+input');""", from, to);
+    }
+
+    /** Presses a pointer on a particle; what it does next is added. */
+    Actions hold(PointerInput.Kind kind, int particle) {
+        String place = "view.onScreen(" + particle + ")";
+        return new Actions(page.driver()).setActivePointer(kind, "pointer").moveToLocation(
+                (int) value("element('view').getBoundingClientRect().left + " + place + "[0]"),
+                (int) value("element('view').getBoundingClientRect().top + " + place + "[1]")).clickAndHold();
     }
 
     void setStep(String seconds) {

@@ -1,10 +1,12 @@
 // The energies over time and the phase space of one particle, drawn as the run goes.
 import {ink} from './dom.js';
 
-// By Okabe and Ito: people with any colour vision can tell them apart. An energy has one colour in all scenes.
-const COLOURS = ['#d55e00', '#0072b2', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#8c6d1f', '#7f7f7f'];
-const OF_ENERGIES = {'total': 0, 'kinetic': 1, 'gravity': 2, 'springs': 3, 'attraction': 4, 'cohesion': 5,
-  'numerical error': 7};
+// By Okabe and Ito, and four that differ from those: people with any colour vision can tell them apart. An energy has
+// one colour in all scenes.
+const COLOURS = ['#d55e00', '#0072b2'];
+const OF_ENERGIES = {total: COLOURS[0], kinetic: COLOURS[1], gravity: '#009e73', springs: '#cc79a7',
+  attraction: '#e69f00', cohesion: '#56b4e9', penaltyPlane: '#6900ff', penaltySphere: '#b41e2d', repulsion: '#96b45a',
+  'numerical error': '#7f7f7f'}, OF_OWN = '#4b78ff';
 const MOST = 4000;                      // points of a curve; then every second is dropped
 const FEW = 150;                        // points that are dots as well
 
@@ -19,7 +21,7 @@ const axes = (x, y) => [x, y].map((label, i) => ({label, values: (u, values) => 
   grid: {stroke: () => ink('--line'), width: 1}, ticks: {stroke: () => ink('--line')}}));
 const size = element => ({width: Math.max(240, element.clientWidth),
   height: parseFloat(getComputedStyle(element).getPropertyValue('--height')) || 240});
-const colourOf = name => COLOURS[OF_ENERGIES[name] ?? 6];
+const colourOf = name => OF_ENERGIES[name] ?? OF_OWN;
 /** The value at the cursor or, where there is none, the latest. */
 const latest = (u, value, series) => (value ?? u.data[series][u.data[series].length - 1])?.toPrecision(4) ?? '';
 

@@ -5,7 +5,15 @@ import {wire} from './tubes.js';
 
 const LINES = 7;                        // about so many lines of the ground in the height of the picture
 const DARKEST_SHADOW = 0.56;            // of the light beside it
+const SPACING = Math.PI / 12;           // of the grid on the wall of a hollow
 const HAZE = 5;                         // in so many heights of the picture the ground fades into the haze
+
+/** How much of a pixel a line of a grid takes whose lines are at whole numbers; pixel: its size there. */
+const COVERAGE = `
+    vec2 coverage(vec2 at, vec2 pixel) {
+      return clamp(1.0 - abs(fract(at + 0.5) - 0.5) / pixel, 0.0, 1.0) * min(vec2(1.0), 0.25 / pixel);
+    }
+    `;
 
 /** @returns the spheres and wires to draw; ball: the radius of balls; reach: how far one that rests reaches (m) */
 export const scenery = (facts, ball, reach) => [...facts.spheres.map(one => sphere(one, reach)),
@@ -32,14 +40,13 @@ export class Ground {
         darkest: {value: lamp.dot(this.normal) > 0.05 ? DARKEST_SHADOW : 1}});
       shader.vertexShader = 'uniform vec4 grid;\nvarying vec2 place;\n' + shader.vertexShader.replace(
           '#include <begin_vertex>', '#include <begin_vertex>\nplace = 6.0 * grid.w * position.xy;');
-      shader.fragmentShader = `
+      shader.fragmentShader = COVERAGE + `
           uniform vec3 ground, line;
           uniform vec4 grid;
           uniform float light, darkest;
           varying vec2 place;
           ` + shader.fragmentShader.replace('#include <colorspace_fragment>', `
-          vec2 at = (place + grid.xy) / grid.z, pixel = fwidth(at);
-          vec2 near = clamp(1.0 - abs(fract(at + 0.5) - 0.5) / pixel, 0.0, 1.0) * min(vec2(1.0), 0.25 / pixel);
+          vec2 at = (place + grid.xy) / grid.z, near = coverage(at, fwidth(at));
           float shadow = gl_FragColor.a;
           gl_FragColor = vec4(mix(ground, line, max(near.x, near.y)) * light * mix(1.0, darkest, shadow),
               exp(-dot(place, place) / (grid.w * grid.w)));`);
@@ -66,8 +73,29 @@ function spacing(least) {
 function sphere({centre, radius, hollow}, reach) {
   const drawn = hollow ? radius + reach : Math.max(0.3 * radius, radius - reach);
   const mesh = new THREE.Mesh(new THREE.SphereGeometry(drawn, 48, 32),
-      hollow ? solid({color: 0xdfe4e8, side: THREE.BackSide}, 0, 0.35) : solid({color: 0xaebccb}));
+      hollow ? wall() : solid({color: 0xaebccb}));
   mesh.position.set(...centre);
   mesh.castShadow = !hollow;
   return mesh;
+}
+
+/** The inside of a hollow, with circles around its upright axis and meridians. */
+function wall() {
+  const material = solid({color: 0xdfe4e8, side: THREE.BackSide}, 0, 0.35), lit = material.onBeforeCompile;
+  material.onBeforeCompile = shader => {
+    lit(shader);
+    shader.uniforms.line = {value: new THREE.Color(0xb9c1c9)};
+    shader.vertexShader = 'varying vec3 place;\n' + shader.vertexShader.replace(
+        '#include <begin_vertex>', '#include <begin_vertex>\nplace = position;');
+    shader.fragmentShader = COVERAGE + `
+        uniform vec3 line;
+        varying vec3 place;
+        ` + shader.fragmentShader.replace('#include <map_fragment>', `
+        vec3 way = normalize(place);
+        float ring = length(way.xz), pixel = max(length(dFdx(way)), length(dFdy(way))) / ${SPACING};
+        vec2 near = coverage(vec2(asin(clamp(way.y, -1.0, 1.0)), ring > 0.0 ? atan(way.x, way.z) : 0.0) / ${SPACING},
+            vec2(pixel, pixel / max(ring, 0.001)));
+        diffuseColor.rgb = mix(diffuseColor.rgb, line, ring > 0.05 ? max(near.x, near.y) : near.x);`);
+  };
+  return material;
 }
