@@ -57,7 +57,7 @@ public final class PageParts {
                 "libraries", script("", read(UPLOT + "dist/uPlot.iife.min.js"))
                         + script("", read(CODEMIRROR + "lib/codemirror.js", CODEMIRROR + "mode/yaml/yaml.js")),
                 "modules", modules(),
-                "loader", script("", own("loader.js")),
+                "starter", script("", own("starter.js")), "loader", script("", own("loader.js")),
                 "licences", Stream.concat(Stream.of("three.js\n\n" + read(THREE + "LICENSE"),
                         "uPlot\n\n" + read(UPLOT + "LICENSE"), "CodeMirror\n\n" + read(CODEMIRROR + "LICENSE")),
                         licences.stream()).map(PageParts::escaped).collect(Collectors.joining(BETWEEN_LICENCES)));

@@ -41,9 +41,14 @@ export class Editor {
     return this.code.markText(from, to, {inclusiveLeft: true, inclusiveRight: true, clearWhenEmpty: false});
   }
 
+  /** Draws the text once, after all that some work does to it. */
+  atOnce(work) {
+    this.code.operation(work);
+  }
+
   /** Writes a text in place of what is marked, as if it had been typed. */
   write(marks, text) {
-    this.code.operation(() => marks.forEach(mark => {
+    this.atOnce(() => marks.forEach(mark => {
       const {from, to} = mark.find() ?? {};
       if (from) {
         this.code.replaceRange(text, from, to, '+input');

@@ -3,7 +3,7 @@ import {Address} from './address.js';
 import {$} from './dom.js';
 import {Gallery} from './gallery.js';
 import {listen, toggleFullScreen} from './keys.js';
-import {save, unpack} from './packing.js';
+import {save} from './packing.js';
 import {makeView} from './view.js';
 import {ComparisonPlot, EnergyPlot, PhasePlot} from './plots.js';
 import {COLOURS, Panels, captionOf, differs, momentOf} from './panels.js';
@@ -24,12 +24,11 @@ import {ofPage} from './words.js';
 const PLOT_INTERVAL = 80;              // milliseconds: a curve of 4000 points takes 20 to draw
 
 const STILL = matchMedia('(prefers-reduced-motion: reduce)');
-const engine = URL.createObjectURL(new Blob([await unpack($('engine').textContent)], {type: 'text/javascript'}));
-const worker = new Worker(engine);
+const {engine, worker, told, opening} = window.started;
 let facts = null, structure = null, plotted = 0;
 
 const view = makeView($('view'));
-const player = new Player(worker, {paused, restarted: () => { startPlots(); phase.renew(); startNearest(); }});
+const player = new Player(worker, opening, {paused, restarted: () => { startPlots(); phase.renew(); startNearest(); }});
 const hand = new Hand($('view'), view, id => phase.pick(id), pulled);
 const inspector = new Inspector($('view'), id => worker.postMessage({type: 'particle', id}));
 const energy = new EnergyPlot($('energy')), phasePlot = new PhasePlot($('phase'));
@@ -166,7 +165,7 @@ function opened(message) {
   }
   $('teaches').textContent = facts.title + ': ' + ofPage(facts.teaches);
   settings.show(facts, chosen.tolerance);
-  showNumbers(0, [], facts);
+  setTimeout(() => facts === message.facts && showNumbers(0, [], facts));      // the picture comes first
   inspector.start();
   startPlots();
   if (wanted?.time > 0) {
@@ -225,23 +224,27 @@ function paused() {
 }
 
 function shown(message) {
-  if (message.structure) {
-    structure = message.structure;
-    if (player.frame === null || view.facts !== facts) {
-      view.open(facts, structure, message.state);
-      view.camera?.restore(wanted?.camera);
-      phase.start(facts, structure, wanted, good);
-      wanted = null;
-      startNearest();
-    } else {
-      phase.list(structure);
-    }
-    view.setStructure(structure);
-  }
+  const isNew = message.structure && (player.frame === null || view.facts !== facts);
+  structure = message.structure ?? structure;
   if (!structure) {
     return;
   }
+  if (isNew) {
+    view.open(facts, structure, message.state);
+    view.camera?.restore(wanted?.camera);
+  }
+  if (message.structure) {
+    view.setStructure(structure);
+  }
   view.show(message);
+  if (isNew) {
+    view.draw();                        // before lists and plots, which take as long again
+    phase.start(facts, structure, wanted, good);
+    wanted = null;
+    startNearest();
+  } else if (message.structure) {
+    phase.list(structure);
+  }
   energy.add(message.energies);
   phasePlot.add(0, message.points);
   addEnergies(0, message, facts);
@@ -336,12 +339,12 @@ function heard(i, message) {
 
 // ---- what people do ----
 
-worker.onmessage = ({data}) => ({
+const hear = ({data}) => ({
   solvers: () => {
     const own = $('students').textContent.split(' ').filter(name => name);
     settings.list(data.solvers, own);
     panels.list(data.solvers, own);
-    address.read().then(found => found || openFirst());
+    opening ? openFirst() : address.read().then(found => found || openFirst());
   },
   opened: () => opened(data),
   frame: () => shown(data),
@@ -418,5 +421,6 @@ function draw(now = 0) {
 new ResizeObserver(resize).observe($('view'));
 showEditor(!matchMedia('(max-width: 1699px)').matches);
 window.lab = {view, energy, phase: phasePlot, comparison, distances, panels, engine, address};  // for tests
-worker.postMessage({type: 'solvers'});
+told.forEach(hear);
+worker.onmessage = hear;
 draw();

@@ -20,6 +20,10 @@ export class Parameters {
 
   /** numbers: those that the text holds, each with its key, place, range and unit */
   show(numbers) {
+    this.editor.atOnce(() => this.replace(numbers));
+  }
+
+  replace(numbers) {
     this.sliders.forEach(({places}) => places.forEach(place => place.clear()));
     const found = parametersOf(numbers, this.editor.text.split('\n')).slice(0, MOST);
     const same = found.map(one => one.label).join() === this.sliders.map(one => one.label).join();

@@ -3,7 +3,7 @@ import {$} from './dom.js';
 import {COLOURS} from './panels.js';
 
 const REFERENCE_PARTICLES = 40;
-const SLICE = 250, AHEAD = 4000;        // milliseconds that the reference runs between two answers; before it has to wait
+const SLICE = 250, AHEAD = 4000;        // milliseconds that the reference runs between answers; before it has to wait
 
 /** What computes a scene as exactly as the page can; null where that would take too long, or nothing can compute. */
 export const referenceOf = (sent, facts, structure, tolerance) =>

@@ -4,10 +4,13 @@ import {$, few, make} from './dom.js';
 const WITHOUT_PULLS = 'The run up to this moment was computed anew, without your earlier pulls.';
 
 export class Player {
-  /** paused(): the run has stopped; restarted(): it is computed anew, and what was known of it is void */
-  constructor(worker, {paused, restarted}) {
-    Object.assign(this, {worker, paused, restarted, run: 0, playing: false, looking: false, autoplay: false,
-      pulled: false, frame: null});
+  /**
+   * opening: what the worker was asked to open first, or null; paused(): the run has stopped; restarted(): it is
+   * computed anew, and what was known of it is void
+   */
+  constructor(worker, opening, {paused, restarted}) {
+    Object.assign(this, {worker, opening: JSON.stringify(opening), paused, restarted, run: 0, playing: false,
+      looking: false, autoplay: false, pulled: false, frame: null});
     $('start').onclick = () => this.startOrPause();
     $('step').onclick = () => this.step();
     $('speed').onchange = () => this.playing && this.tell({type: 'play', speed: this.speed});
@@ -27,7 +30,10 @@ export class Player {
     this.autoplay = play;
     this.pulled = false;
     this.setPlaying(false);
-    this.tell({type: 'open', run: ++this.run, ...sent});
+    const message = {type: 'open', run: ++this.run, ...sent};
+    if (JSON.stringify(message) !== this.opening) {
+      this.tell(message);
+    }
   }
 
   /** The scene is there. */
