@@ -16,7 +16,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.openqa.selenium.interactions.Actions;
 import org.openqa.selenium.interactions.PointerInput.Kind;
 
 /** Use of the lab's page in a browser: clicks, keys, and what is shown. */
@@ -134,11 +133,10 @@ class LabPageTest extends LabPageTestCase {
     @EnumSource(names = {"MOUSE", "TOUCH"})
     void aPulledParticleFollowsAndThePullIsInTheWork(Kind kind) {
         page.openScene("02-one-spring");
-        Actions pointer = hold(kind, 1).moveByOffset(0, -80);
-        pointer.perform();
+        hold(kind, 1).moveByOffset(0, -80).perform();
         page.await("the pull's work", () -> page.text("work").matches("(?s).*pointer \\(driven\\): [0-9].*"));
         until("text('forceList').includes('pointer')");
-        pointer.release().perform();
+        page.driver().resetInputState();        // lets go
         until("!text('forceList').includes('pointer')");
         page.script("const time = document.getElementById('time'); time.value = 0.1;"
                 + " time.dispatchEvent(new Event('input'));");

@@ -5,7 +5,6 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.nio.FloatBuffer;
 import java.util.Base64;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -84,12 +83,10 @@ public final class Replay {
         List<Frame> frames = recorder.getHistory().after(Double.NEGATIVE_INFINITY);
         Map<Structure, Integer> structures = new LinkedHashMap<>();
         frames.forEach(frame -> structures.putIfAbsent(frame.structure(), structures.size()));
-        List<float[]> parts = Stream.concat(structures.keySet().stream().map(Structure::numbers),
-                frames.stream().flatMap(frame -> Stream.of(frame.energies(), frame.state()))).toList();
-        ByteBuffer bytes = ByteBuffer.allocate(Float.BYTES * parts.stream().mapToInt(part -> part.length).sum())
-                .order(ByteOrder.LITTLE_ENDIAN);
-        FloatBuffer floats = bytes.asFloatBuffer();
-        parts.forEach(floats::put);
+        float[] floats = Session.joined(Stream.concat(structures.keySet().stream().map(Structure::numbers),
+                frames.stream().flatMap(frame -> Stream.of(frame.energies(), frame.state()))).toList());
+        ByteBuffer bytes = ByteBuffer.allocate(Float.BYTES * floats.length).order(ByteOrder.LITTLE_ENDIAN);
+        bytes.asFloatBuffer().put(floats);
         Map<String, Object> facts = SceneFacts.of(scene, recorder);
         facts.put("numbers", List.of());
         facts.put("recorded", thinning().orElse(""));

@@ -246,7 +246,7 @@ public final class Session {
         return joined(points);
     }
 
-    private static float[] joined(List<float[]> parts) {
+    static float[] joined(List<float[]> parts) {
         FloatBuffer all = FloatBuffer.allocate(parts.stream().mapToInt(part -> part.length).sum());
         parts.forEach(all::put);
         return all.array();
