@@ -82,9 +82,7 @@ final class Blocks {
                         .flatMapToInt(row -> IntStream.of(row.first, row.second))
                         .filter(i -> i >= 0 && !particles.isFixed(i)).distinct().sorted().toArray());
                 joined.add(block);
-                for (int i : block.particles) {
-                    blockOf[i] = block;
-                }
+                Arrays.stream(block.particles).forEach(i -> blockOf[i] = block);
             }
         }
         return joined;
@@ -190,6 +188,9 @@ final class Blocks {
     Optional<String> solve(Block block, double[] state, double[] force) {
         solutions++;
         left = 0;
+        if (block.rows.length == 0) {                   // all its particles are held
+            return Optional.empty();
+        }
         boolean isIndirect = contacts.getSliding().isIndirect(block.rows, state);
         if (isIndirect || !block.isJoined()) {
             Optional<String> failure = solveOnce(block, force);

@@ -114,15 +114,15 @@ final class SlidingFriction {
         if (!isRough(row)) {
             return;
         }
-        surfaces = 0;
-        keepAlong(Vector3.at(row.gradient, 0));
+        axes[0] = Vector3.at(row.gradient, 0);
+        surfaces = 1;
         double all = 0;                                 // the particle's Coulomb friction
         for (int r = 0; pushKnown && r < rows.length; r++) {
             Row other = rows[r];
             if (other.isContactOf(row)) {
                 all += other.surface.friction().ofCoulomb(other.push);
                 if (other != row && other.push != 0) {
-                    keepAlong(Vector3.at(other.gradient, 0));
+                    keepAlong(other);
                 }
             }
         }
@@ -133,13 +133,10 @@ final class SlidingFriction {
         Vector3.at(row.pull, 0).minus(friction).put(row.pull, 0);
     }
 
-    /** Lets the particle slide only along one more surface, with a normal. */
-    private void keepAlong(Vector3 normal) {
-        if (surfaces == 3) {
-            return;
-        }
-        Vector3 rest = along(normal);
-        double length = surfaces == 0 ? 1 : length(rest);
+    /** Lets the particle slide only along one more surface, with the normal of a row. */
+    private void keepAlong(Row row) {
+        Vector3 rest = along(row.gradient, 0);
+        double length = length(rest);
         if (length > PARALLEL) {
             axes[surfaces++] = rest.over(length);
         }
@@ -160,19 +157,19 @@ final class SlidingFriction {
     private Vector3 find(Friction law, double push, double share, double[] force, double[] state, int v) {
         double most = push * law.coefficient();
         if (law.law() == Friction.Law.SLIDE) {
-            return along(Vector3.at(state, v)).times(most / push);
+            return along(state, v).times(most / push);
         }
         boolean stops = mayStop(v / Particles.STRIDE);
         if (!stops) {
-            Vector3 direction = followBeginning(along(Vector3.at(state, v)), v);
+            Vector3 direction = followBeginning(along(state, v), v);
             double speed = length(direction);
             if (speed > 0) {
                 return direction.times(most / speed / push);
             }
         }
-        Vector3 needed = along(Vector3.at(force, v));
+        Vector3 needed = along(force, v);
         if (stops) {
-            needed = needed.plus(along(Vector3.at(stepBegin, v)).times(stopping[v / Particles.STRIDE]));
+            needed = needed.plus(along(stepBegin, v).times(stopping[v / Particles.STRIDE]));
         }
         double size = length(needed);                   // if it is about to move: against the force that will move it
         return needed.times((share * size <= most ? share : most / size) / push);
@@ -190,7 +187,7 @@ final class SlidingFriction {
         if (startsFromRest(v / Particles.STRIDE)) {
             return Vector3.ZERO;                        // a velocity that is mostly round-off at first
         }
-        Vector3 beginning = along(Vector3.at(stepBegin, v));
+        Vector3 beginning = along(stepBegin, v);
         double length = length(beginning);
         if (length(velocity) < ALMOST_STOPPED * length) {
             return beginning;
@@ -199,13 +196,21 @@ final class SlidingFriction {
         return forward < 0 ? velocity.minus(beginning.over(length).times(2 * forward / length)) : velocity;
     }
 
-    /** The part of a vector along all surfaces. */
-    private Vector3 along(Vector3 vector) {
-        Vector3 rest = vector;
+    /** The part along all surfaces of a vector that begins at an entry; plain numbers, so that steps allocate less. */
+    private Vector3 along(double[] vectors, int place) {
+        double x = vectors[place];
+        double y = vectors[place + 1];
+        double z = vectors[place + 2];
+        double rounding = ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(z));
         for (int a = 0; a < surfaces; a++) {
-            rest = rest.minus(axes[a].times(axes[a].dot(rest)));
+            Vector3 axis = axes[a];
+            double across = axis.x() * x + axis.y() * y + axis.z() * z;
+            x -= across * axis.x();
+            y -= across * axis.y();
+            z -= across * axis.z();
         }
-        return surfaces == 3 || rest.norm1() <= ROUNDING * vector.norm1() ? Vector3.ZERO : rest;
+        boolean isNone = surfaces == 3 || Math.abs(x) + Math.abs(y) + Math.abs(z) <= rounding;
+        return new Vector3(isNone ? 0 : x, isNone ? 0 : y, isNone ? 0 : z);
     }
 
     private static double length(Vector3 vector) {
