@@ -153,7 +153,7 @@ public final class SolverSkeleton {
         String outline = switch (SolverCheck.promise(name)) {
             case "the midpoint method", "Heun's method or the midpoint method", "a Runge-Kutta method of order 2" ->
                     MIDPOINT;
-            case "a Runge-Kutta method of order 4" -> RK4;
+            case "a Runge-Kutta method of order 4", "a Runge-Kutta method" -> RK4;
             case "symplectic Euler", "velocity or position Verlet", "velocity Verlet" -> SIMPLE;
             default -> GENERAL;
         };

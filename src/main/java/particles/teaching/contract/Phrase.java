@@ -14,12 +14,12 @@ public enum Phrase {
     CLOCK_ENDS, STAGE_TIMES, TIME_OF_STAGE, REJECTED_CLOCK, STAGE_CLOCKS, NO_DERIVATIVE, ARRAY_LENGTH, NEVER_SET,
     LEFT_AT_TRIAL, SET_TOO_EARLY, OLD_STATE, LEFT_OUT, DIGITS, CUT_OFF, ENTRY_BY_ENTRY, DELTA_T, MISSING, TOO_MANY,
     DIFFERS, CHANGED, PARTS, WEIGHTS_SUM, LOW_ORDER, OTHER_STEPS, CONTRADICTS, EXPLICIT, ROUNDS, OLD_VELOCITY,
-    NEW_VELOCITY, NOTHING_EARLIER, NO_CONTROL, IRREVERSIBLE, NAME_ORDER, EQUATION, EQUATION_TIME, LOOSE, STALE, TOO_OLD,
-    ADAMS_START, UNSTABLE, UNCONTROLLED, LARGEST_ERROR, ABSOLUTE_ERROR, ELSEWHERE, LAYOUT, ADDS, GOES_ON, DRAG,
-    DRAG_DIVERGES, MATRIX, NO_CONVERGENCE, UNUSED, USES_STEPS_BEFORE, KEPT_ARRAY, KEPT_DERIVATIVE, KEPT_SOMETHING,
-    OTHER_SOURCE, STATIC, DELTA_T_CHANGES, DELTA_T_KEPT, CLOCK_IGNORED, SIZE_FAILS, SIZE_UNLIKE, NOTHING_BACK, LOOPS,
-    MOVES_AT_ZERO, NAN_AT_ZERO, SWALLOWS, FOR_PARTICLES, REFUSES_BACK, REFUSES_ZERO, LEFT_WITHIN, NAN_UNNOTICED,
-    NAN_UNSAID, NAN_HIDDEN;
+    NEW_VELOCITY, NOT_ITERATED, NOTHING_EARLIER, NO_CONTROL, IRREVERSIBLE, NAME_ORDER, EQUATION, EQUATION_TIME,
+    LOOSE, STALE, TOO_OLD, ADAMS_START, UNSTABLE, UNCONTROLLED, LARGEST_ERROR, ABSOLUTE_ERROR, ELSEWHERE, LAYOUT,
+    ADDS, GOES_ON, DRAG, DRAG_DIVERGES, PRINTED, MATRIX, NO_CONVERGENCE, UNUSED, USES_STEPS_BEFORE, KEPT_ARRAY,
+    KEPT_DERIVATIVE, KEPT_SOMETHING, OTHER_SOURCE, STATIC, DELTA_T_CHANGES, DELTA_T_KEPT, CLOCK_IGNORED,
+    SIZE_FAILS, SIZE_UNLIKE, NOTHING_BACK, LOOPS, MOVES_AT_ZERO, NAN_AT_ZERO, SWALLOWS, FOR_PARTICLES,
+    REFUSES_BACK, REFUSES_ZERO, LEFT_WITHIN, NAN_UNNOTICED, NAN_UNSAID, NAN_HIDDEN;
 
     private static final String BOOK = """
             # the class
@@ -40,7 +40,8 @@ public enum Phrase {
             time CLOCK_ENDS: %sthe clock ends at %s after a step of deltaT = %s s and has to end at t + deltaT: all \
                 moves of the clock in a step together have to make deltaT
             time STAGE_TIMES: %s is evaluated at %s; %s says %s%s
-            time TIME_OF_STAGE: %s %s while the clock is at %s; the state there is that of %s
+            time TIME_OF_STAGE: %s %s while the clock is at %s; the state there is that of %s: \
+                either the state or the clock is wrong
             time STAGE_CLOCKS: the error is %s where a force changes with the clock, with deltaT = %s s, and %s \
                 where the same force is read off the state: some evaluations are at another clock than their states, \
                 or the derivative with respect to time is missing in a method with a matrix
@@ -87,11 +88,14 @@ public enum Phrase {
                 adding
             method MATRIX: a matrix solves a linear law in one go, and there the equation of %s is off by %s: the \
                 matrix has to be I - deltaT J for backward Euler, I - deltaT/2 J for the trapezoidal rule and the \
-                implicit midpoint method, with all of J
+                implicit midpoint method, with all of J, in row i the change of entry i of the derivative
             # the name
             name CONTRADICTS: this is %s and not %s, as its name says
             name EXPLICIT: this is %s, which is explicit, and not %s, as its name says: the equation for the new \
                 state is not solved; an iteration has to go on until nothing changes
+            name NOT_ITERATED: %s, as its name says, has to be solved for; here every evaluation is at the old state, \
+                and no round of the iteration changes it: its increment was not added to the state that is set, or \
+                1/2 is 0 in Java, as both are whole numbers, and 1/2.0 is meant
             method ROUNDS: the iteration for the new state ends too early, after %s: the equation of %s has to be \
                 iterated until nothing changes any more
             name OLD_VELOCITY: the position is updated with the old velocity, which is the Euler method; the slides' \
@@ -124,14 +128,14 @@ public enum Phrase {
             # methods that are only measured
             method UNSTABLE: it evaluates the derivative once more for each entry, as methods that solve with a \
                 matrix do, and is not stable as they are: a step of %s s multiplies %s by %s. Check the signs in the \
-                matrix, such as I - deltaT J, or the function of it, that all of J is used, and the state of each \
-                stage
+                matrix, such as I - deltaT J, or the function of it, that all of J is used (in row i the change of \
+                entry i of the derivative), and the state of each stage
             method UNCONTROLLED: sub-steps are made, and the error is still %s after a step of %s s, and %s after %s \
                 steps over the same time: a sub-step with too large an error has to be made again from the state \
                 before it, with a shorter length
             method LARGEST_ERROR: two springs swing alike, one as the first coordinate of a particle and one as the \
-                last, and after a step of %s s they are %s apart: the error of a sub-step has to be the largest of \
-                all entries
+                last, and after a step of %s s they are %s apart: every loop, also that of a matrix, has to reach \
+                all entries, and the error of a sub-step has to be the largest of all entries
             method ABSOLUTE_ERROR: two springs start at 1 and at -1, and after a step of %s s one is not the mirror \
                 image of the other, but %s off: an error may be negative, and its size counts, Math.abs
             method ELSEWHERE: after a step of %s s the state is that of %s: either the weights add up to %s and not \
@@ -179,7 +183,9 @@ public enum Phrase {
                 derivative has to enter the new state whatever it is, or an exception has to say that it is no number
             # style
             style DRAG: its order is %s, and %s where the acceleration depends on the velocity, as with drag: there \
-                the velocity in each kick has to be iterated
+                the velocity in each kick has to be iterated, or predicted to the time of the kick
+            style PRINTED: the coefficients are those of %s to eight digits: give them by formulas, such as \
+                Math.sqrt(0.5), or with sixteen digits
             method DRAG_DIVERGES: where the acceleration depends on the velocity, as with drag, the error does not go \
                 to 0 with deltaT (order %s): each round of a kick has to begin with the velocity before it
             style UNUSED: an evaluation of the step enters nothing, and could be left out

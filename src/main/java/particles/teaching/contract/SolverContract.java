@@ -27,6 +27,10 @@ public record SolverContract(Supplier<DESolver> maker) {
     private static final double H = 1.0 / 16;
     private static final double ALIKE = 1e-2;
     private static final double ROUNDING = 1e-12;
+    /** The entries are worked one after the other if there are so many more evaluations for twice as many of them. */
+    private static final double IN_TURN = 1.5;
+    /** In so short a step, entries that are worked in turn are as good as alike. */
+    private static final double BRIEF = H / 64;
     /** So small that an adaptive method accepts its first step. */
     public static final double TINY = StrictMath.pow(2, -40);
     private static final double SAME = 1e-6;
@@ -128,14 +132,17 @@ public record SolverContract(Supplier<DESolver> maker) {
     }
 
     private Optional<Finding> unlike(StudentSource source, int d, String size, String cause) {
+        boolean inTurn = evaluations(2, H) > IN_TURN * evaluations(1, H);
+        double h = inTurn ? BRIEF : H;
         try {
-            source.step(maker.get(), H);
+            source.step(maker.get(), h);
         } catch (RuntimeException e) {
             return Phrase.SIZE_FAILS.when(d == 3 || !StudentFailure.isRefusal(e), size,
                     StudentFailure.describe(e), cause);
         }
-        return Stream.concat(source.evaluatedAt().stream(), Stream.of(source.getState())).flatMap(state ->
-                IntStream.range(0, state.length).filter(k -> !(Math.abs(state[k] - state[k / d % 2 * d]) <= ALIKE))
+        return Stream.concat(source.evaluatedAt().stream().filter(state -> !inTurn), Stream.of(
+                source.getState())).flatMap(state -> IntStream.range(0, state.length).filter(k -> !(Math.abs(state[k]
+                - state[k / d % 2 * d]) <= ALIKE * h / H))
                 .mapToObj(k -> Phrase.SIZE_UNLIKE.of(size, k, state[k], k / d % 2 * d, state[k / d % 2 * d], cause)))
                 .findFirst();                           // differences for a Jacobian are smaller
     }

@@ -173,8 +173,8 @@ final class Comparison {
     }
 
     private void compareTimes() {
-        int[] wrong = IntStream.range(0, Math.min(found.size(), known.size())).filter(i -> !Formula.sameTime(
-                found.times()[i], known.times()[i])).toArray();
+        int[] wrong = IntStream.range(0, Math.min(found.size(), known.size())).filter(i -> Math.abs(
+                found.times()[i] - known.times()[i]) > Combination.PRINTED).toArray();
         if (wrong.length > 0) {
             int i = wrong[0];
             wrong(Phrase.STAGE_TIMES.of(known.slope(i), Formula.time(found.times()[i]), known.source(), Formula.time(

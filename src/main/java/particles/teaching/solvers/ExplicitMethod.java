@@ -73,10 +73,12 @@ record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<Or
             return new Diagnosis("This is " + (same ? "" : "nearest to ") + name, rule.or(() -> nearest.first().filter(
                     finding -> scheme.isInTurn() && nearest.isNear())));
         }
-        Optional<Finding> note = read.isOfParticles() ? dragged() : Phrase.UNUSED.when(scheme.size() < read.size());
+        boolean idle = scheme.size() < read.size();
+        Optional<Finding> note = (read.isOfParticles() ? dragged() : Phrase.UNUSED.when(idle)).or(() ->
+                Phrase.PRINTED.when(same && scheme.size() > 1 && !KnownMethods.isAny(scheme, 1), name));
         Optional<Finding> unsolved = same ? note : SolvedEquation.rounds(maker, scheme, promise).or(() ->
-                KnownMethods.mistake(scheme)).or(() -> Optional.of(unsolved(scheme)).filter(finding ->
-                promise.isImplicit()));
+                KnownMethods.mistake(scheme)).or(() -> Optional.of(idle ? Phrase.NOT_ITERATED.of(promise.says())
+                : unsolved(scheme)).filter(finding -> promise.isImplicit()));
         return same ? new Diagnosis("This is " + name, note, nearest.known().order(), name)
                 : unsolved.isPresent() ? new Diagnosis("This is an explicit method", unsolved)
                 : unknown(scheme, nearest, note);
@@ -102,7 +104,7 @@ record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<Or
     private Diagnosis unknown(Scheme scheme, Comparison nearest, Optional<Finding> note) {
         boolean particles = scheme.isOfParticles();
         OrderMeasurement full = measured.get();
-        int wanted = promise.isGiven() ? promise.order() : nearest.isNear() ? nearest.known().order() : 1;
+        int wanted = Math.max(promise.order(), nearest.isNear() ? nearest.known().order() : 1);
         int order = (int) Math.max(0, Math.round(full.order()));     // 0 for NaN
         boolean keepsArea = particles && Math.abs(StudentSource.after(new Springs(), maker.get(), 1, 1).steps()
                 .determinant() - 1) < 1e-10;

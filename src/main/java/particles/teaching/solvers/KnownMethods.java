@@ -15,11 +15,8 @@ final class KnownMethods {
     static final String MIDPOINT = "the midpoint method";
     static final String RK4 = "RK4, the classical Runge-Kutta method";
     static final String SYMPLECTIC = "symplectic Euler, the slides' simple particle system algorithm";
-    static final String VERLET = "velocity Verlet (leapfrog: kick, drift, kick)";
-    static final String BACKWARD_EULER = "backward Euler";
-    static final String IMPLICIT_MIDPOINT = "the implicit midpoint method";
-    static final String TRAPEZOID = "the implicit trapezoidal rule";
-    static final List<String> IMPLICIT = List.of(BACKWARD_EULER, IMPLICIT_MIDPOINT, TRAPEZOID);
+    static final List<String> IMPLICIT = List.of("backward Euler", "the implicit midpoint method",
+            "the implicit trapezoidal rule");
 
     static final List<String> ON_SLIDES = List.of(EULER, MIDPOINT, RK4, SYMPLECTIC);
 
@@ -36,8 +33,9 @@ final class KnownMethods {
             SSPRK3, the method of Shu and Osher | 3 | 1; 1/4 1/4 | 1/6 1/6 2/3
             Williamson's method of order 3 | 3 | 1/3; -3/16 15/16 | 1/6 3/10 8/15
             Kutta's 3/8 rule | 4 | 1/3; -1/3 1; 1 -1 1 | 1/8 3/8 3/8 1/8
-            Ralston's method of order 4 (its eight printed digits) | 4 | .4; .29697761 .15875964; \
-            .21810040 -3.05096516 3.83286476 | .17476028 -.55148066 1.20553560 .17118478
+            Ralston's method of order 4 | 4 | 2/5; 0.2969776092477536 0.15875964497103583; \
+            0.21810038822592047 -3.0509651486929308 3.8328647604670103 \
+            | 0.17476028226269037 -0.55148066287873294 1.2055355993965235 0.17118478121951903
             Gill's method | 4 | 1/2; 0.2071067811865476 0.2928932188134524; \
             0 -0.7071067811865476 1.7071067811865476 | 1/6 0.09763107293781749 0.5690355937288492 1/6
             Nystrom's method of order 3 | 3 | 2/3; 0 2/3 | 1/4 3/8 3/8
@@ -48,6 +46,15 @@ final class KnownMethods {
             | 7/90 0 32/90 12/90 32/90 7/90
             Butcher's method of order 6 | 6 | 1/3; 0 2/3; 1/12 1/3 -1/12; -1/16 9/8 -3/16 -3/8; \
             0 9/8 -3/8 -3/4 1/2; 9/44 -9/11 63/44 18/11 0 -16/11 | 11/120 0 27/40 27/40 -4/15 -4/15 11/120
+            Butcher's method of order 6 | 6 | 1/3; 0 2/3; 1/12 1/3 -1/12; 25/48 -55/24 35/48 15/8; \
+            3/20 -11/24 -1/8 1/2 1/10; -261/260 33/13 43/156 -118/39 32/195 80/39 \
+            | 13/200 0 11/40 11/40 4/25 4/25 13/200
+            Carpenter and Kennedy's method of order 4 | 4 | 0.14965902199922912; \
+            -0.008809355635422508 0.37921031299962728; \
+            0.40117765364623841 -0.60187691989877696 0.82295502938698172; \
+            -0.19042969985249632 0.81382262244373295 -0.36456124786566849 0.69945045594912211 \
+            | 0.0055941884550069867 0.34474304234056708 0.028911816184089781 \
+            0.46769370505218416 0.15305724796815199
             Fehlberg's method of order 4 | 4 | 1/4; 3/32 9/32; 1932/2197 -7200/2197 7296/2197; \
             439/216 -8 3680/513 -845/4104; -8/27 2 -3544/2565 1859/4104 -11/40 | 25/216 0 1408/2565 2197/4104 -1/5 0
             Fehlberg's method of order 4 | 4 | 1/4; 3/32 9/32; 1932/2197 -7200/2197 7296/2197; \
@@ -86,17 +93,34 @@ final class KnownMethods {
             """;
 
     /** The two methods of particles that make no turns: name, order, rows and times as in a {@link Scheme}. */
-    private static final String EULER_ROWS = "the Euler method | 1 | 1 0; 1 1; 0 1 1 | 0";
-    private static final String NYSTROM_ROWS = "Nystrom's method of order 4 | 4 "
-            + "| 1 0; 1 1/2 1/8; 1 1 0 1/2; 1 1 1/6 1/3 0; 0 1 1/6 2/3 1/6 | 0 1/2 1";
+    private static final String NO_TURNS = """
+            the Euler method | 1 | 1 0; 1 1; 0 1 1 | 0
+            Nystrom's method of order 4 | 4 | 1 0; 1 1/2 1/8; 1 1 0 1/2; 1 1 1/6 1/3 0; 0 1 1/6 2/3 1/6 | 0 1/2 1
+            """;
 
-    /** Name, places of the derivatives (0 is the old state, 1 the new one, -1 the one before), weights, mistake. */
+    /**
+     * Name, places of the derivatives (0 is the old state, 1 the new one, -1 the one before), weights, mistake, and the
+     * clocks if they are not at the places.
+     */
     static final String EQUATIONS = """
             backward Euler | 1 | 1 1 |
             the implicit trapezoidal rule | 0 1 | 1 1/2 1/2 |
             the implicit midpoint method | 1/2 | 1 1 |
             the BDF formula of order 2 | 1 | 4/3 -1/3 2/3 |
             the BDF formula of order 3 | 1 | 18/11 -9/11 2/11 6/11 |
+            the BDF formula of order 4 | 1 | 48/25 -36/25 16/25 -3/25 12/25 |
+            backward Euler | 1 | 1 1 | | 0
+            backward Euler | 1 | 1 1 | | 1/2
+            the implicit trapezoidal rule | 0 1 | 1 1/2 1/2 | | 0 0
+            the implicit trapezoidal rule | 0 1 | 1 1/2 1/2 | | 0 1/2
+            the implicit trapezoidal rule | 0 1 | 1 1/2 1/2 | | 1/2 1
+            the implicit trapezoidal rule | 0 1 | 1 1/2 1/2 | | 1/2 1/2
+            the implicit trapezoidal rule | 0 1 | 1 1/2 1/2 | | 1 1
+            the implicit midpoint method | 1/2 | 1 1 | | 0
+            the implicit midpoint method | 1/2 | 1 1 | | 1
+            the BDF formula of order 2 | 1 | 4/3 -1/3 2/3 | | 0
+            the BDF formula of order 2 | 1 | 4/3 -1/3 2/3 | | 1/2
+            the BDF formula of order 3 | 1 | 18/11 -9/11 2/11 6/11 | | 0
             backward Euler | 1 | 1 1/2 | : deltaT/2 stands where deltaT is meant
             backward Euler | 1 | 1 2 | : deltaT comes in twice
             backward Euler | 1 | 1 -1 | : the sign is wrong
@@ -111,6 +135,10 @@ final class KnownMethods {
             the BDF formula of order 2 | 1 | -1/3 4/3 2/3 | : the old states are exchanged
             the BDF formula of order 2 | 1 | 4/3 -1/3 1/3 | : the weight of the derivative is not 2/3
             the BDF formula of order 3 | 1 | 18/11 -9/11 2/11 1 | : the 6/11 is missing
+            the BDF formula of order 3 | 1 | 18/11 -9/11 2/11 2/3 | : the weight of the derivative is not 6/11
+            the BDF formula of order 3 | 1 | 18/11 9/11 2/11 6/11 | : the sign of an older state is wrong
+            the BDF formula of order 3 | 1 | 2/11 -9/11 18/11 6/11 | : the old states are the other way round
+            the BDF formula of order 4 | 1 | 48/25 -36/25 16/25 -3/25 1 | : the 12/25 is missing
             the Adams method of order 2 | 0 -1 | 1 3/2 -1/2 |
             the Adams method of order 3 | 0 -1 -2 | 1 23/12 -4/3 5/12 |
             the Adams method of order 4 | 0 -1 -2 -3 | 1 55/24 -59/24 37/24 -9/24 |
@@ -140,8 +168,8 @@ final class KnownMethods {
             """;
 
     private static final List<Scheme> ONE_FORMULA = RUNGE_KUTTA.lines().map(KnownMethods::rungeKutta).toList();
-    private static final List<Scheme> OF_PARTICLES = Stream.concat(Stream.concat(Stream.of(rows(EULER_ROWS)),
-            TURNS.lines().map(KnownMethods::turns)), Stream.of(rows(NYSTROM_ROWS))).toList();
+    private static final List<Scheme> OF_PARTICLES = Stream.concat(NO_TURNS.lines().map(KnownMethods::rows),
+            TURNS.lines().map(KnownMethods::turns)).toList();
 
     private KnownMethods() {
     }

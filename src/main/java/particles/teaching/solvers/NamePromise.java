@@ -1,14 +1,12 @@
 package particles.teaching.solvers;
 
 import static particles.teaching.solvers.KnownMethods.IMPLICIT;
-import static particles.teaching.solvers.KnownMethods.IMPLICIT_MIDPOINT;
 
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Pattern;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.Finding;
 import particles.teaching.contract.Phrase;
@@ -29,16 +27,27 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
             + "|sub|small|tiny|twice|half|halves|multi|rosenbrock|exponential|linear|ensemble|corrected|compos|blend"
             + "|filter|lowstorage|stabili[sz]ed|chebyshev|predict");
     private static final int SHORT = 4;
-    /** An order: SdirkTwo is one of order 2. Before these words it is the number of them, as in TwoStageSdirk. */
-    private static final Pattern NUMBER = Pattern.compile(
-            "(?<=[A-Za-z])(Two|Three|Four|Five)(?!Stage|Step|Phase|Point|Eighth)");
-    private static final String ORDINAL = ".*(%2$s|%1$s(rd|th)?)order.*|.*order%1$s(?!d).*";
+    /** Orders, from 2 on: SdirkTwo is one of order 2. Before words such as Stage they are the number of those. */
+    private static final String[] NUMBERS = ("Two|Zwei|Deux|Dos Three|Third|Drei|Dritter|Trois|Tres|Tercer"
+            + " Four(th)?|Vier(ter)?|Quatre|Cuatro Five|Fifth|Fuenf(ter)?|Cinq|Cinco Six(th)?|Sechs(ter)?|Seis"
+            + " Seven(th)?|Sieben|Siete Eighth?(?![hs])|Acht(er)?(?!el)|Huit|Ocho").split(" ");
+    private static final String NUMBER = "(%s)(?!(?i)stage|step|phase|point|eighth|achtel|octav|stufig|schritt|punkt"
+            + "|etap|paso)";
+    private static final String ORDER = ".*([3-8])(rd|th)?(order|ordnung).*"
+            + "|.*(order|ordnung|ordre|orden)([3-8])(?!d).*|.*";
+    /** A word that may say what the name means: what is left of it is more than these and two letters. */
+    private static final String OTHER_WORD = "^(?!(my|our|the|new|own|simple|plain|basic|classic(al)?|klassisch(es)?"
+            + "|standard|fixed|fast|slow|first|best|euler|runge|kutta|solver|methode?|metodo|verfahren|schema|scheme"
+            + "|integrator|stepper|step|ode|student|team|group|gruppe|task|exercise|aufgabe|homework|test|final"
+            + "|\\d)*.{0,2}$)";
     private static final Pattern EXTRAPOLATES = Pattern.compile("richardson|extrapol");
     private static final Pattern ADAPTS = Pattern.compile("adapt|stepdoubling|stepsizecontrol|variablestep");
 
-    /** Meaning, order, words in names, names of methods, kind; the longest word in a name wins. */
+    /** Meaning, order, words in names (? is any other), names of methods, kind; the longest word in a name wins. */
     private static final String TABLE = """
-            the Euler method | 1 | euler | the Euler method |
+            the Euler method | 1 | euler explicit-euler forward-euler | the Euler method |
+            the Euler method, or an improved one | 1 | euler-? | the Euler method; Heun's method; the midpoint method; \
+            Ralston's method |
             symplectic Euler | 1 | symplectic-euler semi-implicit semi-implicit-euler cromer euler-cromer symplectic \
             kickdrift driftkick simplealgorithm simpleparticle \
             | symplectic Euler, the slides' simple particle system algorithm; \
@@ -49,29 +58,34 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
             the midpoint method | 2 | explicit-midpoint | the midpoint method |
             the implicit midpoint method | 2 | implicit-midpoint newton-midpoint \
             | the implicit midpoint method | implicit
-            a Runge-Kutta method of order 2 | 2 | rk2 rungekutta2 second-rungekutta 2nd-rungekutta two-rungekutta \
+            a Runge-Kutta method of order 2 | 2 | rk2 rungekutta2 second-rungekutta 2nd-rungekutta 2order-rungekutta \
             order2-rungekutta | |
             Heun's method | 2 | heun | Heun's method; Ralston's method; Heun's method of order 3 |
-            Heun's method or the midpoint method | 2 | modified-euler improved-euler | Heun's method; \
+            Heun's method or the midpoint method | 2 | modified-euler improved-euler mejorado-euler \
+            modificado-euler verbessert-euler modifiziert-euler ameliore-euler modifie-euler migliorato-euler \
+            | Heun's method; \
             the midpoint method; Ralston's method |
             the trapezoidal rule | 2 | trapez trapezoid trapezoidal | Heun's method; the implicit trapezoidal rule |
             the implicit trapezoidal rule | 2 | crank-nicolson implicit-trapez implicit-trapezoid \
             implicit-trapezoidal newton-trapezoidal | the implicit trapezoidal rule | implicit
             Ralston's method | 2 | ralston | Ralston's method; Ralston's method of order 3; \
-            Ralston's method of order 4 (its eight printed digits) |
-            a Runge-Kutta method of order 3 | 3 | rk3 rungekutta3 third-rungekutta 3rd-rungekutta kutta3 heun3 \
-            ralston3 bogackishampine ssprk3 ssprk43 ssp3 order3-rungekutta | |
+            Ralston's method of order 4 |
+            a Runge-Kutta method of order 3 | 3 | rk3 rungekutta3 kutta3 heun3 \
+            ralston3 bogackishampine ssprk3 ssprk43 ssp3 | |
             a strong-stability-preserving method | 2 | ssp ssprk ssprk42 shuosher | |
+            a Runge-Kutta method | 1 | rungekutta-? | |
             a Runge-Kutta method of order 4 | 4 | rk4 rungekutta4 rungekutta classicalrk ralston4 ralstonrk4 \
             ssprk4 ssprk54 ssprk104 | |
             a Runge-Kutta method of order 6 | 6 | rk6 rungekutta6 butcher6 | |
+            a Runge-Kutta method of order 7 | 7 | rk7 rungekutta7 | |
             a Runge-Kutta method of order 8 | 8 | rk8 rungekutta8 | |
             Gill's method | 4 | gill | Gill's method |
             Merson's method | 4 | merson kuttamerson rungekuttamerson | Merson's method |
             a stabilized method | 1 | chebyshev legendre rkc rkl | |
-            Kutta's 3/8 rule | 4 | rk38 rungekutta38 kutta38 threeeighth | Kutta's 3/8 rule |
+            Kutta's 3/8 rule | 4 | rk38 rungekutta38 kutta38 threeeighth dreiachtel troishuit tresoctav \
+            | Kutta's 3/8 rule |
             a method of order 4 or 5 | 4 | rkf45 rk45 ode45 fehlberg rungekuttafehlberg cashkarp dormandprince dopri | |
-            a Runge-Kutta method of order 5 | 5 | rk5 rungekutta5 fifth-rungekutta dopri5 rkf5 dormandprince5 \
+            a Runge-Kutta method of order 5 | 5 | rk5 rungekutta5 dopri5 rkf5 dormandprince5 \
             fehlberg5 cashkarp5 | |
             velocity or position Verlet | 2 | verlet velocity-verlet position-verlet stormer-verlet stoermer-verlet \
             leapfrog kickdriftkick driftkickdrift stormer stoermer | velocity Verlet (leapfrog: kick, drift, kick); \
@@ -106,9 +120,14 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
             a BDF method of order 3 | 3 | bdf3 | | earlier
             a BDF method of order 4 | 4 | bdf4 | | earlier
             a BDF method of order 5 | 5 | bdf5 | | earlier
+            a BDF method of order 6 | 6 | bdf6 | | earlier
             Beeman's method | 2 | beeman | |
+            Newmark's method | 2 | newmark averageacceleration meanacceleration | |
+            Gragg's method | 2 | gragg modifiedmidpoint | |
+            an extrapolation method of order 3 or more | 3 | bulirsch stoer bulirsch-stoer gragg-bulirsch \
+            gragg-extrapol gragg-bulirsch-stoer bulirsch-stoer-extrapol romberg romberg-extrapol gbs | |
             a predictor-corrector method | 2 | pec pece predictor-corrector | |
-            a Gauss method | 2 | gauss gausslegendre | | implicit
+            a Gauss method | 2 | gauss gausslegendre | the implicit midpoint method | implicit
             a Gauss method of order 4 | 4 | gauss4 gausslegendre4 | | implicit
             a Gauss method of order 6 | 6 | gauss6 gausslegendre6 | | implicit
             a Lobatto method of order 4 | 4 | lobatto4 | | implicit
@@ -116,7 +135,7 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
             a Radau method | 3 | radau | | implicit
             a Radau method of order 3 | 3 | radau3 radauiia3 | | implicit
             Radau IIA of order 5 | 5 | radau5 radauiia5 | | implicit
-            a diagonally implicit method of order 2 | 2 | sdirk2 dirk2 | | implicit
+            a diagonally implicit method of order 2 | 2 | sdirk2 dirk2 | the implicit midpoint method | implicit
             a diagonally implicit method of order 3 | 3 | sdirk3 dirk3 | | implicit
             a diagonally implicit method of order 4 | 4 | sdirk4 dirk4 | | implicit
             """;
@@ -126,8 +145,8 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
         static Stream<Row> of(String line) {
             String[] parts = line.split(" *[|] *", -1);
             List<String> methods = Stream.of(parts[3].split("; ")).filter(name -> !name.isEmpty()).toList();
-            return Stream.of(parts[2].split(" ")).map(word -> new Row(List.of(word.split("-")), parts[0],
-                    Integer.parseInt(parts[1]), methods, parts[4]));
+            return Stream.of(parts[2].split(" ")).map(word -> new Row(List.of(word.replace("?",
+                    OTHER_WORD).split("-")), parts[0], Integer.parseInt(parts[1]), methods, parts[4]));
         }
 
         /** A short part begins a word: there is no rk5 in Homework5. */
@@ -136,13 +155,12 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
                     : "((?<![A-Za-z])|(?=[A-Z0-9]))") + "(?i)" + part).matcher(name).find());
         }
 
+        /** In RungeKuttaHeun, the other word says which. */
         int length() {
-            return parts.equals(FAMILY) ? 0 : String.join("", parts).length();
+            return parts.get(0).equals("rungekutta") ? 0 : String.join("", parts).replace(OTHER_WORD, "?").length();
         }
     }
 
-    /** In RungeKuttaHeun, the other word says which. */
-    private static final List<String> FAMILY = List.of("rungekutta");
     private static final List<Row> ROWS = TABLE.lines().flatMap(Row::of).toList();
 
     /**
@@ -150,11 +168,13 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
      * @return the promise
      */
     static NamePromise of(String className) {
-        String bare = NUMBER.matcher(className.replaceAll("[^A-Za-z0-9]", "")).replaceAll(word -> String.valueOf(2
-                + List.of("Two", "Three", "Four", "Five").indexOf(word.group())));
+        String digits = className.replaceAll("[^A-Za-z0-9]", "");
+        for (int n = 0; n < NUMBERS.length; n++) {
+            digits = digits.replaceAll(NUMBER.formatted(NUMBERS[n]), String.valueOf(n + 2));
+        }
+        String bare = digits;
         String lower = bare.toLowerCase(Locale.ROOT);
-        int said = IntStream.rangeClosed(3, 6).filter(n -> lower.matches(ORDINAL.formatted(n, List.of("third", "fourth",
-                "fifth", "sixth").get(n - 3)))).findFirst().orElse(0);
+        int said = Integer.parseInt("0" + lower.replaceAll(ORDER, "$1$5"));
         boolean adapts = ADAPTS.matcher(lower).find();
         return ROWS.stream().filter(row -> row.isIn(bare)).max(Comparator.comparingInt(Row::length)).map(best -> {
             String rest = lower.replaceAll("(" + String.join("|", best.parts) + ")(s(?=method|rule|solver|$))?", " ");
@@ -163,8 +183,8 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
                     + (more ? 1 : 0)),
                     best.methods, best.kind, more || ROWS.stream().anyMatch(row -> row.parts.stream().allMatch(
                     rest::contains)) || CHANGES.matcher(rest).find(), adapts);      // HeunEuler is another method
-        }).orElseGet(() -> new NamePromise(adapts ? "a method with step-size control" : "", adapts ? 1 : 0, List.of(),
-                "", true, adapts));
+        }).orElseGet(() -> new NamePromise(said > 0 ? "a method of order " + said : "", said, List.of(), "",
+                true, adapts));
     }
 
     /** @return whether the name promises something */
@@ -176,8 +196,7 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
     boolean allows(String method, int itsOrder) {
         boolean high = itsOrder >= order;
         return methods.contains(method) && (high || itsOrder == 0) || high && (methods.isEmpty()
-                || changed) || method.equals(IMPLICIT_MIDPOINT) && order <= 2
-                && says.matches("a (Gauss|diagonally implicit) method( of order 2)?");
+                || changed);
     }
 
     /** @return the meaning of the name, with the order */

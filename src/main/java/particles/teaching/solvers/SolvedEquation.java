@@ -7,6 +7,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -37,11 +38,10 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
     /** In this step (s) an accurate method is off these equations by 1e-3 or more. */
     private static final double NEAR_STEP = 1.0 / 8;
     private static final double NEAR = 1e-4;
-    private static final double[] STEPS = {1.0 / 8, 1.0 / 4, 3.0 / 16, 3.0 / 32, 1.0 / 16, 3.0 / 64, 1.0 / 32, 1.0 / 64,
-        1.0 / 128};
+    private static final double[] STEPS = KnownMethods.numbers("1/8 1/4 3/16 3/32 1/16 3/64 1/32 1/64 1/128");
     private static final List<SolvedEquation> ALL = KnownMethods.EQUATIONS.lines().map(line -> line.split(" *[|] *",
             -1)).map(parts -> new SolvedEquation(parts[0], parts[3], KnownMethods.numbers(parts[1]),
-            KnownMethods.numbers(parts[1]), KnownMethods.numbers(parts[2]))).toList();
+            KnownMethods.numbers(parts[parts.length == 4 ? 1 : 4]), KnownMethods.numbers(parts[2]))).toList();
 
     private static SolvedEquation named(String name) {
         return ALL.stream().filter(known -> known.name.equals(name)).findFirst().orElseThrow();
@@ -56,17 +56,7 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
     }
 
     private boolean isOneStep() {
-        return old() == 1 && !isAdams() && mistake.isEmpty();
-    }
-
-    /** The same with the clock of one derivative at the beginning, in the middle or at the end. */
-    private Stream<SolvedEquation> clocks() {
-        return Stream.concat(Stream.of(this), IntStream.range(0, mistake.isEmpty() ? times.length : 0).boxed().flatMap(
-                j -> Stream.of(0.0, 0.5, 1.0).map(time -> {
-                    double[] changed = times.clone();
-                    changed[j] = time;
-                    return new SolvedEquation(name, mistake, places, changed, weights);
-                })));
+        return old() == 1 && !isAdams() && mistake.isEmpty() && Arrays.equals(places, times);
     }
 
     /**
@@ -76,15 +66,21 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
     static Optional<SolvedEquation> of(Supplier<DESolver> maker, boolean earlier) {
         return Arrays.stream(STEPS).limit(earlier ? 1 : STEPS.length).boxed().flatMap(h -> {
             Made made = Made.by(maker, WindyOscillators.nonlinear(2), h, earlier ? 6 : 1, 1);
-            return ALL.stream().filter(known -> known.old() > 1 == earlier && !known.isAdams())
-                    .flatMap(SolvedEquation::clocks).filter(known -> made.misfit(known) < FITS * h).limit(1);
+            return ALL.stream().filter(known -> known.old() > 1 == earlier && !known.isAdams() && made.misfit(known)
+                    < FITS * h).limit(1);
         }).findFirst();
     }
 
-    /** @return the name of a method with one step whose equation is nearly fulfilled, as by a loose iteration */
+    /**
+     * @return the name of a method with one step whose equation is nearly fulfilled, as by a loose iteration, or which
+     *         is all that is left of it where nothing moves, after its first round
+     */
     static Optional<String> near(Supplier<DESolver> maker) {
-        return ALL.stream().filter(known -> known.isOneStep() && known.residual(maker, NEAR_STEP, 1) < NEAR)
-                .map(SolvedEquation::name).findFirst();
+        Optional<Scheme> round = StepReading.of(maker, NEAR_STEP, SolverContract.TINY, 1).map(StepReading::scheme)
+                .filter(scheme -> !scheme.isOfParticles());
+        return ALL.stream().filter(known -> known.isOneStep() && (known.residual(maker, NEAR_STEP, 1) < NEAR
+                || round.filter(scheme -> Arrays.equals(scheme.times(), known.times) && Combination.same(scheme.rows()
+                .get(scheme.size()), known.weights)).isPresent())).map(SolvedEquation::name).findFirst();
     }
 
     /** @return the weights of the seventh step of a multistep method; empty if they are not fixed */
@@ -109,13 +105,14 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
     Optional<Finding> wrongWeights(OrderMeasurement measured, int wanted) {
         int order = times.length;
         boolean poor = !(measured.order() > wanted - 0.5);
-        List<SolvedEquation> adams = ALL.stream().filter(known -> known.isAdams() && known.times.length == order)
-                .toList();
-        return adams.stream().filter(known -> Combination.same(weights, known.weights)).findFirst().map(known ->
-                Arrays.equals(times, known.times) ? Phrase.ADAMS_START.when(measured.order() < order - 0.5, order,
-                measured.digits(), order - 1) : Phrase.TOO_OLD.when(poor, row().formula(), known.name, known.row()
-                .formula())).orElseGet(() -> adams.stream().filter(known -> poor && Arrays.equals(times, known.times))
-                .findFirst().map(known -> Comparison.differs(row(), known.row(), known.name)));
+        Predicate<SolvedEquation> same = known -> Combination.same(weights, known.weights);
+        Predicate<SolvedEquation> twice = known -> known.times.length > order && Formula.same(known.weights[1],
+                weights[1]) && Formula.same(Combination.sum(weights), 2);
+        return Stream.of(same, twice, known -> Arrays.equals(times, known.times)).flatMap(suits -> ALL.stream().filter(
+                SolvedEquation::isAdams).filter(suits)).findFirst().flatMap(known -> !Arrays.equals(times, known.times)
+                ? Phrase.TOO_OLD.when(poor, row().formula(), known.name, known.row().formula()) : same.test(known)
+                ? Phrase.ADAMS_START.when(measured.order() < order - 0.5, order, measured.digits(), order - 1)
+                : Optional.of(Comparison.differs(row(), known.row(), known.name)).filter(finding -> poor));
     }
 
     /** @return the mistake in the equation; empty if it is the method's */
@@ -133,7 +130,8 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
     }
 
     private Combination row() {
-        List<String> names = new ArrayList<>(List.of("s", "s(1 step before)", "s(2 steps before)").subList(0, old()));
+        List<String> names = new ArrayList<>(List.of("s", "s(1 step before)", "s(2 steps before)",
+                "s(3 steps before)").subList(0, old()));
         IntStream.range(0, times.length).forEach(j -> names.add("deltaT f(" + (isAdams() ? "" : place(j) + ", ")
                 + Formula.time(times[j]) + ")"));
         return new Combination("the new state is", names, 0, old(), weights);

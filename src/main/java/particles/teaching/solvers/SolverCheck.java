@@ -32,7 +32,7 @@ public final class SolverCheck {
     private static final double SMALL_ERROR = 1e-4;
     /** A step whose states and times belong together makes the same errors; Lawson's method makes 7 times as large. */
     private static final double OFF_CLOCK = 20;
-    /** Smaller errors may be those of a tolerance. */
+    /** Smaller errors may be those of a tolerance; ten times that, those of coefficients with eight digits. */
     private static final double TOLERATED = 1e-8;
     /** Below this order the error does not go to 0; Euler measures 0.97 to 1.03. */
     static final double LOWEST_ORDER = 0.7;
@@ -131,10 +131,10 @@ public final class SolverCheck {
 
     /** Whether it is a method of the kind that its name says. */
     private Optional<Finding> promised(Diagnosis diagnosis) {
-        return !promise.isGiven() ? Phrase.OLD_VELOCITY.when(diagnosis.method().equals(KnownMethods.EULER)
-                && contract.isForParticles()) : Phrase.NOTHING_EARLIER.when(promise.kind().equals("earlier")
-                && !memory.remembers(), promise.says()).or(() -> Phrase.NO_CONTROL.when(promise.adapts()
-                && diagnosis.order() > 0)).or(() -> promise.contradicted(diagnosis.method(), diagnosis.order()));
+        return Phrase.NO_CONTROL.when(promise.adapts() && diagnosis.order() > 0).or(() -> !promise.isGiven()
+                ? Phrase.OLD_VELOCITY.when(diagnosis.method().equals(KnownMethods.EULER) && contract.isForParticles())
+                : Phrase.NOTHING_EARLIER.when(promise.kind().equals("earlier") && !memory.remembers(), promise.says())
+                .or(() -> promise.contradicted(diagnosis.method(), diagnosis.order())));
     }
 
     private boolean isWrong() {
@@ -165,27 +165,26 @@ public final class SolverCheck {
     private Optional<Finding> afterContract() {
         return stageClocks().or(() -> (multistep ? SolvedEquation.ofEarlierSteps(maker)
                 : Optional.<SolvedEquation>empty()).flatMap(reading -> reading.wrongWeights(measurement(), wanted())))
-                .or(() -> poorOrder(() -> multistep ? Optional.empty() : firstSubStep(finding -> true), () ->
-                SolvedEquation.of(maker, true).flatMap(found -> found.wrong(promise))));
+                .or(() -> poorOrder(() -> SolvedEquation.of(maker, true).flatMap(found -> found.wrong(promise))));
     }
 
     /** The diagnosis of an implicit method whose equation is known. */
     private Optional<Diagnosis> equation() {
         Optional<SolvedEquation> found = SolvedEquation.of(maker, false);
-        return found.map(SolvedEquation::name).or(() -> promise.methods().stream().filter(name ->
-                promise.isImplicit()).findFirst()).or(() -> SolvedEquation.near(maker)).map(name -> new Diagnosis(
-                "This is " + name, Search.first(() -> found.flatMap(one -> one.wrong(promise)), this::unstable, () ->
-                SolvedEquation.loose(maker, name, contract.solvesWithMatrix())), 0,
-                found.isPresent() ? name : ""));
+        return found.map(SolvedEquation::name).or(() -> Optional.of(promise.says()).filter(name ->
+                promise.isImplicit() && KnownMethods.IMPLICIT.contains(name))).or(() -> unread.makesSubSteps()
+                ? Optional.empty() : SolvedEquation.near(maker)).map(name -> new Diagnosis("This is " + name,
+                Search.first(() -> found.flatMap(one -> one.wrong(promise)), this::unstable, () -> SolvedEquation.loose(
+                maker, name, contract.solvesWithMatrix())), 0, found.isPresent() ? name : ""));
     }
 
     /** The diagnosis of a method whose coefficients cannot be read. */
     private Diagnosis measured() {
         return new Diagnosis(UNREAD, clock.or(() -> Search.first(unread::entryByEntry, () -> firstSubStep(finding ->
-                finding.kind() != Finding.Kind.METHOD), unread::uncut, () -> poorOrder(() -> firstSubStep(
-                finding -> true), this::unstable), unread::elsewhere, this::stageClocks, unread::uncontrolled,
-                unread::asymmetric, () -> promise.kind().equals("implicit") || measurement().order()
-                < UnreadMethod.SECOND ? unstable() : Optional.empty())));
+                finding.kind() != Finding.Kind.METHOD), unread::uncut, unread::asymmetric, () -> poorOrder(
+                this::unstable), unread::elsewhere, this::stageClocks, unread::uncontrolled, () ->
+                promise.kind().equals("implicit") || measurement().order() < UnreadMethod.SECOND ? unstable()
+                : Optional.empty())));
     }
 
     private Optional<Finding> unstable() {
@@ -194,18 +193,15 @@ public final class SolverCheck {
 
     /** A mistake in the first sub-step of an adaptive method, which it accepts where derivatives are tiny. */
     private Optional<Finding> firstSubStep(Predicate<Finding> which) {
-        return explicit.diagnosis(SolverContract.TINY).flatMap(Diagnosis::finding).filter(which.and(
-                Finding::isWrong));
-    }
-
-    private boolean vanishes() {
-        return measurement().order() >= LOWEST_ORDER || measurement().smallest()[1] < SMALL_ERROR;
+        return !unread.makesSubSteps() ? Optional.empty() : explicit.diagnosis(SolverContract.TINY).flatMap(
+                Diagnosis::finding).filter(which.and(Finding::isWrong));
     }
 
     /** Whether the measured order is that of the coefficients. */
     private Optional<Finding> heldBy(Diagnosis diagnosis) {
         return diagnosis.order() == 0 ? Optional.empty() : Phrase.OTHER_STEPS.when(measurement().order()
-                < diagnosis.order() - 0.5, measurement().digits(), diagnosis.order());
+                < diagnosis.order() - 0.5 && measurement().smallest()[1] > 10 * TOLERATED, measurement().digits(),
+                diagnosis.order());
     }
 
     /** Whether the law that is read off the clock leads astray, and the same law without a clock does not. */
@@ -230,11 +226,12 @@ public final class SolverCheck {
      * Whether the error goes to 0, and as fast as the class's name promises. Below the lowest order that is one, a
      * small error is that of a tolerance, whatever deltaT is.
      */
-    private Optional<Finding> poorOrder(Search cause, Search other) {
+    private Optional<Finding> poorOrder(Search cause) {
         OrderMeasurement order = measurement();
-        boolean far = !vanishes();
+        boolean far = !(order.order() >= LOWEST_ORDER || order.smallest()[1] < SMALL_ERROR);
         return !far && !(order.order() >= LOWEST_ORDER && order.order() <= wanted() - 0.5) ? Optional.empty()
-                : Search.first(() -> far ? unread.elsewhere() : Optional.empty(), cause, other, () ->
+                : Search.first(() -> far ? unread.elsewhere() : Optional.empty(), () -> firstSubStep(finding ->
+                true), cause, this::stageClocks, () ->
                 Phrase.NO_CONVERGENCE.when(far, order.smallest()[1], order.smallest()[0]), () ->
                 Optional.of(Phrase.NAME_ORDER.of(order.digits(), promise.isGiven() ? promise.saysWithOrder()
                 : "a method that uses derivatives of earlier steps has at least order 2")));

@@ -109,12 +109,20 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
      */
     Optional<Finding> uncontrolled() {
         WindyOscillators once = after(windy(1), LONG);
-        int moves = once.timeMoves();
         WindyOscillators often = StudentSource.after(windy(1), maker.get(), SHORT_STEPS, LONG / SHORT_STEPS);
         double error = once.error();
         boolean far = error < DIVERGED && (error > FAR || error > LITTLE && error > MUCH * often.error());
-        return moves <= often.timeMoves() / 2 || !far ? Optional.empty() : rejectedClock().or(() ->
+        return !makesSubSteps() || !far ? Optional.empty() : rejectedClock().or(() ->
                 Optional.of(Phrase.UNCONTROLLED.of(error, LONG, often.error(), SHORT_STEPS)));
+    }
+
+    /** @return whether a longer step has many more parts, as with step-size control */
+    boolean makesSubSteps() {
+        WindyOscillators once = windy(1);
+        once.accepts(maker.get(), LONG);
+        WindyOscillators part = windy(1);
+        part.accepts(maker.get(), LONG / SHORT_STEPS);
+        return once.timeMoves() > SHORT_STEPS / 2 * part.timeMoves();
     }
 
     /** @return the mistake of a method whose last sub-step leads beyond t + deltaT; the clock may be set back */

@@ -44,6 +44,7 @@ final class HandwrittenSolvers {
                         1e-7)),
                 right("AdaptiveStrang", "not symmetric", stepDoubling(Methods.turns(new double[] {0, 1, 0},
                         new double[] {0.5, 0.5}), 1e-5)),
+                right("Mine", "Strang splitting of the entries", PlantedSolvers::splitting),
                 right("TaylorTwo", "second derivative by a difference", HandwrittenSolvers::taylor),
                 right("RosenbrockEuler", "one Newton step", (source, h) -> rosenbrock(source, h, 1)),
                 right("Rosenbrock", "ROS2", (source, h) -> ros2(source, h, 1)),

@@ -8,7 +8,6 @@ import deSolvers.DESolver;
 import deSolvers.DEStateSource;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import particles.teaching.solvers.PlantedSolvers.Step;
 
 /**
@@ -16,12 +15,12 @@ import particles.teaching.solvers.PlantedSolvers.Step;
  * from its own last step; and slips.
  */
 final class Multistep extends DESolver {
-    private static final Map<Integer, double[]> WEIGHTS = Map.of(2, new double[] {1.5, -0.5}, 3,
-            new double[] {23.0 / 12, -16.0 / 12, 5.0 / 12}, 4,
-            new double[] {55.0 / 24, -59.0 / 24, 37.0 / 24, -9.0 / 24});
-    private static final double[] MOULTON = {9.0 / 24, 19.0 / 24, -5.0 / 24, 1.0 / 24};
+    /** From two steps on. */
+    private static final double[][] WEIGHTS = SolverTable.rows(
+            "3/2 -1/2; 23/12 -16/12 5/12; 55/24 -59/24 37/24 -9/24");
+    private static final double[] MOULTON = SolverTable.numbers("9/24 19/24 -5/24 1/24");
     private static final double[][] SHARED = new double[1][];
-    private static final double[][] RK4 = {{}, {0.5}, {0, 0.5}, {0, 0, 1}};
+    private static final double[][] RK4 = SolverTable.rows("; 1/2; 0 1/2; 0 0 1");
 
     private final int steps;
     private final double bdf;
@@ -45,11 +44,11 @@ final class Multistep extends DESolver {
         this.bdf = bdf;
         this.slips = slips;
         int own = slips.indexOf("weights");
-        weights = own < 0 ? WEIGHTS.get(steps) : slips.stream().skip(own + 1).mapToDouble(Double::parseDouble)
+        weights = own < 0 ? WEIGHTS[steps - 2] : slips.stream().skip(own + 1).mapToDouble(Double::parseDouble)
                 .toArray();
         before = slips.contains("static") ? SHARED : new double[steps - 1][];
         beginning = begins == 1 ? Methods.rungeKutta(new double[1][0], new double[] {1}, new double[0],
-                (stage, old, next) -> next) : Methods.rungeKutta(RK4, new double[] {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6},
+                (stage, old, next) -> next) : Methods.rungeKutta(RK4, SolverTable.numbers("1/6 1/3 1/3 1/6"),
                 slips.contains("start-clock") ? new double[] {0, 0, 0, 1} : new double[0], (stage, old, next) -> next);
     }
 

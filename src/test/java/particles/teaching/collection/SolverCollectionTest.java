@@ -66,12 +66,27 @@ class SolverCollectionTest {
                 0.3535533905932738 0.3535533905932738 0.2928932188134524 \
                 -> 0.3535533905932738 0.3535533905932738 0.2928932188134524 : newton 1e-11 60
                 GaussSolver | one stage | | IMPLICIT_MIDPOINT NEWTON
+                EulerMejoradoSolver | Heun | | rk HEUN
+                AnnasEulerSolver | midpoint | | rk 1/2 -> 0 1
+                PseudoRungeKuttaSolver | order 3 | | rk 1/2; -1 2 -> 1/6 2/3 1/6
+                KuttaDreiAchtel | its name | | rk THREE_EIGHTHS EIGHTHS
+                GraggSolver | the modified midpoint method | | rk 1/2 -> 0 1
+                SecondOrderSymplectic | for equations of second order | | turns 0 1 -> 1
                 SdirkTwo | one stage | | IMPLICIT_MIDPOINT NEWTON
                 """));
         assertNamed(SolverTable.read("""
                 SdirkTwoSolver | gamma, order 1 | order is .* method of order 2: | irk 0.7071067811865476; \
                 0.2928932188134524 0.7071067811865476 -> 0.2928932188134524 0.7071067811865476 NEWTON
                 DormandPrinceFiveSolver | order 4 | not a Runge-Kutta method of order 5 | rk DOPRI DOPRI4
+                EulerSolver | Heun | not the Euler method, as its name says | rk HEUN
+                MyEulerSolverX | Heun | not the Euler method, as its name says | rk HEUN
+                SymplecticEulerSolverX | Euler | updated with the old velocity | rk -> 1
+                RungeKuttaSolver | Heun | not a Runge-Kutta method of order 4 | rk HEUN
+                RungeKuttaSechs | RK4 | not a Runge-Kutta method of order 6 | rk RK4 SIXTHS
+                ThirdOrderSolver | Heun | not a method of order 3 | rk HEUN
+                GaussSolver | RK4 | explicit, and not a Gauss method | rk RK4 SIXTHS
+                NewmarkSolver | symplectic Euler | not Newmark's method | turns 0 1 -> 1
+                GraggBulirschStoer | midpoint | not an extrapolation method of order 3 | rk 1/2 -> 0 1
                 RungeKuttaFour | Heun | not a Runge-Kutta method of order 4 | rk HEUN
                 TwoStageGauss | the trapezoidal rule | not a Gauss method | TRAPEZOID NEWTON
                 """));
@@ -88,10 +103,13 @@ class SolverCollectionTest {
     }
 
     @Test
-    void aClosingKickThatIsNotIteratedGetsANote() {
-        Specimen leapfrog = SolverTable.read("Leapfrog | | | LEAPFROG").get(0);
-        assertTrue(SolverCheck.check(leapfrog.maker(), "Leapfrog").findings().stream().anyMatch(note ->
-                note.toString().startsWith("style: its order is 2.00, and 1.09 where the acceleration depends")));
+    void notesNameALossOfOrderAndShortCoefficients() {
+        SolverTable.read("""
+                Leapfrog | style: its order is 2.00, and 1.09 where the acceleration depends | | LEAPFROG
+                GillSolver | style: the coefficients are those of Gill's method to eight digits | | rk 1/2; \
+                0.20710678 0.29289322; 0 -0.70710678 1.70710678 -> 1/6 0.09763107 0.56903559 1/6
+                """).forEach(one -> assertTrue(SolverCheck.check(one.maker(), one.name()).findings().stream().anyMatch(
+                note -> note.toString().startsWith(one.about())), one.name()));
     }
 
     @Test

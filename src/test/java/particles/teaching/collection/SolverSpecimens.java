@@ -118,6 +118,9 @@ final class SolverSpecimens {
                 GillSolver | Gill | | rk 1/2; 0.20710678118654757 0.2928932188134524; 0 -0.7071067811865476 \
                 1.7071067811865475 -> 1/6 0.09763107293781749 0.5690355937288492 1/6
                 RungeKuttaFehlbergSolver | order 5 | | rk FEHLBERG FEHLBERG5
+                RungeKuttaSix | Butcher | | rk 1/3; 0 2/3; 1/12 1/3 -1/12; 25/48 -55/24 35/48 15/8; \
+                3/20 -11/24 -1/8 1/2 1/10; -261/260 33/13 43/156 -118/39 32/195 80/39 \
+                -> 13/200 0 11/40 11/40 4/25 4/25 13/200
                 RKF45Solver | order 4 | | rk FEHLBERG FEHLBERG4
                 DormandPrinceSolver | fixed steps | | rk DOPRI DOPRI5
                 CashKarpSolver | fixed steps | | rk CASH_KARP CASH_KARP5
@@ -383,7 +386,7 @@ final class SolverSpecimens {
                 | adams 3 4 : weights 1.9166666666666667 -1.3333333333333333 0.3333
                 W84AdamsBashforth3 | newest dropped | f.t - 5 deltaT. .* f.t - 6 deltaT.; the Adams.*kept too long \
                 | adams 3 4 : newest-dropped
-                W85AdamsBashforth4 | old ones all the same | f.t - deltaT.; the Adams method of order 2 \
+                W85AdamsBashforth4 | old ones all the same | f.t - deltaT.; the Adams method of order 4 .* or twice \
                 | adams 4 4 : all-the-same
                 W91AdamsBashforth2 | old one never replaced | f.t - 6 deltaT./2; the Adams.*kept too long \
                 | adams 2 4 : newest-dropped
@@ -415,6 +418,14 @@ final class SolverSpecimens {
                 Mine | two rounds for the middle \
                 | iteration for the new state ends too early, after 2 rounds.*midpoint \
                 | rk 1/2; 0 1/2 -> 0 0 1
+                ImplicitMidpoint | 1/2 of whole numbers | every evaluation is at the old state \
+                | rk 0; 0 0 -> 0 0 1 @ 1/2 1/2 1/2
+                GaussLegendre4 | weights of the stages exchanged | at another clock than their states \
+                | irk 1/4 0.5386751345948129; -0.03867513459481287 1/4 -> 1/2 1/2 \
+                @ 0.21132486540518713 0.7886751345948129 NEWTON
+                RungeKuttaSix | two coefficients exchanged | k7 is evaluated at .* Butcher's method of order 6 says \
+                | rk 1/3; 0 2/3; 1/12 1/3 -1/12; 25/48 -55/24 35/48 15/8; 3/20 -11/24 -1/8 1/2 1/10; \
+                -261/260 43/156 33/13 -118/39 32/195 80/39 -> 13/200 0 11/40 11/40 4/25 4/25 13/200
                 BackwardEuler | is implicit midpoint | midpoint/or/order | IMPLICIT_MIDPOINT NEWTON
                 SdirkTwoSolver | is backward Euler | not a diagonally implicit method of order 2 | BACKWARD NEWTON
                 DormandPrince5 | is of order 4 | not a Runge-Kutta method of order 5 | rk DOPRI DOPRI4

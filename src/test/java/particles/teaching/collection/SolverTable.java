@@ -92,11 +92,11 @@ final class SolverTable {
         };
     }
 
-    private static double[][] rows(String text) {
+    static double[][] rows(String text) {
         return Arrays.stream(text.split(";", -1)).map(SolverTable::numbers).toArray(double[][]::new);
     }
 
-    private static double[] numbers(String row) {
+    static double[] numbers(String row) {
         return Arrays.stream(row.strip().split("\\s+")).filter(word -> !word.isEmpty()).mapToDouble(word -> {
             String[] parts = word.split("/");
             return Double.parseDouble(parts[0]) / (parts.length == 1 ? 1 : Double.parseDouble(parts[1]));

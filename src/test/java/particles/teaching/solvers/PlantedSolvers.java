@@ -57,6 +57,20 @@ public final class PlantedSolvers {
         });
     }
 
+    /** Moves one entry after the other, there and back, by the midpoint method. */
+    public static void splitting(DEStateSource source, double deltaT) {
+        double[] state = state(source);
+        source.incTime(deltaT / 2);
+        for (int j = 0; j < 2 * state.length; j++) {
+            int i = Math.min(j, 2 * state.length - 1 - j);
+            double old = state[i];
+            state[i] += deltaT / 4 * slopeAt(source, state)[i];
+            state[i] = old + deltaT / 2 * slopeAt(source, state)[i];
+        }
+        source.setState(state);
+        source.incTime(deltaT / 2);
+    }
+
     /** Positions and velocities of blocks of six, as the slides' simple algorithm has them. */
     public static DESolver blocks() {
         return solver((source, deltaT) -> {
