@@ -133,12 +133,7 @@ final class EventSteps {
     }
 
     private boolean mayTurnWithin(double time) {
-        for (EventRule rule : rules) {
-            if (rule.mayTurnWithin(system, time)) {
-                return true;
-            }
-        }
-        return false;
+        return rules.stream().anyMatch(rule -> rule.mayTurnWithin(system, time));
     }
 
     /** Moves by h, or to the first event before that; returns whether an event ended it. */

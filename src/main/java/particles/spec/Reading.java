@@ -58,6 +58,11 @@ public record Reading(String source, Problems problems, ClassNames classes, List
                 .anyMatch(known -> known.name().equals(key))).map(MappingType::getLabel).distinct().toList();
     }
 
+    /** As {@link Problems#add}, for the source as a whole. */
+    <T> Optional<T> problem(String message) {
+        return problems.add(Place.of(source), message);
+    }
+
     /** As {@link Problems#add}, at a node. */
     <T> Optional<T> problem(Node node, String message) {
         boolean curly = node instanceof ScalarNode scalar && CURLY_QUOTED.matcher(scalar.getValue()).find();

@@ -52,7 +52,7 @@ public final class SourceText {
                 problem = "the file cannot be read: " + e.getMessage();
             }
         }
-        return in.problems().add(Place.of(in.source()), problem);
+        return in.problem(problem);
     }
 
     /**
@@ -63,13 +63,12 @@ public final class SourceText {
      * @return the text, or empty if a problem was reported
      */
     static Optional<String> decode(byte[] bytes, Reading in) {
-        Place whole = Place.of(in.source());
         if (bytes.length > LARGEST) {
-            return in.problems().add(whole, "the file is longer than " + (LARGEST >> 20)
+            return in.problem("the file is longer than " + (LARGEST >> 20)
                     + " MiB; use shapes to make many particles");
         }
         if (bytes.length >= 2 && (bytes[0] == LOW && bytes[1] == HIGH || bytes[0] == HIGH && bytes[1] == LOW)) {
-            return in.problems().add(whole, "the file is in UTF-16; save it as UTF-8");
+            return in.problem("the file is in UTF-16; save it as UTF-8");
         }
         CharBuffer characters = CharBuffer.allocate(bytes.length);
         CoderResult result = StandardCharsets.UTF_8.newDecoder().onMalformedInput(CodingErrorAction.REPORT)

@@ -68,7 +68,7 @@ final class YamlText {
             }
             Optional<Node> root = new Compose(settings).composeString(text);
             if (root.isEmpty()) {
-                in.problems().add(Place.of(in.source()), "the file is empty");
+                in.problem("the file is empty");
             }
             return root;
         } catch (YamlEngineException e) {
@@ -81,7 +81,7 @@ final class YamlText {
             }
         } catch (NumberFormatException e) {
             if (!report(NO_CHARACTER, text, 0, found -> WRONG_ESCAPE, in)) {
-                in.problems().add(Place.of(in.source()), WRONG_ESCAPE);
+                in.problem(WRONG_ESCAPE);
             }
         }
         return Optional.empty();
