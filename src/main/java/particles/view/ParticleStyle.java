@@ -1,7 +1,7 @@
 package particles.view;
 
 import java.util.List;
-import java.util.OptionalInt;
+import java.util.Optional;
 
 /**
  * The drawing style of free particles: kind, colours, trails, day or night.
@@ -57,6 +57,6 @@ public record ParticleStyle(Kind kind, List<Integer> ageColours, double trail, b
      * @param radius   the radius of its ball (m); 0 for that of all others
      * @param label    the text beside it; empty for none
      */
-    public record ParticleMark(String particle, OptionalInt colour, double radius, String label) {
+    public record ParticleMark(String particle, Optional<Integer> colour, double radius, String label) {
     }
 }

@@ -2,9 +2,10 @@ package particles.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static particles.Texts.assertHas;
 
 import java.util.List;
-import java.util.OptionalInt;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import particles.spec.messages.InvalidInputException;
 import particles.view.ParticleStyle.ParticleMark;
@@ -27,7 +28,7 @@ class BallsInScenesTest {
     private static final String REPULSION = "effects:\n  - repulsion: {radius: 0.3, stiffness: 10}\n";
 
     private static ParticleMark mark(String id, int colour, double radius) {
-        return new ParticleMark(id, colour < 0 ? OptionalInt.empty() : OptionalInt.of(colour), radius, "");
+        return new ParticleMark(id, colour < 0 ? Optional.empty() : Optional.of(colour), radius, "");
     }
 
     private static RenderOptions look(String text) {
@@ -62,10 +63,8 @@ class BallsInScenesTest {
         assertEquals(0.1, look.particleRadius());
         assertEquals(List.of(mark("large", -1, 0.2), mark("row[0]", 255, 0.6), mark("row[1]", 255, 0.6)),
                 look.style().marks());
-        assertThrows(InvalidInputException.class, () -> TestScenes.build(BALLS + """
-                look:
-                  marks: [{particle: rows, colour: "#0000ff"}]
-                """));
+        assertHas(assertThrows(InvalidInputException.class, () -> look(BALLS + "look: {marks: [{particle: rows}]}\n"))
+                .getMessage(), "unknown particle 'rows'; did you mean 'row'?");
     }
 
     @Test

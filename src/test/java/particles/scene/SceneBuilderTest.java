@@ -1,18 +1,14 @@
 package particles.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static particles.Texts.assertHas;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.scene.format.OutputDescription.Phase;
-import particles.spec.messages.InvalidInputException;
 import particles.view.Camera;
 import particles.view.ParticleStyle;
 import particles.view.ParticleStyle.ParticleMark;
@@ -107,11 +103,7 @@ class SceneBuilderTest {
         ParticleStyle style = style(BOB
                 + "look: {velocityArrows: 0.2, marks: [{particle: bob, colour: '#ff0000', label: here}]}\n");
         assertEquals(0.2, style.arrows());
-        assertEquals(List.of(new ParticleMark("bob", OptionalInt.of(0xff0000), 0, "here")), style.marks());
-        String problem = assertThrows(InvalidInputException.class,
-                () -> build(BOB + "look: {marks: [{particle: bib}]}\n"))
-                .getMessage();
-        assertHas(problem, "unknown particle 'bib'; did you mean 'bob'?");
+        assertEquals(List.of(new ParticleMark("bob", Optional.of(0xff0000), 0, "here")), style.marks());
     }
 
     /** Solids and wires of rules, effects and constraints are drawn. */

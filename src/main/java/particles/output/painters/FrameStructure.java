@@ -50,7 +50,7 @@ public record FrameStructure(String[] ids, boolean[] fixed, SpringList springs, 
 
     /** @return the colour of particle i, 0xRRGGBB: its own, or that of all others */
     int colour(int i, int others) {
-        return mark(i).map(mark -> mark.colour().orElse(others)).orElse(others);
+        return mark(i).flatMap(ParticleMark::colour).orElse(others);
     }
 
     /** @return the radius of particle i's ball (m): its own, or that of all others */

@@ -5,7 +5,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalInt;
 import particles.scene.format.SceneFormat;
 import particles.scene.parts.ParticleDescription;
 import particles.scene.parts.ParticleIndex;
@@ -115,10 +114,10 @@ final class KnownParticles {
     }
 
     private boolean has(String id, Place place) {
-        OptionalInt found = index.find(id);
+        boolean found = index.find(id).isPresent();
         String shape = ParticleIndex.shapeOf(id);
-        if (found.isPresent() || broken.contains(id) || broken.contains(shape)) {
-            return found.isPresent() && !broken.contains(shape);
+        if (found || broken.contains(id) || broken.contains(shape)) {
+            return found && !broken.contains(shape);
         }
         if (areAllIdsKnown()) {
             List<String> known = ids.keySet().stream().sorted().toList();

@@ -3,7 +3,7 @@ package particles.scene.checks;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalInt;
+import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import particles.effects.SharedKeys;
@@ -37,7 +37,7 @@ final class LookCheck {
         Stream.concat(index.getParticles().stream(), index.getShapes().stream().filter(shape ->
                 shape.radius().isPresent()).flatMap(ShapeDescription::particles)).forEach(particle ->
                 particle.radius().ifPresent(own -> marks.put(particle.id(),
-                        new ParticleMark(particle.id(), OptionalInt.empty(), own, ""))));
+                        new ParticleMark(particle.id(), Optional.empty(), own, ""))));
         for (ParticleMark mark : look.style().marks()) {
             Stream<String> ids = index.shape(mark.particle()).map(shape -> shape.particles()
                     .map(ParticleDescription::id)).orElse(Stream.of(mark.particle()));

@@ -1,7 +1,6 @@
 package particles.scene.format;
 
 import java.util.List;
-import java.util.OptionalInt;
 import particles.scene.parts.SpringDescription;
 import particles.spec.Key;
 import particles.spec.ListType;
@@ -96,9 +95,8 @@ public final class RenderFormat {
     }
 
     private static ParticleMark mark(Values values) {
-        OptionalInt colour = values.find(MARK_COLOUR).map(RenderFormat::rgb).map(OptionalInt::of)
-                .orElse(OptionalInt.empty());
-        return new ParticleMark(values.get(MARKED), colour, values.get(MARK_RADIUS), values.find(LABEL).orElse(""));
+        return new ParticleMark(values.get(MARKED), values.find(MARK_COLOUR).map(RenderFormat::rgb),
+                values.get(MARK_RADIUS), values.find(LABEL).orElse(""));
     }
 
     /** Reports keys that cannot be combined. */

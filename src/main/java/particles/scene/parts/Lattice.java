@@ -2,7 +2,7 @@ package particles.scene.parts;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.OptionalInt;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -57,11 +57,11 @@ public record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vect
     }
 
     /** @return the number of the particle with this name, if it is one of this lattice */
-    public OptionalInt find(String particle) {
+    public Optional<Integer> find(String particle) {
         int[] indices = Stream.of(particle.substring(particle.indexOf('[') + 1).split("\\D+"))
                 .filter(index -> index.matches("\\d{1,9}")).mapToInt(Integer::parseInt).toArray();
         int n = indices.length == counts.size() ? number(indices) : -1;
-        return n >= 0 && idOf(n).equals(particle) ? OptionalInt.of(n) : OptionalInt.empty();
+        return n >= 0 && idOf(n).equals(particle) ? Optional.of(n) : Optional.empty();
     }
 
     /** @return the position of particle n (m) */

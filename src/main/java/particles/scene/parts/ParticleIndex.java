@@ -4,7 +4,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalInt;
 import particles.law.Vector3;
 
 /** Finds particles by id. Single particles come first in the state, then those of the shapes in order. */
@@ -31,12 +30,9 @@ public final class ParticleIndex {
     }
 
     /** @return the number of the particle with this id, if there is one */
-    public OptionalInt find(String id) {
-        Optional<ShapeDescription> shape = shape(shapeOf(id));
-        OptionalInt within = shape.isPresent() ? shape.get().lattice().find(id) : OptionalInt.of(0);
-        String start = shape.isPresent() ? shapeOf(id) : id;
-        return within.isPresent() && numbers.containsKey(start)
-                ? OptionalInt.of(numbers.get(start) + within.getAsInt()) : OptionalInt.empty();
+    public Optional<Integer> find(String id) {
+        return shape(shapeOf(id)).map(shape -> shape.lattice().find(id).map(n -> numbers.get(shapeOf(id)) + n))
+                .orElseGet(() -> Optional.ofNullable(numbers.get(id)));
     }
 
     /** @return the single particles */

@@ -4,7 +4,6 @@ import java.util.BitSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.scene.parts.SpringFamily.Sort;
@@ -78,7 +77,7 @@ public record ShapeDescription(Chosen<ShapeKind> chosen, Lattice lattice, BitSet
 
     private void fix(String part, Problems problems) {
         if (part.endsWith("]")) {
-            OptionalInt number = lattice.find(part);
+            Optional<Integer> number = lattice.find(part);
             if (number.isEmpty()) {
                 problems.add(values().place(ShapeKind.FIXED), "unknown particle " + Wording.quote(part)
                         + " in 'fixed'; known: " + lattice.range());

@@ -14,7 +14,7 @@ import static particles.output.SmallPictures.spring;
 
 import java.awt.geom.Rectangle2D;
 import java.util.List;
-import java.util.OptionalInt;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -63,7 +63,7 @@ class FrameMarksTest {
     /** Discs of radius 20 and 40 pixels; the highlight in the middle and the edges, some per cent, are neither. */
     @Test
     void aMarkedParticleHasItsOwnColourAndSize() {
-        int[] picture = picture(style(0, new ParticleMark("marked", OptionalInt.of(0xff0000), 2 * RADIUS, "")));
+        int[] picture = picture(style(0, new ParticleMark("marked", Optional.of(0xff0000), 2 * RADIUS, "")));
         double disc = Math.PI * 20 * 20;
         assertEquals(disc, count(picture, FrameMarksTest::isBlue), 0.1 * disc);
         assertEquals(4 * disc, count(picture, FrameMarksTest::isRed), 0.4 * disc);
@@ -84,7 +84,7 @@ class FrameMarksTest {
 
     @Test
     void aLabelStandsBesideItsParticleAndInThePicture() {
-        ParticleStyle style = style(0, new ParticleMark("marked", OptionalInt.empty(), 0, "a label"));
+        ParticleStyle style = style(0, new ParticleMark("marked", Optional.empty(), 0, "a label"));
         FrameMarks marks = new FrameMarks(new CameraProjection(FRONT, W, H), style);
         Rectangle2D right = marks.boxes(state(style, 2), RADIUS).get(0);
         assertBetween(220, 230, right.getMinX());   // the ball ends at 220
@@ -96,8 +96,8 @@ class FrameMarksTest {
     /** Two balls, 40 pixels wide and 20 to 180 apart, with labels of 60 pixels and more. */
     @Test
     void labelsOfNeighboursStandClearOfEachOtherAndOfTheBalls() {
-        ParticleStyle style = style(0, new ParticleMark("marked", OptionalInt.empty(), 0, "a long label"),
-                new ParticleMark("plain", OptionalInt.empty(), 0, "another one"));
+        ParticleStyle style = style(0, new ParticleMark("marked", Optional.empty(), 0, "a long label"),
+                new ParticleMark("plain", Optional.empty(), 0, "another one"));
         FrameMarks marks = new FrameMarks(new CameraProjection(FRONT, W, H), style);
         for (double x = -3; x <= 5; x++) {
             List<Rectangle2D> boxes = marks.boxes(state(style, x), RADIUS);
@@ -117,7 +117,7 @@ class FrameMarksTest {
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
     void aLabelStandsClearOfTheSpringAndTheTrailOfItsBall(boolean spring) {
-        ParticleStyle style = style(0, new ParticleMark("marked", OptionalInt.empty(), 0, "a label"));
+        ParticleStyle style = style(0, new ParticleMark("marked", Optional.empty(), 0, "a label"));
         FrameMarks marks = new FrameMarks(new CameraProjection(FRONT, W, H), style);
         for (int k = 0; k < 24; k++) {
             double x = 3.5 * Math.cos(Math.PI * k / 12);
