@@ -226,26 +226,23 @@ record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wi
 
     /** Adds the pivot's motion and returns its velocity at the start; beads begin at rest, and so must it. */
     private Vector3 move(List<Object> rules, boolean fast) {
-        Map<String, Object> motion = map("particle", "pivot");
-        switch (fast || pivot.kind.equals("none") || pivot.kind.equals("still") ? pivot.kind : "glide") {
-            case "shake" -> {
-                motion.putAll(map("amplitude", list(pivot.way), "period", pivot.period));
-                rules.add(map("shake", motion));
-                return pivot.way.times(TURN / pivot.period);
-            }
-            case "circle" -> {
-                Vector3 axis = across(pivot.way);
-                motion.putAll(map("centre", list(pivot.way), "axis", list(axis), "period", pivot.period));
-                rules.add(map("circle", motion));
-                return axis.normalized().cross(pivot.way.times(-TURN / pivot.period));
-            }
-            case "glide" -> {
-                motion.putAll(map("to", list(pivot.way), "duration", pivot.period));
-                rules.add(map("glide", motion));
-            }
-            default -> {
-            }
+        if (!hasPivot() || pivot.kind.equals("still")) {
+            return Vector3.ZERO;
         }
-        return Vector3.ZERO;
+        String kind = fast ? pivot.kind : "glide";
+        Vector3 axis = across(pivot.way);
+        Map<String, Object> motion = map("particle", "pivot", kind.equals("glide") ? "duration" : "period",
+                pivot.period, Map.of("shake", "amplitude", "circle", "centre", "glide", "to").get(kind),
+                list(pivot.way));
+        if (kind.equals("circle")) {
+            motion.put("axis", list(axis));
+        }
+        rules.add(map(kind, motion));
+        Vector3 fastest = pivot.way.times(TURN / pivot.period);
+        return switch (kind) {
+            case "shake" -> fastest;
+            case "circle" -> axis.normalized().cross(fastest.times(-1));
+            default -> Vector3.ZERO;
+        };
     }
 }

@@ -193,11 +193,7 @@ class EnergyHistoryTest {
         assertEquals(grown.getStart(), total[0]);
         assertEquals(grown.getEnd(), total[total.length - 1]);
         assertFalse(observe(spring("rk4", 0.1, 30), 1).chart("bounded").yLog());
-    }
-
-    /** A falling ball's kinetic energy begins at 0 and grows as t^2; that is no blow-up. */
-    @Test
-    void aRunThatBeginsAtRestKeepsItsLinearAxis() {
+        // a falling ball's kinetic energy begins at 0 and grows as t^2; that is no blow-up
         assertFalse(observe(simulation("rk4", 1e-4, 1, "particles: [{id: ball, position: [0, 0, 0]}]"), 1)
                 .chart("falling").yLog());
     }

@@ -4,7 +4,6 @@ import static deSolvers.problems.Bounds.assertAbove;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.catalog.SolverCatalog;
 import java.util.Arrays;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -64,12 +63,7 @@ class EnergyScaleTest {
     @MethodSource("deSolvers.catalog.SolverCatalog#names")
     void anOrbitsScaleIsItsKineticEnergy(String solver) {
         run(solver, 0.002, 2, PAIR.formatted("0", "0.08", "0.7"));
-        double most = 0;
-        for (var series : energy.chart("").series()) {
-            if (series.name().equals("kinetic")) {
-                most = Arrays.stream(series.y()).max().orElseThrow();
-            }
-        }
+        double most = Arrays.stream(energy.chart("").series().get(1).y()).max().orElseThrow();     // kinetic
         assertTrue(energy.getScale() >= most * (1 - 1e-12) && energy.getScale() < 1.3 * most,
                 energy.getScale() + " J for " + most + " J");
     }

@@ -11,7 +11,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.IntStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -20,7 +19,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 import particles.Rule;
 import particles.SimulationException;
 import particles.energy.EnergyLedger;
-import particles.law.Vector3;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
@@ -93,11 +91,7 @@ class EverySolverOnCollidingBallsTest {
     }
 
     private static double kineticEnergy(Scene scene) {
-        double[] state = scene.system().getOwnState();
-        return IntStream.range(0, state.length / 6).mapToDouble(i -> {
-            Vector3 v = Vector3.at(state, 6 * i + 3);
-            return scene.system().getParticles().mass(i) * v.dot(v) / 2;
-        }).sum();
+        return scene.system().getKineticEnergy(scene.system().getOwnState());
     }
 
     /**

@@ -34,6 +34,15 @@ class SceneFilesTest {
     }
 
     @Test
+    void aSceneIsFoundByNumberNameAndPath() throws IOException {
+        for (String name : List.of("12", "12-cloth", "cloth.yaml")) {
+            assertEquals(folder.resolve("12-cloth.yaml"), SceneFiles.find(folder, name), name);
+        }
+        Path mine = Files.writeString(folder.resolve("a scene of mine.yaml"), "");
+        assertEquals(mine, SceneFiles.find(Path.of("scenes"), mine.toString()));
+    }
+
+    @Test
     void anUnknownSceneIsOneLineWithTheNearest() {
         String known = " scenes: 01-one, 03-one-spring, 12-cloth, free";
         assertEquals("there is no scene 'one-sprong'; did you mean 'one-spring'?" + known, refusal("one-sprong"));

@@ -123,8 +123,7 @@ class ShapesTest {
     }
 
     private static Vector3 at(Scene scene, int i) {
-        double[] state = scene.system().getOwnState();
-        return new Vector3(state[6 * i], state[6 * i + 1], state[6 * i + 2]);
+        return Vector3.at(scene.system().getOwnState(), 6 * i);
     }
 
     @Test

@@ -233,15 +233,6 @@ class RunCommandTest {
     }
 
     @Test
-    void aSceneIsFoundByNumberAndPath() throws IOException {
-        Path elsewhere = Files.writeString(top.resolve("a scene of mine.yaml"), SCENE);
-        for (String name : List.of("1", elsewhere.toString())) {
-            assertEnds(ExitCode.DONE, "", "--scene=" + name, "--frames=false");
-        }
-        assertJson("\"a scene of mine\"");
-    }
-
-    @Test
     void theTrajectoryIsTheSameWithAndWithoutFramesAtAnyRate() throws IOException {
         run();
         byte[] first = trajectory();

@@ -104,8 +104,11 @@ class RunFindingsTest {
     @Test
     void pathsThatHardlyGrowOrGrowFarHaveNumbersOfASensibleSize() {
         assertEquals("the second half of the path is less than 0.01 times as wide and more than 100 times as high",
-                RunFindings.path(new Series("rk4", Mark.LINE, new double[] {0, 1, 1, 1, 1, 1, 1, 1, 1, 1.001},
-                        new double[] {0, 1, 1, 1, 1, 1, 1, 1, 1, 200})));
+                path(new double[] {0, 1, 1, 1, 1, 1, 1, 1, 1, 1.001}, 0, 1, 1, 1, 1, 1, 1, 1, 1, 200));
+    }
+
+    private static String path(double[] x, double... y) {
+        return RunFindings.path(new Series("rk4", Mark.LINE, x, y));
     }
 
     @Test
@@ -118,8 +121,8 @@ class RunFindingsTest {
 
     @Test
     void aPathMayEndAtRest() {
-        assertEquals("the particle is at rest in the second half of the path", RunFindings.path(new Series("path",
-                Mark.LINE, new double[] {3, 2, 1, 1, 1, 1, 1, 1, 1, 1}, new double[] {4, 2, 0, 0, 0, 0, 0, 0, 0, 0})));
+        assertEquals("the particle is at rest in the second half of the path",
+                path(new double[] {3, 2, 1, 1, 1, 1, 1, 1, 1, 1}, 4, 2, 0, 0, 0, 0, 0, 0, 0, 0));
     }
 
     /** With constant velocity, both halves are of one size. */
@@ -133,7 +136,7 @@ class RunFindingsTest {
             """)
     void aPathOfFewStatesHasNoHalves(int states, String title) {
         double[] even = IntStream.range(0, states).asDoubleStream().toArray();
-        assertEquals(title, RunFindings.path(new Series("path", Mark.LINE, even, even)));
+        assertEquals(title, path(even, even));
     }
 
     private static Series line(double... values) {
