@@ -74,10 +74,11 @@ class ArchitectureTest {
                                            particles.output.raster particles.output.report particles.scene
                                            particles.scene.checks particles.scene.format particles.spec
                                            particles.spec.documents particles.spec.messages particles.view picocli
-            particles.app.student:         deSolvers deSolvers.catalog particles.app.cli particles.javac particles.law
+            particles.app.student:         deSolvers deSolvers.catalog particles particles.app.cli
+                                           particles.effects.springs particles.javac particles.law
                                            particles.output.charts particles.output.files particles.output.report
-                                           particles.output.text particles.scene particles.scene.format particles.spec
-                                           particles.spec.messages particles.teaching particles.teaching.effects
+                                           particles.output.text particles.spec particles.spec.messages
+                                           particles.teaching particles.teaching.effects
                                            particles.teaching.exercises particles.teaching.figures
                                            particles.teaching.marking particles.teaching.solvers particles.view
                                            javax.tools picocli

@@ -1,9 +1,10 @@
 package particles.app.student;
 
-import java.io.Serializable;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import particles.app.student.CheckEffectCommand.CheckOfEffect;
+import particles.app.student.CheckSolverCommand.CheckOfSolver;
 import particles.output.charts.ChartFormat;
 import particles.output.report.Picture;
 import particles.teaching.Finding;
@@ -11,7 +12,7 @@ import particles.teaching.Finding.Kind;
 import particles.view.DataTable;
 
 /** A check of a student's class, which can be sent to another process. */
-public interface Check extends Serializable {
+public interface Check {
     /** @return the name of its command */
     String command();
 
@@ -21,6 +22,17 @@ public interface Check extends Serializable {
     /** @return the format of its charts */
     default ChartFormat format() {
         return ChartFormat.PAGE;
+    }
+
+    /** @return what {@link #of} needs to make it again in another process */
+    default List<String> words() {
+        return List.of(command(), subject());
+    }
+
+    /** @return the check of these {@link #words} */
+    static Check of(String[] words) {
+        return words.length == 2 ? new CheckOfEffect(words[1]) : new CheckOfSolver(words[1], words[2], new ChartFormat(
+                words[3].equals("true"), words[4].equals("true"), words[5].equals("true")));
     }
 
     /** Makes it; runs the class's own code. */

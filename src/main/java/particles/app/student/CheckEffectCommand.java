@@ -43,8 +43,6 @@ public final class CheckEffectCommand extends CheckCommand {
      * @param subject the effect's name or class
      */
     public record CheckOfEffect(String subject) implements Check {
-        private static final long serialVersionUID = 1L;
-
         @Override
         public String command() {
             return NAME;

@@ -85,7 +85,7 @@ record CheckRun(Check check, Path folder, Screen screen) {
         Path report = check.report(folder);
         try (OutputFolder files = OutputFolder.open(folder, report.getFileName().toString())) {
             ResultPageWriter.write(files, new ResultPage(check.command(), checked.subject() + ": " + checked.identity(),
-                    checked.paragraphs(), checked.pictures(), checked.tables()), check.format());
+                    checked.paragraphs(), checked.pictures(), checked.tables()), check.format().quick());
         }
         return report;
     }

@@ -67,11 +67,14 @@ public final class CheckSolverCommand extends CheckCommand {
      * @param format  the format of its charts
      */
     public record CheckOfSolver(String subject, String method, ChartFormat format) implements Check {
-        private static final long serialVersionUID = 1L;
-
         @Override
         public String command() {
             return NAME;
+        }
+
+        @Override
+        public List<String> words() {
+            return List.of(NAME, subject, method, format.slide() + "", format.svg() + "", format.dark() + "");
         }
 
         @Override
@@ -89,7 +92,7 @@ public final class CheckSolverCommand extends CheckCommand {
             if (verdict.wrong().isEmpty() && PlainRuns.differ(run -> SolverCheck.check(() -> {
                 run.run();
                 throw new IllegalStateException("the check itself is not wanted");
-            }, name), PlainRuns.ends(full))) {
+            }, name), () -> PlainRuns.ends(full))) {
                 verdict = new SolverVerdict(verdict.identity(), List.of(new Finding(Kind.FAILURE,
                         "in a scene, or after many calls, its steps differ from those in this check")),
                         verdict.multistep());

@@ -1,17 +1,17 @@
 package particles.app.student;
 
-import java.nio.charset.StandardCharsets;
+import deSolvers.catalog.SolverCatalog;
 import java.security.SecureRandom;
 import java.util.Arrays;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import particles.ParticleSystem;
+import particles.Simulation;
+import particles.effects.springs.SpringForce;
 import particles.law.Effect;
 import particles.law.Particles;
-import particles.scene.Scene;
-import particles.scene.SceneBuilder;
-import particles.scene.SceneReader;
-import particles.scene.format.SceneDescription;
+import particles.law.Vector3;
 import particles.teaching.GuardedRun;
 import particles.teaching.effects.EffectSample;
 
@@ -21,32 +21,25 @@ final class PlainRuns {
     private static final int MOST = 100;
     private static final int STEPS = 200;
     private static final double DELTA_T = 0.01;
-    private static final String SCENE = """
-            title: A block on a spring
-            teaches: Nothing.
-            solver: %s
-            deltaT: 0.01
-            duration: 2
-            particles: [{id: wall, position: [-4, 0, 0], fixed: true}, {id: block, position: [1, 0, 0]}]
-            springs: [{from: wall, to: block, stiffness: 5, restLength: 4}]
-            """;
 
     private PlainRuns() {
     }
 
-    /** @return computes the state after 200 steps of a solver in a scene */
-    static Supplier<double[]> ends(String solver) {
-        SceneDescription read = SceneReader.read("the check's scene", SCENE.formatted(solver)
-                .getBytes(StandardCharsets.UTF_8));
-        return () -> {
-            Scene scene = SceneBuilder.build(read);
-            scene.simulation().start();
-            while (!scene.simulation().isOver()) {
-                scene.simulation().advance();
-                GuardedRun.goesOn();
-            }
-            return scene.system().getOwnState();
-        };
+    /** @return the state after 200 steps of a solver for a block on a spring, as in a scene */
+    static double[] ends(String solver) {
+        ParticleSystem system = new ParticleSystem();
+        int wall = system.addParticle("wall", 1, new Vector3(-4, 0, 0), Vector3.ZERO, true);
+        int block = system.addParticle("block", 1, new Vector3(1, 0, 0), Vector3.ZERO, false);
+        SpringForce spring = new SpringForce(system.getParticles());
+        spring.addSpring(wall, block, 5, 4, 0);
+        system.addEffect(spring);
+        Simulation run = new Simulation(system, () -> SolverCatalog.create(solver), DELTA_T, STEPS * DELTA_T);
+        run.start();
+        while (!run.isOver()) {
+            run.advance();
+            GuardedRun.goesOn();
+        }
+        return system.getOwnState();
     }
 
     /** @return the sum of an effect's forces at 200 times */

@@ -2,9 +2,7 @@ package particles.app.student;
 
 import java.io.File;
 import java.io.IOException;
-import java.io.ObjectInputStream;
-import java.io.ObjectOutputStream;
-import java.io.Serializable;
+import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.lang.ProcessBuilder.Redirect;
 import java.nio.charset.StandardCharsets;
@@ -16,6 +14,7 @@ import java.security.MessageDigest;
 import java.security.SecureRandom;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HexFormat;
 import java.util.List;
@@ -37,6 +36,7 @@ public final class StudentProcess {
     /** A process that Ctrl-C, kill or a lack of memory ended has an exit code over this. */
     private static final int SIGNAL = 128;
     private static final int SECRET = 32;
+    private static final String END = "\0";
     private static final int LONGEST = 1 << 20;
 
     private StudentProcess() {
@@ -52,23 +52,16 @@ public final class StudentProcess {
     }
 
     /**
-     * What a check reads from its input before it loads the class.
-     *
-     * @param secret  signs the verdict; it is never written anywhere
-     * @param sources the text of the student's classes, which no other check can change any more
-     * @param check   the check
-     * @param folder  receives its report
+     * What signs a verdict. A check reads it from its input before it loads the class; it is never written anywhere.
      */
-    record Task(byte[] secret, TreeMap<String, String> sources, Check check, String folder) implements Serializable {
-        private static final long serialVersionUID = 1L;
-
+    record Secret(String key) {
         /** @return the text with a signature that only a holder of the secret can make, on a line before it */
         private byte[] signed(String text) {
             try {
                 MessageDigest sha = MessageDigest.getInstance("SHA-256");   // javax.crypto takes 40 ms to load
-                sha.update(secret);
+                sha.update(key.getBytes(StandardCharsets.UTF_8));
                 byte[] inner = sha.digest(text.getBytes(StandardCharsets.UTF_8));
-                sha.update(secret);                     // twice, as in HMAC: a known signature cannot be extended
+                sha.update(key.getBytes(StandardCharsets.UTF_8));      // twice, as in HMAC: none can be extended
                 return (HexFormat.of().formatHex(sha.digest(inner)) + "\n" + text).getBytes(StandardCharsets.UTF_8);
             } catch (GeneralSecurityException e) {
                 throw new AssertionError("every Java has SHA-256", e);
@@ -102,19 +95,21 @@ public final class StudentProcess {
      * @throws UncheckedIOException if no process can be made
      */
     public static Outcome run(Check check, Path folder, Map<String, String> sources) {
-        byte[] secret = new byte[SECRET];
-        new SecureRandom().nextBytes(secret);
-        Task task = new Task(secret, new TreeMap<>(sources), check, folder.toString());
+        byte[] random = new byte[SECRET];
+        new SecureRandom().nextBytes(random);
+        Secret secret = new Secret(HexFormat.of().formatHex(random));
+        List<String> input = new ArrayList<>(List.of(secret.key()));
+        sources.forEach((name, text) -> input.addAll(List.of(name, text.replace(END, " "))));
         try {
             Path own = Files.createTempDirectory("desolver-check");
             try {
                 Path verdict = own.resolve("verdict");
-                Optional<Outcome> stopped = await(builder(verdict).redirectErrorStream(true)
-                        .redirectOutput(Redirect.DISCARD), task);
+                Optional<Outcome> stopped = await(builder(verdict, folder, check).redirectErrorStream(true)
+                        .redirectOutput(Redirect.DISCARD), String.join(END, input));
                 boolean isThere = Files.isRegularFile(verdict, LinkOption.NOFOLLOW_LINKS)
                         && Files.size(verdict) <= LONGEST;
                 byte[] signed = isThere ? Files.readAllBytes(verdict) : new byte[0];
-                return stopped.orElseGet(() -> task.read(signed));
+                return stopped.orElseGet(() -> secret.read(signed));
             } finally {
                 delete(own);
             }
@@ -124,27 +119,29 @@ public final class StudentProcess {
     }
 
     /**
-     * The process of a check: reads the {@link Task} from its input, and writes the signed verdict.
+     * The process of a check: reads the secret and the classes from its input, where no other check can change them any
+     * more, and writes the signed verdict. Java's serialization would take 100 ms to load.
      *
-     * @param args the file of the verdict
-     * @throws IOException            if the task cannot be read
-     * @throws ClassNotFoundException if it is not one
+     * @param args the folder of the report, the words of the check, and the file of the verdict
+     * @throws IOException if the input cannot be read
      */
-    public static void main(String[] args) throws IOException, ClassNotFoundException {
-        Task task;
-        try (ObjectInputStream input = new ObjectInputStream(System.in)) {
-            task = (Task) input.readObject();
+    public static void main(String[] args) throws IOException {
+        String[] input = new String(System.in.readAllBytes(), StandardCharsets.UTF_8).split(END, -1);
+        Secret secret = new Secret(input[0]);
+        Map<String, String> sources = new TreeMap<>();          // the class's loader must not lead to the secret
+        for (int i = 1; i < input.length; i += 2) {
+            sources.put(input[i], input[i + 1]);
         }
-        TreeMap<String, String> sources = task.sources();       // the class's loader must not lead to the secret
         new StudentLoader(() -> sources, StudentProcess.class.getClassLoader()).install();
-        new CheckRun(task.check(), Path.of(task.folder()), (code, report) -> end(Path.of(args[0]), task, code,
-                report)).run();
+        int last = args.length - 1;
+        new CheckRun(Check.of(Arrays.copyOfRange(args, 1, last)), Path.of(args[0]), (code, report) -> end(Path.of(
+                args[last]), secret, code, report)).run();
     }
 
     /** Writes the verdict once and ends the process, in which code of the class may still be running. */
-    private static synchronized void end(Path verdict, Task task, ExitCode code, List<String> report) {
+    private static synchronized void end(Path verdict, Secret secret, ExitCode code, List<String> report) {
         try {
-            Files.write(verdict, task.sign(new Outcome(code, report.stream().flatMap(String::lines).toList())));
+            Files.write(verdict, secret.sign(new Outcome(code, report.stream().flatMap(String::lines).toList())));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         } finally {
@@ -161,24 +158,30 @@ public final class StudentProcess {
         }
     }
 
-    private static ProcessBuilder builder(Path verdict) {
+    /** Without verifying bytecode, which javac made anyway: that takes a sixth of the compiler's time. */
+    private static ProcessBuilder builder(Path verdict, Path folder, Check check) {
         List<String> line = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-Xmx" + MEGABYTES + "m", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Djava.awt.headless=true",
-                "-cp", System.getProperty("java.class.path")));
+                "-Xmx" + MEGABYTES + "m", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC",
+                "-XX:+IgnoreUnrecognizedVMOptions", "-XX:+UnlockDiagnosticVMOptions",
+                "-XX:-BytecodeVerificationRemote", "-Djava.awt.headless=true", "-cp",
+                System.getProperty("java.class.path")));
         String startedBy = System.getProperty(OptionStyle.STARTED_BY);
         if (startedBy != null) {                        // null where it was not set
             line.add("-D" + OptionStyle.STARTED_BY + "=" + startedBy);
         }
-        line.addAll(List.of(StudentProcess.class.getName(), verdict.toString()));
+        line.addAll(List.of(StudentProcess.class.getName(), folder.toString()));
+        line.addAll(check.words());
+        line.add(verdict.toString());
         return new ProcessBuilder(line);
     }
 
     /** @return the outcome of a process that did not end by itself */
-    private static Optional<Outcome> await(ProcessBuilder builder, Task task) throws IOException {
+    private static Optional<Outcome> await(ProcessBuilder builder, String input) throws IOException {
         Process process = builder.start();
-        try (ObjectOutputStream input = new ObjectOutputStream(process.getOutputStream())) {
-            input.writeObject(task);
-            input.flush();
+        try {
+            try (OutputStream output = process.getOutputStream()) {     // the check reads it to the end
+                output.write(input.getBytes(StandardCharsets.UTF_8));
+            }
             for (int second = 0; second < SECONDS; second++) {
                 if (process.waitFor(1, TimeUnit.SECONDS)) {
                     return stopped(ExitCode.STOPPED, "not decided: the check was ended from outside; run it again")

@@ -1,16 +1,14 @@
 package particles.output.charts;
 
-import java.io.Serializable;
-
 /**
  * The format in which charts are drawn.
  *
  * @param slide whether each is a slide of 16:9 with large type and few curves; otherwise a picture for page and screen
  * @param svg   whether each is written as a vector graphic, too
  * @param dark  whether each is drawn on black, for a dark room
+ * @param scale device pixels for each pixel of the layout
  */
-public record ChartFormat(boolean slide, boolean svg, boolean dark) implements Serializable {
-    private static final long serialVersionUID = 1L;
+public record ChartFormat(boolean slide, boolean svg, boolean dark, int scale) {
     /** Pictures for page and screen, as PNG alone. */
     public static final ChartFormat PAGE = new ChartFormat(false, false, false);
 
@@ -24,6 +22,16 @@ public record ChartFormat(boolean slide, boolean svg, boolean dark) implements S
     private static final int SLIDE_HEIGHT = 360;
     private static final int SLIDE_SCALE = 3;
     private static final int SCALE = 2;
+
+    /** A format with so many device pixels that print and large screens get sharp lines. */
+    public ChartFormat(boolean slide, boolean svg, boolean dark) {
+        this(slide, svg, dark, slide ? SLIDE_SCALE : SCALE);
+    }
+
+    /** @return the same for a quick look, with a quarter of the device pixels; slides stay as they are */
+    public ChartFormat quick() {
+        return new ChartFormat(slide, svg, dark, slide ? scale : 1);
+    }
 
     /**
      * @param rgb a colour on white, 0xRRGGBB
@@ -55,10 +63,5 @@ public record ChartFormat(boolean slide, boolean svg, boolean dark) implements S
     /** @return the height of the layout of a page that is this high without a format */
     int height(int wanted) {
         return slide ? SLIDE_HEIGHT : wanted;
-    }
-
-    /** @return device pixels for each pixel of the layout, so that print and large screens get sharp lines */
-    int scale() {
-        return slide ? SLIDE_SCALE : SCALE;
     }
 }

@@ -224,7 +224,7 @@ class CheckSolverCommandTest {
         SolverVerdict verdict = SolverCheck.check(Thinks::new, "Thinks");
         for (Callable<?> part : List.<Callable<?>>of(() -> SolverCheck.check(Thinks::new, "Thinks").wrong().isEmpty(),
                 () -> SolverFigures.of("Thinks", Thinks::new, verdict).region().isPresent(),
-                () -> !PlainRuns.differ(Runnable::run, PlainRuns.ends(Thinks.class.getName())))) {
+                () -> !PlainRuns.differ(Runnable::run, () -> PlainRuns.ends(Thinks.class.getName())))) {
             assertEquals("Outcome[value=Optional[true], failure=Optional.empty]", new GuardedRun(0.2).run(part)
                     .toString());
         }
