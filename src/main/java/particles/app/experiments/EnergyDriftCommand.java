@@ -1,6 +1,7 @@
 package particles.app.experiments;
 
 import java.util.List;
+import java.util.function.IntFunction;
 import particles.app.cli.ProgramCommand.Mistakes;
 import particles.experiments.energy.DriftCharts;
 import particles.experiments.energy.DriftHeadline;
@@ -38,8 +39,8 @@ public final class EnergyDriftCommand extends ExperimentCommand {
         Comparison comparison = EnergyDrift.compare(options.scene(), options.solvers(), equalWork, progress);
         String caption = "Above: the size of the error, logarithmic. Below: the error itself while it is less than"
                 + " 0.1. A cross marks a run that ended early.";
-        Picture picture = Picture.bySolver("energy-drift", caption, comparison.drifts(), Drift::label,
-                some -> DriftCharts.charts(comparison.of(some)));
+        IntFunction<Picture> picture = charts -> Picture.bySolver("energy-drift", caption, comparison.drifts(),
+                Drift::label, some -> DriftCharts.charts(comparison.of(some)).subList(0, charts));
         return new ResultPage(name(), DriftHeadline.of(comparison), List.of(
                 """
                         The energy error is the change of the total energy minus the work of drag, damping, wind, \
@@ -52,9 +53,8 @@ public final class EnergyDriftCommand extends ExperimentCommand {
                         others add or remove a little in each step, always to the same side.""",
                 "Where damping, driving or impacts change the energy, errors fade with the motion or follow it: only"
                         + " their size compares solvers."),
-                List.of(comparison.drifts().size() <= format().mostCurves() ? picture
-                        : picture.onSlides(List.of(Picture.bySolver("energy-drift", caption, comparison.drifts(),
-                                Drift::label, some -> DriftCharts.charts(comparison.of(some)).subList(0, 1))))),
+                List.of(comparison.drifts().size() <= format().mostCurves() ? picture.apply(2)
+                        : picture.apply(2).onSlides(List.of(picture.apply(1)))),
                 List.of(DriftCharts.table(comparison)));
     }
 }

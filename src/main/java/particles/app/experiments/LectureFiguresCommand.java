@@ -73,7 +73,7 @@ public final class LectureFiguresCommand extends ExperimentCommand {
 
     @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
-        List<Figure> figures = new ArrayList<>(LectureFigures.onSlides());
+        List<Figure> figures = new ArrayList<>(LectureFigures.ON_SLIDES);
         if (solver != null) {
             figures.add(new Figure(solver, deltaT == null ? DELTA_T : deltaT, steps == null ? STEPS : steps));
         }
@@ -92,7 +92,7 @@ public final class LectureFiguresCommand extends ExperimentCommand {
                 "Euler and midpoint spiral outwards, RK4 inwards: how fast depends on the step", panels)
                 .onSlides(List.of()));
         return new ResultPage(name(),
-                LectureFigures.finding(results.subList(0, LectureFigures.onSlides().size())),
+                LectureFigures.finding(results.subList(0, LectureFigures.ON_SLIDES.size())),
                 List.of("""
                         The oscillator x'' = -x from (1, 0), in state space. The exact solution is the dashed \
                         circle; it takes 2 pi seconds to go round, clockwise. The arrows are the vector field that a \

@@ -32,7 +32,7 @@ final class SceneStabilityPage {
     /** @return the page of a scene with at least one mode that does not grow by itself */
     static ResultPage measure(SceneDescription scene, Spectrum spectrum, List<SolverChoice> solvers,
             ProgressListener progress) {
-        Mode fastest = spectrum.modes().stream().filter(mode -> mode.re() <= 0).findFirst().orElseThrow();
+        Mode fastest = spectrum.decaying().get(0);
         List<Limit> limits = SceneStability.measure(scene, spectrum, solvers, progress.part(0, 0.9));
         progress.reached(0.9, "outlines of the regions");
         List<String> outlined = solvers.size() == 1
@@ -61,8 +61,7 @@ final class SceneStabilityPage {
     }
 
     private static String title(SceneDescription scene, List<Limit> limits, Mode fastest) {
-        String limit = limits.stream().filter(known -> known.measured() > 0
-                && known.measured() < Double.POSITIVE_INFINITY).findFirst()
+        String limit = limits.stream().filter(known -> Limit.isFinite(known.measured())).findFirst()
                 .map(known -> Digits.format(", and %s is stable with steps up to deltaT = %.3g s",
                         known.solver().label(), known.predicted() > 0
                         ? Math.min(known.predicted(), known.measured()) : known.measured()))

@@ -61,7 +61,7 @@ public final class StabilityCommand extends ExperimentCommand {
 
     private Spectrum readSpectrum() {
         Spectrum found = SceneStability.spectrum(description.get());
-        if (found.modes().stream().noneMatch(mode -> mode.re() <= 0)) {
+        if (found.decaying().isEmpty()) {
             throw wrong("scene", "this scene has no vibration or damping at its start that limits a step; choose a"
                     + " scene with springs, drag or rods between free particles");
         }

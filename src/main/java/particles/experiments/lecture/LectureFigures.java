@@ -32,8 +32,11 @@ public final class LectureFigures {
     private static final int ARROWS = 17;
     private static final int CIRCLE = 361;
 
-    /** The slides' captions. They do not state Euler's step, only its result; 3 periods are 160.6 of these steps. */
-    private static final List<Figure> ON_SLIDES = List.of(
+    /**
+     * The figures of the slides, in their order, from the captions. These do not state Euler's step, only its result; 3
+     * periods are 160.6 of these steps.
+     */
+    public static final List<Figure> ON_SLIDES = List.of(
             new Figure("euler", 0.11737, 161), new Figure("midpoint", 1, 11), new Figure("midpoint", 0.5, 100),
             new Figure("midpoint", 0.1, 5000), new Figure("rk4", 1, 8), new Figure("rk4", 1, 100),
             new Figure("rk4", 0.4, 1250));
@@ -64,11 +67,6 @@ public final class LectureFigures {
     }
 
     private LectureFigures() {
-    }
-
-    /** @return the figures of the slides, in their order */
-    public static List<Figure> onSlides() {
-        return ON_SLIDES;
     }
 
     /**

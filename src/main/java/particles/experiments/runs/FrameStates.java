@@ -34,9 +34,9 @@ public final class FrameStates implements Observer {
 
     @Override
     public void moved(Motion motion) {
-        while (states.size() / rate <= motion.getEndTime()) {
+        while (getNextTime() <= motion.getEndTime()) {
             double[] between = new double[motion.getEndState().length];
-            motion.interpolate(states.size() / rate, between);
+            motion.interpolate(getNextTime(), between);
             states.add(between);
         }
     }

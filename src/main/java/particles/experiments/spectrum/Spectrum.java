@@ -42,6 +42,11 @@ public record Spectrum(List<Mode> modes, int products, double error) {
         return (int) Math.min(doubles, Math.min(MOST_DIRECTIONS, fit));
     }
 
+    /** @return the modes that do not grow by themselves, the fastest first */
+    public List<Mode> decaying() {
+        return modes.stream().filter(mode -> mode.re() <= 0).toList();
+    }
+
     /**
      * @return the fastest growth of the motion itself (1/s), which is physics and not an error of the solver; 0 if
      *         nothing grows

@@ -78,8 +78,12 @@ public final class SceneStability {
             double measuredGrowth, String note) {
         /** @return whether it was predicted and measured that steps up to a limit are safe */
         public boolean isFinite() {
-            return measured > 0 && measured < Double.POSITIVE_INFINITY && predicted > 0
-                    && predicted < Double.POSITIVE_INFINITY && !solver.adaptive();
+            return isFinite(measured) && isFinite(predicted) && !solver.adaptive();
+        }
+
+        /** @return whether there is a longest safe step (s), and not none, any, or one that is not known */
+        public static boolean isFinite(double step) {
+            return step > 0 && step < Double.POSITIVE_INFINITY;
         }
     }
 
@@ -118,21 +122,21 @@ public final class SceneStability {
     }
 
     private Limit limit(SolverChoice solver) {
-        Mode fastest = spectrum.modes().stream().filter(mode -> mode.re() <= 0).findFirst().orElseThrow();
+        Mode fastest = spectrum.decaying().get(0);
         if (solver.info().isEmpty()) {
             return bisected(solver, Double.NaN, 2 / fastest.size(), fastest);
         }
         SpectrumLimit theory = new SpectrumLimit(solver.info().get(), spectrum);
         double predicted = theory.deltaT();
         Mode most = theory.growingMost(scene.deltaT());
+        double growth = theory.factor(most, scene.deltaT()) - 1;
         if (solver.adaptive() || predicted == Double.POSITIVE_INFINITY) {
-            return farOut(solver, predicted, theory.factor(most, scene.deltaT()) - 1, fastest);
+            return farOut(solver, predicted, growth, fastest);
         }
         if (predicted > 0) {
             return bisected(solver, predicted, predicted, theory.deciding());
         }
         Twins pair = twins.run(Setting.of(solver, scene.deltaT()), most, PerturbationGrowth.STEPS);
-        double growth = theory.factor(most, scene.deltaT()) - 1;
         double measured = pair.factor(twins.run(Setting.accurate(scene.deltaT(), EXACT), most,
                 PerturbationGrowth.STEPS)) - 1;
         boolean leaves = growth > StabilityLimit.ROUND_OFF && measured * FAR_OFF < growth;
@@ -249,7 +253,7 @@ public final class SceneStability {
             return Double.isNaN(growth) ? "none" : growth > 0 ? StabilityLimit.text(0, growth)
                     : Digits.format("no growth seen in %d steps", PerturbationGrowth.STEPS);
         }
-        return value > 0 && value < Double.POSITIVE_INFINITY ? Digits.format("%.6g", value)
+        return Limit.isFinite(value) ? Digits.format("%.6g", value)
                 : StabilityLimit.text(value, growth);
     }
 }

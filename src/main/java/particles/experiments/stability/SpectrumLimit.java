@@ -34,7 +34,7 @@ final class SpectrumLimit {
      */
     SpectrumLimit(SolverInfo info, Spectrum spectrum) {
         amplification = Amplification.of(info);
-        modes = spectrum.modes().stream().filter(mode -> mode.re() <= 0).toList();
+        modes = spectrum.decaying();
     }
 
     /** @return the longest step (s); 0 if some mode grows at any, infinite if none does */

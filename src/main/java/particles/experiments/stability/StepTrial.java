@@ -35,8 +35,7 @@ public record StepTrial(Optional<Amplification> amplification, double noise, Str
     public static StepTrial of(Supplier<DESolver> maker, boolean remembers) {
         int steps = remembers ? STEPS : 1;
         try {
-            StepMatrix first = StepMatrix.of(maker.get(), source(false, PLACES[0], 1), steps, 1, 1);
-            return on(maker, !(first.distinction() <= MOST_NOISE), steps);
+            return on(maker, !(step(maker, false, PLACES[0], steps, 1, 1).distinction() <= MOST_NOISE), steps);
         } catch (RuntimeException refusal) {            // whatever a solver throws that has to know the velocities
             try {
                 return on(maker, true, steps);
@@ -50,29 +49,29 @@ public record StepTrial(Optional<Amplification> amplification, double noise, Str
         return new StepTrial(Optional.empty(), Double.NaN, objection);
     }
 
-    /** The test equation at a multiple of a place, or the spring with these eigenvalues, undamped if they grow. */
-    private static LinearPair source(boolean springs, double[] place, double factor) {
-        double re = factor * place[0];
-        double im = factor * place[1];
-        return springs ? LinearPair.spring(re * re + im * im, -2 * Math.min(0, re)) : LinearPair.testEquation(re, im);
+    /** Steps of the test equation at a place, or of the spring with these eigenvalues, undamped if they grow. */
+    private static StepMatrix step(Supplier<DESolver> maker, boolean springs, double[] place, int steps, double deltaT,
+            double size) {
+        double re = place[0] / deltaT;
+        double im = place[1] / deltaT;
+        return StepMatrix.of(maker.get(), springs ? LinearPair.spring(re * re + im * im, -2 * Math.min(0, re))
+                : LinearPair.testEquation(re, im), steps, deltaT, size);
     }
 
     private static StepTrial on(Supplier<DESolver> maker, boolean springs, int steps) {
         double noise = 0;
         boolean still = true;
         for (double[] place : PLACES) {
-            StepMatrix one = StepMatrix.of(maker.get(), source(springs, place, 1), steps, 1, 1);
-            StepMatrix again = StepMatrix.of(maker.get(), source(springs, place, 1), steps, 1, 1);
-            if (one.difference(again) > 0) {
+            StepMatrix one = step(maker, springs, place, steps, 1, 1);
+            if (one.difference(step(maker, springs, place, steps, 1, 1)) > 0) {
                 return refused("two steps from the same place are not the same");
             }
-            StepMatrix large = StepMatrix.of(maker.get(), source(springs, place, 1), steps, 1, SIZE);
-            double bent = Math.max(one.nonlinearity(), one.difference(large));
+            double bent = Math.max(one.nonlinearity(), one.difference(step(maker, springs, place, steps, 1, SIZE)));
             if (!(bent <= MOST_NOISE)) {
                 return refused("a step on a linear system does not multiply the state by a matrix, as the length of"
                         + " sub-steps or an iteration depends on the state");
             }
-            StepMatrix half = StepMatrix.of(maker.get(), source(springs, place, 2), steps, 0.5, 1);
+            StepMatrix half = step(maker, springs, place, steps, 0.5, 1);
             double apart = springs ? Math.abs(one.radius() - half.radius()) : one.difference(half);
             if (!(apart <= MOST_NOISE)) {
                 return refused("a step with half the deltaT and twice the lambda"
@@ -95,7 +94,7 @@ public record StepTrial(Optional<Amplification> amplification, double noise, Str
     private static boolean isExact(Supplier<DESolver> maker, boolean springs) {
         StepMatrix step;
         try {
-            step = StepMatrix.of(maker.get(), source(springs, FAR, 1), 1, 1, 1);
+            step = step(maker, springs, FAR, 1, 1, 1);
         } catch (RuntimeException e) {                  // whatever the solver throws at such a step
             return false;
         }

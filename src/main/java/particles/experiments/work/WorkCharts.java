@@ -45,9 +45,8 @@ public final class WorkCharts {
             }
         }
         series.add(Series.of("filled: fitted; in brackets: theory", Mark.POINTS, List.of()));
-        return charts(new ChartData(title(curves) + reduction(curves).orElseGet(() -> first(curves, false)),
-                "evaluations of the derivative", curves.get(0).problem().errorLabel(), true, true, series), curves,
-                Point::evaluations);
+        return charts(reduction(curves).orElseGet(() -> first(curves, false)), "evaluations of the derivative", series,
+                curves, Point::evaluations);
     }
 
     /**
@@ -63,13 +62,7 @@ public final class WorkCharts {
                     new double[] {p.lower(), p.error()}, new double[] {p.upper(), p.error()},
                     new double[] {Double.NaN, Double.NaN})).toList()));         // a gap after each bar
         }
-        return charts(new ChartData(title(curves) + first(curves, true),
-                "CPU time, median (s)", curves.get(0).problem().errorLabel(), true, true, series), curves,
-                Point::seconds);
-    }
-
-    private static String title(List<Curve> curves) {
-        return curves.get(0).problem().title() + ": ";
+        return charts(first(curves, true), "CPU time, median (s)", series, curves, Point::seconds);
     }
 
     private static List<Point> results(Curve curve) {
@@ -77,7 +70,11 @@ public final class WorkCharts {
     }
 
     /** Below the errors, over the same work: a row for each solver of which a run failed. */
-    private static List<ChartData> charts(ChartData errors, List<Curve> curves, ToDoubleFunction<Point> work) {
+    private static List<ChartData> charts(String finding, String label, List<Series> series, List<Curve> curves,
+            ToDoubleFunction<Point> work) {
+        WorkProblem problem = curves.get(0).problem();
+        ChartData errors = new ChartData(problem.title() + ": " + finding, label, problem.errorLabel(), true, true,
+                series);
         List<Curve> failing = curves.stream().filter(curve -> curve.points().stream().anyMatch(point ->
                 point.failure().isPresent())).toList();
         return errors.above("no result", failing.stream().map(Curve::label).toList(), Arrays.stream(Failure.values())

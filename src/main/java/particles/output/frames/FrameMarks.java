@@ -4,6 +4,7 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
+import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
@@ -131,23 +132,22 @@ final class FrameMarks {
     }
 
     private void drawArrow(Graphics2D g, Line2D line) {
-        double dx = line.getX2() - line.getX1();
-        double dy = line.getY2() - line.getY1();
-        double length = Math.sqrt(dx * dx + dy * dy);
+        double length = line.getP1().distance(line.getP2());
         if (!(length > unit) || !(length < FARTHEST)) {
             return;
         }
         double head = Math.min(length, 15 * unit);
-        double ex = head * dx / length;
-        double ey = head * dy / length;
+        // drawn along the x axis with its tip at 0, and turned
+        AffineTransform turned = AffineTransform.getTranslateInstance(line.getX2(), line.getY2());
+        turned.rotate(line.getX2() - line.getX1(), line.getY2() - line.getY1());
         g.setStroke(new BasicStroke(3 * unit, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND));
-        g.draw(new Line2D.Double(line.getX1(), line.getY1(), line.getX2() - 0.9 * ex, line.getY2() - 0.9 * ey));
+        g.draw(turned.createTransformedShape(new Line2D.Double(-length, 0, -0.9 * head, 0)));
         Path2D tip = new Path2D.Double();
-        tip.moveTo(line.getX2(), line.getY2());
-        tip.lineTo(line.getX2() - ex - 0.45 * ey, line.getY2() - ey + 0.45 * ex);
-        tip.lineTo(line.getX2() - ex + 0.45 * ey, line.getY2() - ey - 0.45 * ex);
+        tip.moveTo(0, 0);
+        tip.lineTo(-head, -0.45 * head);
+        tip.lineTo(-head, 0.45 * head);
         tip.closePath();
-        g.fill(tip);
+        g.fill(turned.createTransformedShape(tip));
     }
 
     /** @return where it is seen, if it can be drawn */

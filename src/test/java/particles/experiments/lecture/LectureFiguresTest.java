@@ -15,7 +15,7 @@ import particles.view.DataTable;
 import particles.view.VectorField;
 
 class LectureFiguresTest {
-    private static final List<Result> RESULTS = LectureFigures.onSlides().stream().map(LectureFigures::run).toList();
+    private static final List<Result> RESULTS = LectureFigures.ON_SLIDES.stream().map(LectureFigures::run).toList();
 
     /**
      * The values are the stability functions', to six digits; measured and theory differ by rounding, 8e-12 at most.
@@ -33,7 +33,7 @@ class LectureFiguresTest {
     void figuresHaveTheNumbersOfTheory(String solver, double deltaT, int steps, double amplitude, double energy,
             double phase, long evaluations) {
         Figure figure = new Figure(solver, deltaT, steps);
-        assertTrue(LectureFigures.onSlides().contains(figure), "it is one of the slides' figures");
+        assertTrue(LectureFigures.ON_SLIDES.contains(figure), "it is one of the slides' figures");
         Result result = LectureFigures.run(figure);
         assertEquals(amplitude, result.amplitude(), 0.5e-6);
         assertEquals(energy, result.amplitude() * result.amplitude(), 0.5e-6);
