@@ -7,7 +7,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import java.util.Optional;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import java.util.stream.Stream;
@@ -128,7 +127,7 @@ final class Browser implements AutoCloseable {
                         .getConstructor().newInstance();
                 List<Path> scenes = SceneFiles.list(Path.of("scenes"));
                 String page = builder.build(new LabBuilder.Contents(scenes, LabCommand.pictures(scenes),
-                        SceneFiles.find(Path.of("scenes"), "2"), Optional.empty(), List.of(SOLVER, UNFINISHED),
+                        SceneFiles.find(Path.of("scenes"), "2"), "", List.of(SOLVER, UNFINISHED),
                         List.of(EFFECT), exercises));
                 return Files.writeString(folder.resolve("index.html"), page);
             } catch (IOException e) {

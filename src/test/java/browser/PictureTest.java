@@ -61,6 +61,25 @@ class PictureTest extends LabPageTestCase {
                 """.formatted(condition), canvas);
     }
 
+    /** In a browser whose workers never answer; a worker that does is then asked for the same. */
+    @Test
+    void theFirstPictureNeedsNoEngineAndShowsWhatTheEngineTells() {
+        page.driver().executeCdpCommand("Page.addScriptToEvaluateOnNewDocument", Map.of("source",
+                "window.Answering = window.Worker; window.Worker = class { postMessage() {} };"));
+        page.go(Browser.page().toUri().toString());
+        page.await("a ball", () -> pixels("#view canvas", "r > 1.5 * b && a > 0") > 100);
+        page.click("start");
+        assertEquals("Pause", page.text("start"));
+        String plain = "const plain = value => JSON.parse(JSON.stringify(value));";
+        assertEquals(page.script(plain + "return plain([window.lab.view.facts, window.lab.view.moment]);"),
+                page.later(plain + """
+                const [done] = arguments, worker = new Answering(window.lab.engine), told = [];
+                const {textContent: text, dataset: {name, first}} = document.querySelector('[data-first]');
+                worker.onmessage = ({data}) => told.push(data) === 2 && done(plain([told[0].facts, told[1]]));
+                worker.postMessage({type: 'open', file: name, text, solver: first, deltaT: '', tolerance: 0});
+                """));
+    }
+
     /** The ground is dark where the lamp does not reach it; the wall of a hollow has darker meridians. */
     @ParameterizedTest
     @CsvSource({"10-jelly-block, r > b + 4 && r < b + 12 && r > 115 && r < 140",

@@ -71,9 +71,8 @@ final class FrameRecorder implements Observer {
         for (int i = 0; i < copy.length; i++) {
             copy[i] = (float) state[i];
         }
-        Frame.Account account = new Frame.Account(scene.simulation().getSteps(), scene.system().getEvaluations(),
-                ledger.getWork());
-        return new Frame(time, copy, energies(state, time), structure, account);
+        return new Frame(time, copy, energies(state, time), structure, new Frame.Account(
+                scene.simulation().getSteps(), scene.system().getEvaluations(), ledger.getWork()));
     }
 
     /** The particles and springs at present. */

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 
 /** Builds the lab's page. The implementation needs a compiler that only {@code gradle lab} downloads. */
 public interface LabBuilder {
@@ -15,12 +14,12 @@ public interface LabBuilder {
      * @param scenes    its scenes
      * @param pictures  small pictures of scenes, as PNG files
      * @param first     the one that it opens with
-     * @param solver    the solver that it opens with, if it is not the scene's
+     * @param solver    the solver that it opens with, if it is not the scene's; else empty
      * @param solvers   the full names of students' solvers
      * @param effects   the full names of students' effects
      * @param exercises the folder of students' classes
      */
-    record Contents(List<Path> scenes, Map<Path, byte[]> pictures, Path first, Optional<String> solver,
+    record Contents(List<Path> scenes, Map<Path, byte[]> pictures, Path first, String solver,
                     List<String> solvers, List<String> effects, Path exercises) {
     }
 

@@ -27,23 +27,23 @@ public final class PageParts {
 
     /** The scripts of the page that import each other, in an order in which each comes after its imports. */
     private static final List<String> OWN_MODULES = List.of("dom", "packing", "address", "gallery", "keys", "camera",
-            "sky", "blobs", "glow", "marks", "tubes", "scenery", "surface", "trails", "view", "plots", "editor",
-            "parameters", "saving", "settings", "panels", "phase", "nearest", "player", "stability", "tables", "words",
-            "hand", "inspector", "lecture", "main");
+            "sky", "blobs", "glow", "marks", "opening", "structure", "tubes", "scenery", "surface", "trails", "view",
+            "plots", "editor", "parameters", "saving", "settings", "panels", "phase", "nearest", "player", "stability",
+            "tables", "words", "hand", "inspector", "lecture", "main");
     private static final Pattern PLACE = Pattern.compile("<!--\\{(\\w+)}-->");
 
     private PageParts() {
     }
 
-    /** @return whether the libraries and our own files are here */
-    static boolean areHere() {
+    /** @return whether the libraries and our own files are here: only the tasks that write pages have them */
+    public static boolean areHere() {
         return Stream.of(OWN + "index.html", THREE + "LICENSE").allMatch(resource ->
                 PageParts.class.getClassLoader().getResource(resource) != null);
     }
 
     /**
      * @param engine   the functions that the page's worker calls
-     * @param scenes   the scripts of the scenes and of students' solvers
+     * @param scenes   the scripts of the scenes
      * @param licences the licences of what is in the engine
      * @return the page
      * @throws IOException if a part cannot be read
@@ -80,13 +80,8 @@ public final class PageParts {
         return script(" type=\"text/plain\" class=\"scene\" data-name=\"" + escaped(name) + '"' + attributes, text);
     }
 
-    /** @return the script that names students' solvers */
-    public static String students(List<String> solvers) {
-        return script(" type=\"text/plain\" id=\"students\"", String.join(" ", solvers));
-    }
-
-    /** The page stays small although the engine is large. */
-    private static String packed(String text) throws IOException {
+    /** @return a text, compressed, as base64: the page stays small although the engine is large */
+    public static String packed(String text) throws IOException {
         return Base64.getEncoder().encodeToString(new DeflaterInputStream(
                 new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8))).readAllBytes());
     }

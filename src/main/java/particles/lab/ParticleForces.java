@@ -1,7 +1,6 @@
 package particles.lab;
 
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import particles.ParticleSystem;
 import particles.law.Effect;
@@ -36,7 +35,7 @@ final class ParticleForces {
         adding.run();
         Vector3 force = Vector3.at(sum, Particles.STRIDE * i + 3).minus(before);
         if (!force.isZero()) {
-            forces.put(name, List.of(force.x(), force.y(), force.z()));
+            forces.put(name, SceneFacts.vector(force));
         }
     }
 }

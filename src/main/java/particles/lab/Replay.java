@@ -3,9 +3,6 @@ package particles.lab;
 import deSolvers.text.Digits;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
-import java.util.Base64;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -37,11 +34,6 @@ public final class Replay {
         recorder = new FrameRecorder(scene, ledger, MEMORY);
     }
 
-    /** @return whether the page's libraries are here: only the tasks that write pages have them */
-    public static boolean isPossible() {
-        return PageParts.areHere();
-    }
-
     /** @return records the run; to be called after the energy ledger */
     public Observer getRecorder() {
         return recorder;
@@ -66,7 +58,7 @@ public final class Replay {
 
     String page(String file, String text, String failure, int mostBytes) {
         try {
-            String scenes = PageParts.scene(file, text, " data-first=\"\"") + PageParts.students(List.of());
+            String scenes = PageParts.scene(file, text, " data-first=\"\"");
             while (true) {
                 String page = PageParts.page("const RECORDED = " + recorded(failure) + ";\n"
                         + PageParts.own("recorded.js"), scenes, List.of());
@@ -83,10 +75,8 @@ public final class Replay {
         List<Frame> frames = recorder.getHistory().after(Double.NEGATIVE_INFINITY);
         Map<Structure, Integer> structures = new LinkedHashMap<>();
         frames.forEach(frame -> structures.putIfAbsent(frame.structure(), structures.size()));
-        float[] floats = Session.joined(Stream.concat(structures.keySet().stream().map(Structure::numbers),
+        String floats = Session.base64(Stream.concat(structures.keySet().stream().map(Structure::numbers),
                 frames.stream().flatMap(frame -> Stream.of(frame.energies(), frame.state()))).toList());
-        ByteBuffer bytes = ByteBuffer.allocate(Float.BYTES * floats.length).order(ByteOrder.LITTLE_ENDIAN);
-        bytes.asFloatBuffer().put(floats);
         Map<String, Object> facts = SceneFacts.of(scene, recorder);
         facts.put("numbers", List.of());
         facts.put("recorded", thinning().orElse(""));
@@ -97,6 +87,6 @@ public final class Replay {
                 "steps", frames.stream().map(frame -> frame.account().steps()).toList(),
                 "evaluations", frames.stream().map(frame -> frame.account().evaluations()).toList(),
                 "structureOf", frames.stream().map(frame -> structures.get(frame.structure())).toList(),
-                "failure", failure, "floats", Base64.getEncoder().encodeToString(bytes.array())));
+                "failure", failure, "floats", floats));
     }
 }

@@ -1,7 +1,6 @@
 package particles.lab;
 
 import deSolvers.catalog.SolverCatalog;
-import deSolvers.catalog.SolverInfo;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -43,31 +42,23 @@ final class SceneFacts {
         Map<String, Object> facts = Ordered.map("title", description.title(),
                 "teaches", description.values().get(SceneFormat.TEACHES), "solver", description.solver(),
                 "deltaT", description.deltaT(), "duration", description.duration(),
-                "energyScale", scene.energyEstimate(), "energies", frames.getEnergyNames(),
-                "uniform", frames.getUniform(),
+                "energies", frames.getEnergyNames(), "uniform", frames.getUniform(),
                 "look", look(description.drawing().look()),
                 "planes", scenery.planes().stream().map(SceneFacts::plane).toList(),
                 "spheres", scenery.spheres().stream().map(SceneFacts::sphere).toList(),
                 "wires", scenery.wires().stream().map(SceneFacts::wire).toList(),
                 "surfaces", scenery.surfaces().stream().map(SceneFacts::surface).toList(),
-                "limits", limits(rates), "omega", rates.omega(), "damping", rates.dampingRate());
-        description.solving().tolerances().ifPresent(given -> facts.put("tolerance", given.relative()));
+                "limit", limit(description.solver(), rates), "omega", rates.omega(), "damping", rates.dampingRate());
         description.drawing().camera().ifPresent(camera -> facts.put("camera", camera(camera)));
         description.output().phase().ifPresent(phase -> facts.put("phase", List.of(phase.particle(),
                 phase.about().isPresent() ? 0 : phase.axis())));       // the page plots positions only
         return facts;
     }
 
-    /**
-     * The longest stable step of each solver, by the springs of the scene; null if there is none or it is not known.
-     */
-    private static Map<String, Object> limits(SpringRates rates) {
-        Map<String, Object> limits = Ordered.map();
-        for (SolverInfo solver : SolverCatalog.all()) {
-            double limit = solver.limit(rates.dampingRate() > 0);
-            limits.put(solver.name(), solver.adaptive() || rates.omega() == 0 ? Double.NaN : limit / rates.fastest(0));
-        }
-        return limits;
+    /** The longest stable step (s), by the springs of the scene; NaN if it is not known or there is none. */
+    private static double limit(String name, SpringRates rates) {
+        return SolverCatalog.find(name).filter(solver -> !solver.adaptive() && rates.omega() > 0)
+                .map(solver -> solver.limit(rates.dampingRate() > 0) / rates.fastest(0)).orElse(Double.NaN);
     }
 
     private static Map<String, Object> camera(Camera camera) {
@@ -121,7 +112,7 @@ final class SceneFacts {
         return Map.of("triangles", surface.triangles(), "ofSprings", surface.ofSprings());
     }
 
-    private static List<Double> vector(Vector3 v) {
+    static List<Double> vector(Vector3 v) {
         return List.of(v.x(), v.y(), v.z());
     }
 }

@@ -2,10 +2,13 @@ package particles.lab;
 
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Base64;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -15,7 +18,6 @@ import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.experiments.stability.Amplification;
-import particles.law.Particles;
 import particles.law.Vector3;
 import particles.messages.BlowUpMessage;
 import particles.scene.Overrides;
@@ -42,14 +44,31 @@ public final class Session {
     private String failure = "";
     private long nanoseconds;
 
+    /** A session whose scenes name no classes of your own. */
+    public Session() {
+        this(ClassNames.none());
+    }
+
     /** @param classes finds the classes that scenes name */
     public Session(ClassNames classes) {
         this.classes = classes;
     }
 
-    /** @return the catalogue's solvers, as JSON */
-    public String solvers() {
-        return JsonText.compact(SolverCatalog.all().stream().map(Session::solver).toList());
+    /**
+     * Opens a scene at its start, for a page that shows it before its engine runs.
+     *
+     * @param file   its name in messages
+     * @param text   its text
+     * @param solver a solver other than the scene's; empty for the scene's
+     * @return the catalogue's solvers and, unless the scene has mistakes, what is told of its start, as JSON
+     */
+    public String opening(String file, String text, String solver) {
+        Map<String, Object> told = Ordered.map("solvers", SolverCatalog.all().stream().map(Session::solver).toList(),
+                "facts", open(file, text, solver, "", 0));
+        if (run != null) {
+            told.put("start", List.of(status(), ids(), base64(List.of(state(), energies(-1), structure()))));
+        }
+        return JsonText.compact(told);
     }
 
     private static Map<String, Object> solver(SolverInfo solver) {
@@ -153,8 +172,7 @@ public final class Session {
     }
 
     private int indexOf(String id) {
-        Particles particles = system().getParticles();
-        return IntStream.range(0, particles.count()).filter(i -> particles.id(i).equals(id)).findFirst().orElse(-1);
+        return List.of(run.getFrames().getStructure().ids()).indexOf(id);
     }
 
     /**
@@ -173,8 +191,7 @@ public final class Session {
         double reached = system().getTime();
         return JsonText.compact(Ordered.map("time", shown.time(), "reached", reached, "steps", account.steps(),
                 "evaluations", account.evaluations(), "seconds", nanoseconds / (1e3 * NANOSECONDS),
-                "work", account.work(), "historyBytes", run.getHistory().getBytes(),
-                "over", run.isOver() && shown.time() >= reached, "failure", failure));
+                "work", account.work(), "over", run.isOver() && shown.time() >= reached, "failure", failure));
     }
 
     /** @return positions and velocities at the moment that is shown, six numbers per particle */
@@ -246,7 +263,14 @@ public final class Session {
         return joined(points);
     }
 
-    static float[] joined(List<float[]> parts) {
+    static String base64(List<float[]> parts) {
+        float[] floats = joined(parts);
+        ByteBuffer bytes = ByteBuffer.allocate(Float.BYTES * floats.length).order(ByteOrder.LITTLE_ENDIAN);
+        bytes.asFloatBuffer().put(floats);
+        return Base64.getEncoder().encodeToString(bytes.array());
+    }
+
+    private static float[] joined(List<float[]> parts) {
         FloatBuffer all = FloatBuffer.allocate(parts.stream().mapToInt(part -> part.length).sum());
         parts.forEach(all::put);
         return all.array();

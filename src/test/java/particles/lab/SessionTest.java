@@ -39,7 +39,8 @@ class SessionTest {
         String facts = session.open("x.yaml", SCENE, "", "", 0);
         assertHas(facts, "\"title\":\"A \\\"spring\\\"\"");
         // omega = 10 rad/s and RK4's limit on the imaginary axis is 2.8284
-        assertHas(facts, "\"rk4\":0.2828", "\"euler\":0.0");
+        assertHas(facts, "\"limit\":0.2828");
+        assertHas(new Session(ClassNames.none()).open("x.yaml", SCENE, "euler", "", 0), "\"limit\":0.0");
         assertEquals("[\"wall\",\"bob\"]", session.ids());
         float forever = Float.POSITIVE_INFINITY;
         assertArrayEquals(new float[] {1, 0, forever, 0, 0, forever, 0, 1, 1, 100}, session.structure());

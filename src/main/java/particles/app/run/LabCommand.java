@@ -10,7 +10,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.NoSuchElementException;
-import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import particles.app.cli.ProgramCommand;
@@ -36,7 +35,7 @@ public final class LabCommand extends ProgramCommand {
     private String scene = SceneFiles.DEFAULT;
 
     @Option(names = "--solver", paramLabel = "CLASS", description = "A solver of your own that is in the page too.")
-    private String solver;
+    private String solver = "";
 
     private final Path folder;
     private final Path exercises;
@@ -58,7 +57,7 @@ public final class LabCommand extends ProgramCommand {
             scenes.add(first);
         }
         Set<String> solvers = new TreeSet<>();
-        if (solver != null && isClass(solver)) {        // picocli leaves an option null that was not given
+        if (!solver.isEmpty() && isClass(solver)) {
             solvers.add(solver);
         }
         Set<String> effects = new TreeSet<>();
@@ -71,7 +70,7 @@ public final class LabCommand extends ProgramCommand {
                     .filter(name -> name.contains(".")).forEach(effects::add);
         }
         String page = builder().build(new LabBuilder.Contents(scenes, pictures(scenes), first,
-                Optional.ofNullable(solver), List.copyOf(solvers), List.copyOf(effects), exercises));
+                solver, List.copyOf(solvers), List.copyOf(effects), exercises));
         Files.createDirectories(PAGE.getParent());
         Files.writeString(PAGE, page);
         out.println(PAGE + ": " + Math.round(Files.size(PAGE) / 1e4) / 100.0 + " MB; open it in a browser");

@@ -20,6 +20,7 @@ import particles.app.cli.ProgramCommand.Mistakes;
 import particles.app.cli.ResultsCommand;
 import particles.app.student.StudentClasses;
 import particles.engine.ParallelForces;
+import particles.lab.PageParts;
 import particles.lab.Replay;
 import particles.messages.BlowUpMessage;
 import particles.output.files.OutputFolder;
@@ -168,7 +169,7 @@ public final class RunCommand extends ResultsCommand {
     }
 
     private void checkReplay() {
-        if (replay && !Replay.isPossible()) {
+        if (replay && !PageParts.areHere()) {
             throw wrong("replay", "the page's libraries are not in this program; type: gradle run -Preplay=true");
         }
     }

@@ -12,11 +12,6 @@ public final class Engine {
     }
 
     @JSExport
-    public static String solvers() {
-        return SESSION.solvers();
-    }
-
-    @JSExport
     public static String openScene(String file, String text, String solver, String deltaT, double tolerance) {
         return SESSION.open(file, text, solver, deltaT, tolerance);
     }

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import particles.lab.LabBuilder;
 import particles.lab.PageParts;
+import particles.lab.Session;
 
 /** Builds the lab's page: compiles the classes, and adds the scenes with their pictures. */
 public final class PageBuilder implements LabBuilder {
@@ -38,14 +39,21 @@ public final class PageBuilder implements LabBuilder {
     private static String scenes(Contents contents) throws IOException {
         StringBuilder all = new StringBuilder();
         for (Path file : contents.scenes()) {
-            String first = file.equals(contents.first())
-                    ? " data-first=\"" + PageParts.escaped(contents.solver().orElse("")) + '"' : "";
             String name = file.getFileName().toString();
-            String picture = contents.pictures().containsKey(file) ? " data-picture=\""
-                    + Base64.getEncoder().encodeToString(contents.pictures().get(file)) + '"' : "";
-            all.append(PageParts.scene(name, Files.readString(file), first + picture));
+            String text = Files.readString(file);
+            String first = file.equals(contents.first()) ? first(name, text, contents) : "";
+            byte[] picture = contents.pictures().getOrDefault(file, new byte[0]);
+            all.append(PageParts.scene(name, text, first + " data-picture=\""
+                    + Base64.getEncoder().encodeToString(picture) + '"'));
         }
-        return all + PageParts.students(contents.solvers());
+        return all.toString();
+    }
+
+    /** What the page knows before its engine runs. A law of your own is found by the engine alone. */
+    private static String first(String name, String text, Contents contents) throws IOException {
+        String opening = new Session().opening(name, text, contents.solver());
+        return " data-first=\"%s\" data-opening=\"%s\" data-own=\"%s\"".formatted(contents.solver(),
+                PageParts.packed(opening), String.join(" ", contents.solvers()));
     }
 
     /** The text of the Apache License, from the first library that contains it. */

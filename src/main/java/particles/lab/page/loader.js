@@ -1,12 +1,5 @@
-// The page is one file, opened without a server: its modules import each other by addresses that are made here. While
-// they are compiled, the engine opens the scene that comes first.
+// The page is one file, opened without a server: its modules import each other by addresses that are made here.
 {
-  if (!location.hash) {
-    const {dataset: {name, first}, textContent} = document.querySelector('script.scene[data-first]');
-    window.started.opening = {type: 'open', run: 1, file: name, text: textContent, solver: first, deltaT: '',
-      tolerance: 0};
-    window.started.worker.postMessage(window.started.opening);
-  }
   const urls = new Map();
   for (const element of document.querySelectorAll('script.module')) {
     const text = element.textContent.replace(/(from\s*)(["'])([^"']+)\2/g,

@@ -12,23 +12,25 @@ import {Hand} from './hand.js';
 import {Inspector} from './inspector.js';
 import {Lecture} from './lecture.js';
 import {Nearest} from './nearest.js';
+import {FIRST, OPENING, SOLVERS} from './opening.js';
 import {Parameters} from './parameters.js';
 import {PhaseSpace} from './phase.js';
 import {Player} from './player.js';
 import {Film, Rates, offer} from './saving.js';
 import {Settings} from './settings.js';
 import {Stability} from './stability.js';
+import {columnsOf} from './structure.js';
 import {Table} from './tables.js';
 import {ofPage} from './words.js';
 
 const PLOT_INTERVAL = 80;              // milliseconds: a curve of 4000 points takes 20 to draw
 
 const STILL = matchMedia('(prefers-reduced-motion: reduce)');
-const {engine, worker, told, opening} = window.started;
+const {engine, worker} = window.started;
 let facts = null, structure = null, plotted = 0;
 
 const view = makeView($('view'));
-const player = new Player(worker, opening, {paused, restarted: () => { startPlots(); phase.renew(); startNearest(); }});
+const player = new Player(worker, {paused, restarted: () => { startPlots(); phase.renew(); startNearest(); }});
 const hand = new Hand($('view'), view, id => phase.pick(id), pulled);
 const inspector = new Inspector($('view'), id => worker.postMessage({type: 'particle', id}));
 const energy = new EnergyPlot($('energy')), phasePlot = new PhasePlot($('phase'));
@@ -60,6 +62,7 @@ new Gallery(scenes, name => { note(''); choose(name); });
 let chosen = {solver: '', deltaT: '', tolerance: 0};
 let text = '', good = null;             // good: the settings of the scene that runs
 let wanted = null;                      // the state that is being opened
+const known = location.hash ? [] : OPENING;            // what the engine would answer to the first that is opened
 let edits = 0;                          // whose text is in the editor: 0 is the first run
 
 function choose(name, solver = '') {
@@ -127,10 +130,12 @@ function edited() {
     ...(differs('deltaT', before, text) && {deltaT: ''})});
 }
 
-/** Starts anew with what is chosen; the run goes on if one was going. */
+/** Starts anew with what is chosen; the run goes on if one was going. An answer that is known is not waited for. */
 function open(play) {
-  player.open(sent(), play);
+  const answer = known.splice(0);
+  player.open({...sent(), known: answer.length > 0}, play);
   address.changed();
+  answer.forEach(data => hear({data}));
 }
 
 function opened(message) {
@@ -225,7 +230,7 @@ function paused() {
 
 function shown(message) {
   const isNew = message.structure && (player.frame === null || view.facts !== facts);
-  structure = message.structure ?? structure;
+  structure = message.structure ? columnsOf(message.structure) : structure;
   if (!structure) {
     return;
   }
@@ -340,12 +345,6 @@ function heard(i, message) {
 // ---- what people do ----
 
 const hear = ({data}) => ({
-  solvers: () => {
-    const own = $('students').textContent.split(' ').filter(name => name);
-    settings.list(data.solvers, own);
-    panels.list(data.solvers, own);
-    opening ? openFirst() : address.read().then(found => found || openFirst());
-  },
   opened: () => opened(data),
   frame: () => shown(data),
   table: () => save(nameOfRun() + '.csv', data.table),
@@ -353,12 +352,12 @@ const hear = ({data}) => ({
   particle: () => { inspector.answer(data); view.stale = true; },
   broken: () => player.fail(data.message)
 })[data.type]?.();
+worker.onmessage = hear;
 worker.onerror = event => player.fail(event.message);
 
 function openFirst() {
-  const {name, first} = scenes.find(scene => scene.dataset.first !== undefined).dataset;
-  $('scene').value = name;
-  choose(name, first);
+  $('scene').value = FIRST.name;
+  choose(FIRST.name, FIRST.first);
 }
 
 const fullScreen = () => toggleFullScreen(lecture.on ? document.documentElement : document.querySelector('.picture'));
@@ -421,6 +420,7 @@ function draw(now = 0) {
 new ResizeObserver(resize).observe($('view'));
 showEditor(!matchMedia('(max-width: 1699px)').matches);
 window.lab = {view, energy, phase: phasePlot, comparison, distances, panels, engine, address};  // for tests
-told.forEach(hear);
-worker.onmessage = hear;
+settings.list(SOLVERS);
+panels.list(SOLVERS);
+location.hash ? address.read().then(found => found || openFirst()) : openFirst();
 draw();

@@ -1,6 +1,7 @@
 // Up to three more runs beside the first, each with its own solver, deltaT and, where somebody has edited it, its own
 // text of the scene; they follow the time of the first.
 import {$, few, make} from './dom.js';
+import {columnsOf} from './structure.js';
 import {makeView} from './view.js';
 
 const MOST = 3;
@@ -25,8 +26,8 @@ export class Panels {
   }
 
   /** solvers: the catalogue's, and the names of students' own */
-  list(solvers, own) {
-    this.solvers = [...solvers, ...own.map(name => ({name}))];
+  list(solvers) {
+    this.solvers = solvers;
   }
 
   describe() {
@@ -169,12 +170,12 @@ class Panel {
 
   show(message) {
     if (message.structure) {
-      this.structure = message.structure;
+      this.structure = columnsOf(message.structure);
       if (!this.opened) {
-        this.view.open(this.facts, message.structure, message.state);
+        this.view.open(this.facts, this.structure, message.state);
         this.opened = true;
       }
-      this.view.setStructure(message.structure);
+      this.view.setStructure(this.structure);
     }
     this.view.show(message);
     this.error.textContent = message.failure || this.note;

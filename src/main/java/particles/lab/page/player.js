@@ -4,13 +4,10 @@ import {$, few, make} from './dom.js';
 const WITHOUT_PULLS = 'The run up to this moment was computed anew, without your earlier pulls.';
 
 export class Player {
-  /**
-   * opening: what the worker was asked to open first, or null; paused(): the run has stopped; restarted(): it is
-   * computed anew, and what was known of it is void
-   */
-  constructor(worker, opening, {paused, restarted}) {
-    Object.assign(this, {worker, opening: JSON.stringify(opening), paused, restarted, run: 0, playing: false,
-      looking: false, autoplay: false, pulled: false, frame: null});
+  /** paused(): the run has stopped; restarted(): it is computed anew, and what was known of it is void */
+  constructor(worker, {paused, restarted}) {
+    Object.assign(this, {worker, paused, restarted, run: 0, playing: false, looking: false, autoplay: false,
+      pulled: false, frame: null});
     $('start').onclick = () => this.startOrPause();
     $('step').onclick = () => this.step();
     $('speed').onchange = () => this.playing && this.tell({type: 'play', speed: this.speed});
@@ -30,10 +27,7 @@ export class Player {
     this.autoplay = play;
     this.pulled = false;
     this.setPlaying(false);
-    const message = {type: 'open', run: ++this.run, ...sent};
-    if (JSON.stringify(message) !== this.opening) {
-      this.tell(message);
-    }
+    this.tell({type: 'open', run: ++this.run, ...sent});
   }
 
   /** The scene is there. */

@@ -22,7 +22,7 @@ function find(time) {
   return low;
 }
 
-const solvers = () => '[]', particle = () => '{}', drag = () => {};
+const particle = () => '{}', drag = () => {};
 
 function openScene() {
   look(times[0]);

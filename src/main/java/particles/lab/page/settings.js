@@ -16,15 +16,15 @@ export class Settings {
     slider.onchange = () => changed({deltaT: typed.value});
   }
 
-  /** solvers: the catalogue's; own: the names of students' solvers in this page */
-  list(solvers, own) {
+  /** solvers: the catalogue's, and the names of students' own */
+  list(solvers) {
     this.solvers = solvers;
-    $('solver').append(...[...solvers.map(one => one.name), ...own].map(name => new Option(name)));
+    $('solver').append(...solvers.map(one => new Option(one.name)));
   }
 
   show(facts, tolerance) {
     this.facts = facts;
-    const solver = this.solvers.find(one => one.name === facts.solver), limit = facts.limits[facts.solver];
+    const solver = this.solvers.find(one => one.name === facts.solver), limit = facts.limit;
     const slider = $('deltaT');
     $('solver').value = facts.solver;
     $('tolerance').value = tolerance;

@@ -13,20 +13,10 @@ function tell(more) {
   plotted = Math.max(plotted, message.reached);
   if (structureNumber() !== knownStructure) {
     knownStructure = structureNumber();
-    message.structure = structureNow();
+    message.structure = {ids: JSON.parse(ids()), numbers: structure().slice()};
   }
   postMessage(message, [message.state.buffer, message.energies.buffer, message.points.buffer]);
   return message;
-}
-
-/** The particles, springs and rods, as columns; structure() has three numbers for a particle and four for a spring. */
-function structureNow() {
-  const names = JSON.parse(ids()), numbers = structure(), particles = numbers.subarray(0, 3 * names.length);
-  const springs = numbers.subarray(particles.length);
-  const column = (rows, width, k) => rows.filter((number, i) => i % width === k);
-  return {ids: names, fixed: column(particles, 3, 0), births: column(particles, 3, 1), lives: column(particles, 3, 2),
-    springs: springs.filter((number, i) => i % 4 < 2), restLengths: column(springs, 4, 2),
-    stiffness: column(springs, 4, 3)};
 }
 
 /** An error that nobody expected is told in the program's own words; what is asked next is done as ever. */
@@ -130,9 +120,13 @@ function tableOfRun(names) {
 }
 
 const commands = {
-  solvers: () => postMessage({type: 'solvers', solvers: JSON.parse(solvers())}),
   open: message => {
     const facts = start(message);
+    if (message.known) {                // the page was written with the answer
+      plotted = 0;
+      knownStructure = structureNumber();
+      return;
+    }
     postMessage({type: 'opened', run: message.run, facts});
     if (!facts.errors) {
       tell();
@@ -181,7 +175,7 @@ const commands = {
     postMessage({type: 'state', ...JSON.parse(status()), state: exactState()});
   }
 };
-const WITHOUT_SCENE = ['solvers', 'open', 'region'];
+const WITHOUT_SCENE = ['open', 'region'];
 const handle = guarded(message => commands[message.type](message));
 onmessage = ({data}) => {
   if (file || WITHOUT_SCENE.includes(data.type)) {      // until a scene is open, all other messages are ignored
