@@ -15,10 +15,10 @@ public enum Phrase {
     LEFT_AT_TRIAL, SET_TOO_EARLY, OLD_STATE, LEFT_OUT, DIGITS, CUT_OFF, ENTRY_BY_ENTRY, DELTA_T, MISSING, TOO_MANY,
     DIFFERS, CHANGED, PARTS, WEIGHTS_SUM, LOW_ORDER, OTHER_STEPS, CONTRADICTS, EXPLICIT, ROUNDS, OLD_VELOCITY,
     NEW_VELOCITY, NOT_ITERATED, NOTHING_EARLIER, NO_CONTROL, IRREVERSIBLE, NAME_ORDER, EQUATION, EQUATION_TIME,
-    LOOSE, STALE, TOO_OLD, ADAMS_START, UNSTABLE, UNCONTROLLED, LARGEST_ERROR, ABSOLUTE_ERROR, ELSEWHERE, LAYOUT,
-    ADDS, GOES_ON, DRAG, DRAG_DIVERGES, PRINTED, MATRIX, NO_CONVERGENCE, UNUSED, USES_STEPS_BEFORE, KEPT_ARRAY,
+    LOOSE, STALE, TOO_OLD, ONE_ARRAY, START, UNSTABLE, UNCONTROLLED, LARGEST_ERROR, ABSOLUTE_ERROR, ELSEWHERE,
+    LAYOUT, ADDS, DRAG, DRAG_DIVERGES, PRINTED, MATRIX, NO_CONVERGENCE, UNUSED, USES_STEPS_BEFORE, KEPT_ARRAY,
     KEPT_DERIVATIVE, KEPT_SOMETHING, OTHER_SOURCE, STATIC, DELTA_T_CHANGES, DELTA_T_KEPT, CLOCK_IGNORED,
-    SIZE_FAILS, SIZE_UNLIKE, NOTHING_BACK, LOOPS, MOVES_AT_ZERO, NAN_AT_ZERO, SWALLOWS, FOR_PARTICLES,
+    SIZE_FAILS, SIZE_UNLIKE, NOTHING_BACK, STEP_BACK, LOOPS, MOVES_AT_ZERO, NAN_AT_ZERO, SWALLOWS, FOR_PARTICLES,
     REFUSES_BACK, REFUSES_ZERO, LEFT_WITHIN, NAN_UNNOTICED, NAN_UNSAID, NAN_HIDDEN;
 
     private static final String BOOK = """
@@ -36,7 +36,8 @@ public enum Phrase {
                 incTime(deltaT) is meant
             time CLOCK_NEW_TIME: the clock moves by %s s in a step of %s s that begins at %s s: incTime takes how \
                 far the clock moves, deltaT, and not the new time
-            time CLOCK_BACK: with deltaT = %s s the clock moves by %s s%s
+            time CLOCK_BACK: with deltaT = %s s the clock moves by %s s: the sign of deltaT is lost, or a part of the \
+                move is missing
             time CLOCK_ENDS: %sthe clock ends at %s after a step of deltaT = %s s and has to end at t + deltaT: all \
                 moves of the clock in a step together have to make deltaT
             time STAGE_TIMES: %s is evaluated at %s; %s says %s%s
@@ -84,8 +85,6 @@ public enum Phrase {
                 of the book
             method OTHER_STEPS: the measured order is %s, and the coefficients of a step are those of a method of \
                 order %s: on other sources, or with another deltaT, it makes another step
-            method GOES_ON: the new state is %s, which goes on from the trial state %s: go back to the start s before \
-                adding
             method MATRIX: a matrix solves a linear law in one go, and there the equation of %s is off by %s: the \
                 matrix has to be I - deltaT J for backward Euler, I - deltaT/2 J for the trapezoidal rule and the \
                 implicit midpoint method, with all of J, in row i the change of entry i of the derivative
@@ -122,9 +121,10 @@ public enum Phrase {
                 needs the derivative at its own start
             method TOO_OLD: the new state is %s; %s says %s: a derivative is kept too long, or twice. In each step \
                 the oldest is dropped, then the others move by one place, the oldest of them first
-            method ADAMS_START: the formula has order %s, and the measured order is %s: the first steps, before \
-                there are enough earlier derivatives, are not accurate enough. Begin with a method of order %s or \
-                more, such as RK4
+            method ONE_ARRAY: the new state is %s, with the newest derivative only, as if all of them were one \
+                array, which each evaluation writes over: keep a copy of each
+            method START: the formula has order %s, and the measured order is %s: the first steps, before there is \
+                enough to remember, are not accurate enough. Begin with a method of order %s or more, such as RK4
             # methods that are only measured
             method UNSTABLE: it evaluates the derivative once more for each entry, as methods that solve with a \
                 matrix do, and is not stable as they are: a step of %s s multiplies %s by %s. Check the signs in the \
@@ -173,6 +173,9 @@ public enum Phrase {
                 they have to be alike: %s
             state NOTHING_BACK: a step of negative deltaT does nothing, and says nothing: step backwards, or throw an \
                 exception that says why not
+            state STEP_BACK: with deltaT = %s s, a step and one back end %s from the start, and the step alone is off \
+                by %s only: the sign of deltaT is lost, so that a step back goes forward, or a loop ends too early \
+                for want of Math.abs
             failure LOOPS: %s does not come back, an endless loop: %s
             state MOVES_AT_ZERO: a step of deltaT = 0 moves the state by %s; it has to change nothing
             state NAN_AT_ZERO: a step of deltaT = 0 makes the state NaN or infinite; it has to change nothing. Is \
@@ -187,7 +190,8 @@ public enum Phrase {
             style PRINTED: the coefficients are those of %s to eight digits: give them by formulas, such as \
                 Math.sqrt(0.5), or with sixteen digits
             method DRAG_DIVERGES: where the acceleration depends on the velocity, as with drag, the error does not go \
-                to 0 with deltaT (order %s): each round of a kick has to begin with the velocity before it
+                to 0 with deltaT (order %s): the state of each evaluation has to have the velocities of its time, \
+                not 0, and each round of a kick has to begin with the velocity before it
             style UNUSED: an evaluation of the step enters nothing, and could be left out
             style FOR_PARTICLES: it works on systems of positions and velocities only, such as particles, and refuses \
                 others

@@ -39,6 +39,11 @@ public record SolverContract(Supplier<DESolver> maker) {
     private static final int LARGEST = 100_000;
     /** No special time (s). */
     private static final double START = 0.5;
+    /** There a method that loses an order is off by a hundred times its error, and right ones by at most 3 times. */
+    private static final double SHORT = H / 8;
+    private static final double ASTRAY = 20;
+    /** Less may be the tolerance of an adaptive method. */
+    private static final double TOLERATED = 1e-8;
     private static final int SOME = 40;
     private static final int MANY = 200;
 
@@ -49,11 +54,10 @@ public record SolverContract(Supplier<DESolver> maker) {
     public List<Finding> check(SolverMemory memory) {
         Optional<Finding> mistake = memory.mistake().or(this::ofAnySize);
         return Stream.of(mistake, Phrase.CLOCK_IGNORED.when(mistake.isEmpty() && memory.ignoresTheClock()),
-                moved(-H, Phrase.REFUSES_BACK, moved -> Phrase.NOTHING_BACK.when(moved == 0)),
-                moved(0, Phrase.REFUSES_ZERO, moved -> !Double.isFinite(moved) ? Phrase.NAN_AT_ZERO.when(true)
-                : Phrase.MOVES_AT_ZERO.when(moved > ROUNDING, moved)), Phrase.FOR_PARTICLES.when(isForParticles()),
-                failing(0), failing(1), notFinite()).flatMap(Optional::stream).distinct()
-                .toList();
+                back(), moved(new WindyOscillators(1), 0, Phrase.REFUSES_ZERO, moved -> Phrase.NAN_AT_ZERO.when(
+                !Double.isFinite(moved)).or(() -> Phrase.MOVES_AT_ZERO.when(moved > ROUNDING, moved))),
+                Phrase.FOR_PARTICLES.when(isForParticles()), failing(0), failing(1), notFinite()).flatMap(
+                Optional::stream).distinct().toList();
     }
 
     /**
@@ -147,9 +151,23 @@ public record SolverContract(Supplier<DESolver> maker) {
                 .findFirst();                           // differences for a Jacobian are smaller
     }
 
+    /** Judges a step back after one forward: clock and state, which is about as far off as that step's error. */
+    private Optional<Finding> back() {
+        WindyOscillators source = WindyOscillators.nonlinear(1).from(START);
+        double[] start = source.getState();
+        double error = StudentSource.after(source, maker.get(), 1, SHORT).error();
+        return moved(source, -SHORT, Phrase.REFUSES_BACK, moved -> {
+            double clock = source.getTime() - START - SHORT;
+            double off = distance(start, source.getState());
+            return Phrase.NOTHING_BACK.when(moved == 0).or(() -> Phrase.CLOCK_BACK.when(!Formula.sameTime(clock,
+                    -SHORT), -SHORT, clock)).or(() -> Phrase.STEP_BACK.when(!(off <= TOLERATED + ASTRAY * error), SHORT,
+                    off, error));
+        });
+    }
+
     /** Judges how far a step of this length moves the state, or notes that it is refused. */
-    private Optional<Finding> moved(double deltaT, Phrase refusal, DoubleFunction<Optional<Finding>> judge) {
-        WindyOscillators source = new WindyOscillators(1);
+    private Optional<Finding> moved(WindyOscillators source, double deltaT, Phrase refusal,
+            DoubleFunction<Optional<Finding>> judge) {
         double[] before = source.getState();
         try {
             source.step(maker.get(), deltaT);

@@ -142,9 +142,7 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
     /** The error of a step of a part of deltaT, after steps of deltaT. */
     private double error(double part) {
         DESolver solver = maker.get();
-        WindyOscillators source = new WindyOscillators(1);
-        source.startAt(HERE - STEPS * H);
-        StudentSource.after(source, solver, STEPS, H);
+        WindyOscillators source = StudentSource.after(new WindyOscillators(1).from(HERE - STEPS * H), solver, STEPS, H);
         WindyOscillators fine = StudentSource.after(source.copy(), new RK4Solver(), FINE, part * H / FINE);
         source.step(solver, part * H);
         return SolverContract.distance(fine.getState(), source.getState());

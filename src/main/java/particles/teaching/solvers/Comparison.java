@@ -110,10 +110,12 @@ final class Comparison {
         }
     }
 
-    /** @return the difference of a new state from that of a method with as many derivatives */
-    static Finding differs(Combination row, Combination right, String source) {
+    /** @return the difference of a new state from that of a method with as many derivatives, if it is a near one */
+    static Optional<Finding> near(Combination row, Combination right, String source) {
         int n = row.weights().length - row.first();
-        return differs(row, right, source, change(row.slopes(n), right.slopes(n), new double[0]), true);
+        String hint = change(row.slopes(n), right.slopes(n), new double[0]);
+        return Optional.of(differs(row, right, source, hint, true)).filter(finding -> !hint.isEmpty() || row.unlike(
+                right).length <= FEW);
     }
 
     private static Finding differs(Combination row, Combination right, String source, String hint, boolean end) {

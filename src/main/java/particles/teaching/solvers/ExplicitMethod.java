@@ -84,10 +84,10 @@ record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<Or
                 : unknown(scheme, nearest, note);
     }
 
-    /** The mistake or note of a method whose order falls where the acceleration depends on the velocity. */
-    private Optional<Finding> dragged() {
+    /** @return the mistake or note of a method whose order falls where the acceleration depends on the velocity. */
+    Optional<Finding> dragged() {
         OrderMeasurement drag = OrderMeasurement.of(maker, WindyOscillators::withDrag);
-        return Phrase.DRAG_DIVERGES.when(drag.order() < SolverCheck.LOWEST_ORDER, drag.digits()).or(() ->
+        return Phrase.DRAG_DIVERGES.when(drag.isFar(), drag.digits()).or(() ->
                 Phrase.DRAG.when(drag.order() < measured.get().order() - 0.7, measured.get().digits(), drag.digits()));
     }
 
@@ -116,28 +116,15 @@ record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<Or
                     + order) + " with " + count(scheme) + "; its coefficients match no named method",
                     note, order, "");
         }
-        Optional<Finding> goesOn = nearest.known().size() == scheme.size() ? Optional.empty() : goesOn(scheme);
-        boolean near = goesOn.isEmpty() && (nearest.isNear() || !promise.changed() && nearest.known().size()
-                == scheme.size() && (particles || scheme.size() <= MANY));
+        boolean near = nearest.isNear() || !promise.changed() && nearest.known().size() == scheme.size() && (particles
+                || scheme.size() <= MANY);
         Combination row = scheme.ends().get(0);
         return new Diagnosis(near ? "This is nearest to " + nearest.known().name() : "This is a method of your own",
-                Search.first(() -> goesOn, () -> nearest.first().filter(finding -> near), () -> IntStream.range(0,
+                Search.first(() -> nearest.first().filter(finding -> near), () -> IntStream.range(0,
                 particles ? 0 : scheme.size()).mapToObj(i -> offTime(scheme.stages().get(i), scheme.times()[i]))
                 .flatMap(Optional::stream).findFirst(), () -> Phrase.WEIGHTS_SUM.when(!particles && !Formula.same(
                 row.increment(), 1), row.increment()), () -> Optional.of(Phrase.LOW_ORDER.of(full.digits(), count(
                 scheme), promise.isGiven() ? "; " + promise.saysWithOrder() : "", row.what(), row.formula()))));
-    }
-
-    /** A step that adds the increment of a method of order 2 to its last trial state. */
-    private static Optional<Finding> goesOn(Scheme scheme) {
-        int n = scheme.size();
-        Combination trial = scheme.stages().get(n - 1);
-        Combination end = scheme.ends().get(0);
-        double[] increment = Combination.plus(end.slopes(n), -1, trial.slopes(n));
-        double[] atTimes = scheme.stages().stream().mapToDouble(Combination::increment).toArray();
-        Arrays.setAll(atTimes, j -> atTimes[j] * increment[j]);
-        return Phrase.GOES_ON.when(!scheme.isOfParticles() && trial.increment() != 0 && Formula.same(Combination.sum(
-                increment), 1) && Formula.same(Combination.sum(atTimes), 0.5), end.formula(), trial.formula());
     }
 
     private static Optional<Finding> offTime(Combination stage, double time) {

@@ -27,6 +27,7 @@ final class KnownMethods {
             RK4, the classical Runge-Kutta method | 4 | 1/2; 0 1/2; 0 0 1 | 1/6 1/3 1/3 1/6
             Heun's method | 2 | 1 | 1/2 1/2
             Ralston's method | 2 | 2/3 | 1/4 3/4
+            Ralston's method | 2 | 3/4 | 1/3 2/3
             Kutta's method of order 3 | 3 | 1/2; -1 2 | 1/6 2/3 1/6
             Heun's method of order 3 | 3 | 1/3; 0 2/3 | 1/4 0 3/4
             Ralston's method of order 3 | 3 | 1/2; 0 3/4 | 2/9 1/3 4/9
@@ -163,6 +164,10 @@ final class KnownMethods {
             one is right | 0 | 0; 0 1/2 | 2 -1/2 -1/2
             the extrapolation of the Euler method: the weights are swapped: 2 times the short steps minus the long \
             one is right | 0 | 1/2 | 3/2 -1/2
+            the extrapolation of the Euler method: 4/3 and -1/3 are the weights for a method of order 2; 2 times the \
+            short steps minus the long one is right | 0 | 0; 0 1/2 | -1/3 2/3 2/3
+            the extrapolation of the Euler method: 4/3 and -1/3 are the weights for a method of order 2; 2 times the \
+            short steps minus the long one is right | 0 | 1/2 | 1/3 2/3
             Williamson's method: the sign of 153/128 is wrong: q = -153/128 q + deltaT f is right | 0 \
             | 1/3; -3/16 15/16 | -13/24 63/40 8/15
             """;

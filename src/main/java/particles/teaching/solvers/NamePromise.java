@@ -33,8 +33,9 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
             + " Seven(th)?|Sieben|Siete Eighth?(?![hs])|Acht(er)?(?!el)|Huit|Ocho").split(" ");
     private static final String NUMBER = "(%s)(?!(?i)stage|step|phase|point|eighth|achtel|octav|stufig|schritt|punkt"
             + "|etap|paso)";
-    private static final String ORDER = ".*([3-8])(rd|th)?(order|ordnung).*"
-            + "|.*(order|ordnung|ordre|orden)([3-8])(?!d).*|.*";
+    /** A number right behind the name of an extrapolation method is its order. */
+    private static final String ORDER = ".*([3-8])(rd|th)?(order|ordnung).*|.*(order|ordnung|ordre|orden|bulirsch"
+            + "|stoer|gbs|romberg|richardson|extrapolat(?:ed|ion)(?:euler|midpoint)?)([3-8])(?!d).*|.*";
     /** A word that may say what the name means: what is left of it is more than these and two letters. */
     private static final String OTHER_WORD = "^(?!(my|our|the|new|own|simple|plain|basic|classic(al)?|klassisch(es)?"
             + "|standard|fixed|fast|slow|first|best|euler|runge|kutta|solver|methode?|metodo|verfahren|schema|scheme"
@@ -124,7 +125,7 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
             Beeman's method | 2 | beeman | |
             Newmark's method | 2 | newmark averageacceleration meanacceleration | |
             Gragg's method | 2 | gragg modifiedmidpoint | |
-            an extrapolation method of order 3 or more | 3 | bulirsch stoer bulirsch-stoer gragg-bulirsch \
+            an extrapolation method | 3 | bulirsch stoer bulirsch-stoer gragg-bulirsch \
             gragg-extrapol gragg-bulirsch-stoer bulirsch-stoer-extrapol romberg romberg-extrapol gbs | |
             a predictor-corrector method | 2 | pec pece predictor-corrector | |
             a Gauss method | 2 | gauss gausslegendre | the implicit midpoint method | implicit

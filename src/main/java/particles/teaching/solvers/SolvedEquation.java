@@ -67,7 +67,7 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
         return Arrays.stream(STEPS).limit(earlier ? 1 : STEPS.length).boxed().flatMap(h -> {
             Made made = Made.by(maker, WindyOscillators.nonlinear(2), h, earlier ? 6 : 1, 1);
             return ALL.stream().filter(known -> known.old() > 1 == earlier && !known.isAdams() && made.misfit(known)
-                    < FITS * h).limit(1);
+                    < FITS * h);
         }).findFirst();
     }
 
@@ -111,8 +111,10 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
         return Stream.of(same, twice, known -> Arrays.equals(times, known.times)).flatMap(suits -> ALL.stream().filter(
                 SolvedEquation::isAdams).filter(suits)).findFirst().flatMap(known -> !Arrays.equals(times, known.times)
                 ? Phrase.TOO_OLD.when(poor, row().formula(), known.name, known.row().formula()) : same.test(known)
-                ? Phrase.ADAMS_START.when(measured.order() < order - 0.5, order, measured.digits(), order - 1)
-                : Optional.of(Comparison.differs(row(), known.row(), known.name)).filter(finding -> poor));
+                ? Phrase.START.when(measured.order() < order - 0.5, order, measured.digits(), order - 1)
+                : Comparison.near(row(), known.row(), known.name).filter(finding -> poor)).or(() ->
+                Phrase.WEIGHTS_SUM.when(poor && !Formula.same(Combination.sum(weights), 2), Combination.sum(weights)
+                - 1)).or(() -> Phrase.ONE_ARRAY.when(poor && order == 1, row().formula()));
     }
 
     /** @return the mistake in the equation; empty if it is the method's */

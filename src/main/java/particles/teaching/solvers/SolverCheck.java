@@ -28,14 +28,10 @@ public final class SolverCheck {
     private static final double SHORT = 1.0 / 16;
     /** A static memory of earlier derivatives shows once it is full. */
     private static final int REPEATED = 6;
-    /** Adaptive methods have an error that does not follow deltaT, and a small one. */
-    private static final double SMALL_ERROR = 1e-4;
     /** A step whose states and times belong together makes the same errors; Lawson's method makes 7 times as large. */
     private static final double OFF_CLOCK = 20;
     /** Smaller errors may be those of a tolerance; ten times that, those of coefficients with eight digits. */
     private static final double TOLERATED = 1e-8;
-    /** Below this order the error does not go to 0; Euler measures 0.97 to 1.03. */
-    static final double LOWEST_ORDER = 0.7;
 
     private static final String MULTISTEP = "This is a method that uses earlier steps (a multistep method)";
     private static final String UNREAD = "This is a method without fixed coefficients, adaptive or implicit";
@@ -163,9 +159,11 @@ public final class SolverCheck {
      * reset in time.
      */
     private Optional<Finding> afterContract() {
-        return stageClocks().or(() -> (multistep ? SolvedEquation.ofEarlierSteps(maker)
-                : Optional.<SolvedEquation>empty()).flatMap(reading -> reading.wrongWeights(measurement(), wanted())))
-                .or(() -> poorOrder(() -> SolvedEquation.of(maker, true).flatMap(found -> found.wrong(promise))));
+        return stageClocks().or(() -> !multistep ? Optional.empty() : SolvedEquation.ofEarlierSteps(
+                maker).flatMap(reading -> reading.wrongWeights(measurement(), wanted())))
+                .or(() -> poorOrder(() -> SolvedEquation.of(maker, true).flatMap(found -> found.wrong(promise)).or(() ->
+                Phrase.START.when(unread.firstOrder() < measurement().order() + 0.5, wanted(), measurement().digits(),
+                wanted() - 1))));
     }
 
     /** The diagnosis of an implicit method whose equation is known. */
@@ -184,7 +182,7 @@ public final class SolverCheck {
                 finding.kind() != Finding.Kind.METHOD), unread::uncut, unread::asymmetric, () -> poorOrder(
                 this::unstable), unread::elsewhere, this::stageClocks, unread::uncontrolled, () ->
                 promise.kind().equals("implicit") || measurement().order() < UnreadMethod.SECOND ? unstable()
-                : Optional.empty())));
+                : Optional.empty(), explicit::dragged)));
     }
 
     private Optional<Finding> unstable() {
@@ -228,8 +226,8 @@ public final class SolverCheck {
      */
     private Optional<Finding> poorOrder(Search cause) {
         OrderMeasurement order = measurement();
-        boolean far = !(order.order() >= LOWEST_ORDER || order.smallest()[1] < SMALL_ERROR);
-        return !far && !(order.order() >= LOWEST_ORDER && order.order() <= wanted() - 0.5) ? Optional.empty()
+        boolean far = order.isFar();
+        return !far && !(order.order() >= OrderMeasurement.LOWEST && order.order() <= wanted() - 0.5) ? Optional.empty()
                 : Search.first(() -> far ? unread.elsewhere() : Optional.empty(), () -> firstSubStep(finding ->
                 true), cause, this::stageClocks, () ->
                 Phrase.NO_CONVERGENCE.when(far, order.smallest()[1], order.smallest()[0]), () ->

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.function.Supplier;
-import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.Finding;
@@ -57,9 +56,7 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
     }
 
     private static WindyOscillators windy(int particles) {
-        WindyOscillators source = new WindyOscillators(particles);
-        source.startAt(START);
-        return source;
+        return new WindyOscillators(particles).from(START);
     }
 
     /** @return the mistake if the derivative is evaluated for each entry, between two that are written */
@@ -96,10 +93,11 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
             return Optional.empty();
         }
         double growth = 2 * StudentSource.after(new Springs(), maker.get(), 8, 4).energy();      // from 1
-        return Stream.of(0.5 / StiffDecay.RATE, STIFF / StiffDecay.RATE).map(deltaT -> {
+        return Stream.of(0.5 / StiffDecay.RATE, STIFF / StiffDecay.RATE).flatMap(deltaT -> {
             double size = after(new StiffDecay(), deltaT).size();
-            return Phrase.UNSTABLE.when(!(size <= (order < SECOND ? DAMPS : GROWS)), deltaT, "y in y' = -1000 y", size);
-        }).flatMap(Optional::stream).findFirst().or(() -> Phrase.UNSTABLE.when(!(growth <= 20), 4.0, "the amplitude of"
+            return Phrase.UNSTABLE.when(!(size <= (order < SECOND ? DAMPS : GROWS)), deltaT, "y in y' = -1000 y", size)
+                    .stream();
+        }).findFirst().or(() -> Phrase.UNSTABLE.when(!(growth <= 20), 4.0, "the amplitude of"
                 + " the spring x'' = -x", StrictMath.pow(growth, 1.0 / 16)));
     }
 
@@ -108,21 +106,22 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
      *         one long step than in several short ones
      */
     Optional<Finding> uncontrolled() {
-        WindyOscillators once = after(windy(1), LONG);
-        WindyOscillators often = StudentSource.after(windy(1), maker.get(), SHORT_STEPS, LONG / SHORT_STEPS);
-        double error = once.error();
-        boolean far = error < DIVERGED && (error > FAR || error > LITTLE && error > MUCH * often.error());
+        double error = after(windy(1), LONG).error();
+        double often = StudentSource.after(windy(1), maker.get(), SHORT_STEPS, LONG / SHORT_STEPS).error();
+        boolean far = error < DIVERGED && (error > FAR || error > LITTLE && error > MUCH * often);
         return !makesSubSteps() || !far ? Optional.empty() : rejectedClock().or(() ->
-                Optional.of(Phrase.UNCONTROLLED.of(error, LONG, often.error(), SHORT_STEPS)));
+                Optional.of(Phrase.UNCONTROLLED.of(error, LONG, often, SHORT_STEPS)));
     }
 
     /** @return whether a longer step has many more parts, as with step-size control */
     boolean makesSubSteps() {
-        WindyOscillators once = windy(1);
-        once.accepts(maker.get(), LONG);
-        WindyOscillators part = windy(1);
-        part.accepts(maker.get(), LONG / SHORT_STEPS);
-        return once.timeMoves() > SHORT_STEPS / 2 * part.timeMoves();
+        return timeMoves(LONG) > SHORT_STEPS / 2 * timeMoves(LONG / SHORT_STEPS);
+    }
+
+    private int timeMoves(double deltaT) {
+        WindyOscillators source = windy(1);
+        source.accepts(maker.get(), deltaT);
+        return source.timeMoves();
     }
 
     /** @return the mistake of a method whose last sub-step leads beyond t + deltaT; the clock may be set back */
@@ -133,7 +132,7 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
 
     /** @return the mistake if the state after a very short or a longer step is that of another time than t + deltaT */
     Optional<Finding> elsewhere() {
-        return DoubleStream.of(BRIEF, H).boxed().flatMap(deltaT -> otherTime(deltaT, MUCH_BETTER).stream().map(place ->
+        return Stream.of(BRIEF, H).flatMap(deltaT -> otherTime(deltaT, MUCH_BETTER).stream().map(place ->
                 Phrase.ELSEWHERE.of(deltaT, Formula.time(place), place))).findFirst();
     }
 
@@ -173,10 +172,13 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
      *         does; empty if it refuses such a step
      */
     Optional<Finding> irreversible(String promised) {
-        WindyOscillators source = WindyOscillators.nonlinear(1);
-        source.startAt(START);
-        return contract.thereAndBack(source, SWING).filter(off -> off > ALIKE).map(off -> Phrase.IRREVERSIBLE.of(
-                promised, SWING, off));
+        return contract.thereAndBack(WindyOscillators.nonlinear(1).from(START), SWING).filter(off -> off > ALIKE).map(
+                off -> Phrase.IRREVERSIBLE.of(promised, SWING, off));
+    }
+
+    /** @return the exponent with which the error of the first step falls with deltaT */
+    double firstOrder() {
+        return StrictMath.log(after(windy(1), H).error() / after(windy(1), H / 4).error()) / StrictMath.log(4);
     }
 
     /** @return position and velocity of a spring after a step, times the sign of its start */

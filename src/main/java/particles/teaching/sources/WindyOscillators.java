@@ -58,6 +58,12 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
         return new WindyOscillators(particles, 0, 1, 0, 0);
     }
 
+    /** @return this source, put on the exact solution at this time */
+    public WindyOscillators from(double time) {
+        startAt(time);
+        return this;
+    }
+
     @Override
     public int getDimension() {
         return dimension;

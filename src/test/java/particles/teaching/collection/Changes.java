@@ -73,9 +73,9 @@ final class Changes {
             case "then-new-time" -> then(step, (source, h) -> source.incTime(source.getTime() + h));
             case "then-float-clock" -> then(step, (source, h) -> source.incTime((float) h));
             case "length" -> (source, h) -> step.make(source, number * h);
-            case "fixed-length" -> (source, h) -> {
+            case "fixed-length", "state-forward" -> (source, h) -> {
                 double end = source.getTime() + h;
-                step.make(source, number);
+                step.make(source, number > 0 ? number : Math.abs(h));
                 Methods.clock(source, end);
             };
             case "sign-lost" -> (source, h) -> step.make(source, Math.abs(h));

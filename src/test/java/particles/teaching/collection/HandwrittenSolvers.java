@@ -227,6 +227,8 @@ final class HandwrittenSolvers {
                         rosenbrock(source, h, 1)),
                 wrong("Leapfrog", "three closing kicks with drag", "^method: where the acceleration depends",
                         HandwrittenSolvers::closingKicks),
+                wrong("Mine", "three closing kicks, adaptive", "^method: where the acceleration depends", stepDoubling(
+                        HandwrittenSolvers::closingKicks, 1e-6)),
                 wrong("Ros2", "sign of the Jacobian", "signs in the matrix", (source, h) -> ros2(source, h, -1)));
     }
 

@@ -86,7 +86,8 @@ final class Methods {
                 }
                 return next;
             };
-            double[] all = iteration.get(0).equals("simple") ? simple(better, first, h, tolerance, most)
+            double[] all = iteration.get(0).equals("simple") ? simple(better, first, iteration.size() > 3
+                    ? h : Math.abs(h), tolerance, most)
                     : newton(u -> plus(u, -1, better.apply(u)), first, tolerance, most);
             source.setState(trial(s, h, b, split(all, n)));
             clock(source, t + h);

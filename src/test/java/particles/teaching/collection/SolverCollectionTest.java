@@ -70,6 +70,7 @@ class SolverCollectionTest {
                 AnnasEulerSolver | midpoint | | rk 1/2 -> 0 1
                 PseudoRungeKuttaSolver | order 3 | | rk 1/2; -1 2 -> 1/6 2/3 1/6
                 KuttaDreiAchtel | its name | | rk THREE_EIGHTHS EIGHTHS
+                BulirschStoer4Team7 | RK4 | | rk RK4 SIXTHS
                 GraggSolver | the modified midpoint method | | rk 1/2 -> 0 1
                 SecondOrderSymplectic | for equations of second order | | turns 0 1 -> 1
                 SdirkTwo | one stage | | IMPLICIT_MIDPOINT NEWTON
@@ -86,7 +87,8 @@ class SolverCollectionTest {
                 ThirdOrderSolver | Heun | not a method of order 3 | rk HEUN
                 GaussSolver | RK4 | explicit, and not a Gauss method | rk RK4 SIXTHS
                 NewmarkSolver | symplectic Euler | not Newmark's method | turns 0 1 -> 1
-                GraggBulirschStoer | midpoint | not an extrapolation method of order 3 | rk 1/2 -> 0 1
+                BulirschStoer6 | RK4 | not an extrapolation method, as | rk RK4 SIXTHS
+                GraggBulirschStoer | midpoint | not an extrapolation method, as | rk 1/2 -> 0 1
                 RungeKuttaFour | Heun | not a Runge-Kutta method of order 4 | rk HEUN
                 TwoStageGauss | the trapezoidal rule | not a Gauss method | TRAPEZOID NEWTON
                 """));

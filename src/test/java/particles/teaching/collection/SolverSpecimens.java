@@ -370,6 +370,16 @@ final class SolverSpecimens {
                 EulerSolver | two steps | two Euler steps/or/2 deltaT | rk -> 1 | repeated 2
                 GameSolver | 0.01 for deltaT | hard-coded | rk 1/2 -> 0 1 @ 0 0 | fixed-length 0.01
                 BogackiShampine | Math.abs(deltaT) | sign of deltaT is lost | rk 1/2; 0 3/4 -> 2/9 1/3 4/9 | sign-lost
+                W201Kutta | state forward, clock back | one back end .* sign of deltaT is lost | rk 1/2; -1 2 \
+                -> 1/6 2/3 1/6 | state-forward 0
+                ImplicitMidpoint | no rounds for negative deltaT | for want of Math.abs \
+                | IMPLICIT_MIDPOINT : simple 1e-12 500 signed
+                AdamsBashforth3 | one array | newest derivative only | adams 3 4 : weights 1 0 0
+                AdamsBashforth3 | all weights wrong | weights of the new state add up to 2; \
+                | adams 3 4 : weights 0.7 0.6 0.7
+                ThirdOrderAdams | another formula, Euler at first | formula has order 3, .* first steps \
+                | adams 4 1 : weights 2.1041666666666665 -1.8958333333333333 0.9791666666666666 -0.1875
+                ExtrapolatedEuler | 4/3 and -1/3 | weights for a method of order 2 | rk 1/2 -> 1/3 2/3
                 TenSubSteps | an eleventh by rounding | made once too often | rk 1/2 -> 0 1 | eleventh
                 EulerSolver | nothing for negative deltaT | negative/or/backward/or/sign | rk -> 1 | forward-only
                 W30HeunSolver | swallows exceptions | do not catch it | rk HEUN | swallows
@@ -484,7 +494,7 @@ final class SolverSpecimens {
                 0.4144907717943757 0.4144907717943757 0.4144907717943757 0.4144907717943757 -0.3289815435887514 \
                 -> 0.4144907717943757 0.4144907717943757 0.4144907717943757 0.4144907717943757 -0.6579630871775028 \
                 SIMPLE
-                Mine | goes on from the trial state | goes on from the trial state | rk 3/4 -> 13/12 2/3
+                Mine | goes on from the trial state | go back to the start s before | rk 3/4 -> 13/12 2/3
                 HeunThirdOrder | k1 in place of k2 | k3 is evaluated at s \\+ 2/3 k1; Heun's method of order 3 says \
                 | rk 1/3; 2/3 -> 1/4 0 3/4
                 RungeKuttaFehlberg | 3860 for 3680, five stages | k5 is evaluated at .* 7.524 k3 \
