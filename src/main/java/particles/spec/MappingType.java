@@ -65,7 +65,7 @@ public class MappingType implements Type<Values> {
         int before = in.problems().count();
         if (node instanceof MappingNode mapping) {
             readEntries(mapping, values, in);
-        } else if (shortFor.isEmpty()) {
+        } else if (shortFor.isEmpty() || node.getTag().equals(Tag.NULL)) {
             wrong(node, what, in);
         } else {
             readValue(shortFor.get(), node, what, values, in);

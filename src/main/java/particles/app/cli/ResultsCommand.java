@@ -5,7 +5,6 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.NoSuchElementException;
-import particles.app.cli.ProgramCommand.Mistakes;
 import particles.experiments.runs.SolverChoice;
 import picocli.CommandLine.Option;
 

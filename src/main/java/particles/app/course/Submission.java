@@ -6,9 +6,11 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystem;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
@@ -96,8 +98,26 @@ record Submission(String name, Map<String, byte[]> files, Instant newest) {
 
     /** @return what was not read, in a line */
     List<String> problems() {
-        return files.size() <= MOST_FILES ? List.of() : List.of("there are more than " + MOST_FILES
-                + " YAML and Java files; the others were not read");
+        List<String> problems = new ArrayList<>(files.keySet().stream().filter(path -> !isJava(path) && !isPath(path))
+                .map(path -> "no file of this machine can have the name " + path).toList());
+        if (files.size() > MOST_FILES) {
+            problems.add("there are more than " + MOST_FILES + " YAML and Java files; the others were not read");
+        }
+        return problems;
+    }
+
+    private static boolean isJava(String path) {
+        return path.endsWith(".java");
+    }
+
+    /** Whether a file can have this path here; where the locale is C, only ASCII can be in it. */
+    private static boolean isPath(String path) {
+        try {
+            Path.of(path);
+            return true;
+        } catch (InvalidPathException e) {
+            return false;
+        }
     }
 
     /** @return the number that Moodle gave the participant; otherwise the name */
@@ -148,9 +168,12 @@ record Submission(String name, Map<String, byte[]> files, Instant newest) {
                 .min(DEPTH);
         String base = answers.map(path -> path.substring(0, path.length() - ANSWERS.length())).orElse("/");
         for (Map.Entry<String, byte[]> file : files.entrySet()) {
-            Path copy = folder.resolve(file.getKey().substring(file.getKey().startsWith(base) ? base.length() : 0))
-                    .normalize();
-            if (file.getKey().startsWith(base) && !file.getKey().endsWith(".java") && copy.startsWith(folder)) {
+            String path = file.getKey();
+            if (!path.startsWith(base) || isJava(path) || !isPath(path)) {
+                continue;
+            }
+            Path copy = folder.resolve(path.substring(base.length())).normalize();
+            if (copy.startsWith(folder)) {
                 Files.createDirectories(copy.getParent());
                 Files.write(copy, file.getValue());
             }

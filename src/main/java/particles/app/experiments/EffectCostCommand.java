@@ -1,7 +1,6 @@
 package particles.app.experiments;
 
 import java.util.List;
-import particles.app.cli.ProgramCommand.Mistakes;
 import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.work.EffectCost;

@@ -2,7 +2,6 @@ package particles.app.experiments;
 
 import java.util.List;
 import java.util.function.IntFunction;
-import particles.app.cli.ProgramCommand.Mistakes;
 import particles.experiments.energy.DriftCharts;
 import particles.experiments.energy.DriftHeadline;
 import particles.experiments.energy.EnergyDrift;

@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.NoSuchElementException;
 import java.util.Optional;
-import particles.app.cli.ProgramCommand.Mistakes;
 import particles.experiments.lecture.LectureFigures;
 import particles.experiments.lecture.LectureFigures.Figure;
 import particles.experiments.lecture.LectureFigures.Result;

@@ -7,7 +7,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
-import particles.app.cli.ProgramCommand.Mistakes;
 import particles.experiments.phase.Axis;
 import particles.experiments.phase.PhasePortraits;
 import particles.experiments.phase.PhasePortraits.Portraits;

@@ -7,7 +7,6 @@ import java.math.RoundingMode;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
-import particles.app.cli.ProgramCommand.Mistakes;
 import particles.experiments.race.Race;
 import particles.experiments.race.Race.Lane;
 import particles.experiments.race.Race.Result;

@@ -17,7 +17,6 @@ import particles.app.cli.ChartOptions;
 import particles.app.cli.Failures;
 import particles.app.cli.PrintedProgress;
 import particles.app.cli.Program;
-import particles.app.cli.ProgramCommand.Mistakes;
 import particles.app.cli.ResultsCommand;
 import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.ProgressListener;

@@ -2,7 +2,6 @@ package particles.app.experiments;
 
 import java.util.List;
 import java.util.function.Supplier;
-import particles.app.cli.ProgramCommand.Mistakes;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.spectrum.Spectrum;

@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import particles.app.cli.ProgramCommand.Mistakes;
 import particles.experiments.lecture.CostExercise;
 import particles.experiments.lecture.CostExercise.Cost;
 import particles.experiments.runs.ProgressListener;

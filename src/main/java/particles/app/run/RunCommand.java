@@ -16,7 +16,6 @@ import particles.app.cli.ChartOptions;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.FolderSize;
-import particles.app.cli.ProgramCommand.Mistakes;
 import particles.app.cli.ResultsCommand;
 import particles.app.student.StudentClasses;
 import particles.engine.ParallelForces;

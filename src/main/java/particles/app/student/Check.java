@@ -19,6 +19,11 @@ public interface Check {
     /** @return the name of the class, as typed */
     String subject();
 
+    /** @return the method that the class promises; empty if only its name says so */
+    default String method() {
+        return "";
+    }
+
     /** @return the format of its charts */
     default ChartFormat format() {
         return ChartFormat.PAGE;
@@ -26,13 +31,15 @@ public interface Check {
 
     /** @return what {@link #of} needs to make it again in another process */
     default List<String> words() {
-        return List.of(command(), subject());
+        return List.of(command(), subject(), method(), format().slide() + "", format().svg() + "",
+                format().dark() + "");
     }
 
     /** @return the check of these {@link #words} */
-    static Check of(String[] words) {
-        return words.length == 2 ? new CheckOfEffect(words[1]) : new CheckOfSolver(words[1], words[2], new ChartFormat(
-                words[3].equals("true"), words[4].equals("true"), words[5].equals("true")));
+    static Check of(List<String> words) {
+        return words.get(0).equals(CheckSolverCommand.NAME) ? new CheckOfSolver(words.get(1), words.get(2),
+                new ChartFormat(words.get(3).equals("true"), words.get(4).equals("true"), words.get(5).equals("true")))
+                : new CheckOfEffect(words.get(1));
     }
 
     /** Makes it; runs the class's own code. */

@@ -60,7 +60,7 @@ public final class CheckEffectCommand extends CheckCommand {
                     run.run();
                     return law.apply(particles);
                 }), () -> PlainRuns.forces(law))) {
-                    findings = List.of(new Finding(Kind.FAILURE, "in a scene, or after many calls, its forces differ"
+                    findings = List.of(new Finding(Kind.FAILURE, "outside this check, or after many calls, its forces differ"
                             + " from those in this check"));
                 }
                 Optional<String> other = EffectSample.checkedThrough(subject);

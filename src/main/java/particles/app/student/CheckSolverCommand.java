@@ -9,7 +9,6 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.app.cli.ChartOptions;
-import particles.app.cli.ProgramCommand.Mistakes;
 import particles.app.student.Check.Checked;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.Panel;
@@ -73,11 +72,6 @@ public final class CheckSolverCommand extends CheckCommand {
         }
 
         @Override
-        public List<String> words() {
-            return List.of(NAME, subject, method, format.slide() + "", format.svg() + "", format.dark() + "");
-        }
-
-        @Override
         public Checked make() {
             String full = SolverCatalog.names().contains(subject) || subject.contains(".") ? subject
                     : "exercises." + subject;
@@ -94,7 +88,7 @@ public final class CheckSolverCommand extends CheckCommand {
                 throw new IllegalStateException("the check itself is not wanted");
             }, name), () -> PlainRuns.ends(full))) {
                 verdict = new SolverVerdict(verdict.identity(), List.of(new Finding(Kind.FAILURE,
-                        "in a scene, or after many calls, its steps differ from those in this check")),
+                        "outside this check, or after many calls, its steps differ from those in this check")),
                         verdict.multistep());
             }
             List<Finding> findings = new ArrayList<>(verdict.findings());

@@ -2,7 +2,6 @@ package particles.app.student;
 
 import java.io.PrintWriter;
 import particles.app.cli.ProgramCommand;
-import particles.app.cli.ProgramCommand.Mistakes;
 import particles.spec.messages.InvalidInputException;
 import particles.teaching.exercises.Exercises;
 import particles.teaching.marking.Draw;

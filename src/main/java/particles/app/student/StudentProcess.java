@@ -14,7 +14,6 @@ import java.security.MessageDigest;
 import java.security.SecureRandom;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HexFormat;
 import java.util.List;
@@ -37,6 +36,10 @@ public final class StudentProcess {
     private static final int SIGNAL = 128;
     private static final int SECRET = 32;
     private static final String END = "\0";
+    /** Takes the place of END in a class, which then compiles as little as before. */
+    private static final String NO_JAVA = "\1";
+    /** Where the classes begin, after the secret, the folder and the words of the check. */
+    private static final int CLASSES = 8;
     private static final int LONGEST = 1 << 20;
 
     private StudentProcess() {
@@ -98,13 +101,14 @@ public final class StudentProcess {
         byte[] random = new byte[SECRET];
         new SecureRandom().nextBytes(random);
         Secret secret = new Secret(HexFormat.of().formatHex(random));
-        List<String> input = new ArrayList<>(List.of(secret.key()));
-        sources.forEach((name, text) -> input.addAll(List.of(name, text.replace(END, " "))));
+        List<String> input = new ArrayList<>(List.of(secret.key(), folder.toString()));
+        input.addAll(check.words());
+        sources.forEach((name, text) -> input.addAll(List.of(name, text.replace(END, NO_JAVA))));
         try {
             Path own = Files.createTempDirectory("desolver-check");
             try {
                 Path verdict = own.resolve("verdict");
-                Optional<Outcome> stopped = await(builder(verdict, folder, check).redirectErrorStream(true)
+                Optional<Outcome> stopped = await(builder(verdict).redirectErrorStream(true)
                         .redirectOutput(Redirect.DISCARD), String.join(END, input));
                 boolean isThere = Files.isRegularFile(verdict, LinkOption.NOFOLLOW_LINKS)
                         && Files.size(verdict) <= LONGEST;
@@ -119,23 +123,22 @@ public final class StudentProcess {
     }
 
     /**
-     * The process of a check: reads the secret and the classes from its input, where no other check can change them any
-     * more, and writes the signed verdict. Java's serialization would take 100 ms to load.
+     * The process of a check: reads the secret, the check and the classes from its input, where no other check can change
+     * them any more, and writes the signed verdict. Java's serialization would take 100 ms to load.
      *
-     * @param args the folder of the report, the words of the check, and the file of the verdict
+     * @param args the file of the verdict
      * @throws IOException if the input cannot be read
      */
     public static void main(String[] args) throws IOException {
-        String[] input = new String(System.in.readAllBytes(), StandardCharsets.UTF_8).split(END, -1);
-        Secret secret = new Secret(input[0]);
+        List<String> input = List.of(new String(System.in.readAllBytes(), StandardCharsets.UTF_8).split(END, -1));
+        Secret secret = new Secret(input.get(0));
         Map<String, String> sources = new TreeMap<>();          // the class's loader must not lead to the secret
-        for (int i = 1; i < input.length; i += 2) {
-            sources.put(input[i], input[i + 1]);
+        for (int i = CLASSES; i < input.size(); i += 2) {
+            sources.put(input.get(i), input.get(i + 1));
         }
         new StudentLoader(() -> sources, StudentProcess.class.getClassLoader()).install();
-        int last = args.length - 1;
-        new CheckRun(Check.of(Arrays.copyOfRange(args, 1, last)), Path.of(args[0]), (code, report) -> end(Path.of(
-                args[last]), secret, code, report)).run();
+        new CheckRun(Check.of(input.subList(2, CLASSES)), Path.of(input.get(1)), (code, report) -> end(Path.of(args[0]),
+                secret, code, report)).run();
     }
 
     /** Writes the verdict once and ends the process, in which code of the class may still be running. */
@@ -158,8 +161,11 @@ public final class StudentProcess {
         }
     }
 
-    /** Without verifying bytecode, which javac made anyway: that takes a sixth of the compiler's time. */
-    private static ProcessBuilder builder(Path verdict, Path folder, Check check) {
+    /**
+     * Without verifying bytecode, which takes a sixth of the compiler's time. A class that makes bytecode of its own can
+     * crash the process, as it can with Unsafe.
+     */
+    private static ProcessBuilder builder(Path verdict) {
         List<String> line = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-Xmx" + MEGABYTES + "m", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC",
                 "-XX:+IgnoreUnrecognizedVMOptions", "-XX:+UnlockDiagnosticVMOptions",
@@ -169,9 +175,7 @@ public final class StudentProcess {
         if (startedBy != null) {                        // null where it was not set
             line.add("-D" + OptionStyle.STARTED_BY + "=" + startedBy);
         }
-        line.addAll(List.of(StudentProcess.class.getName(), folder.toString()));
-        line.addAll(check.words());
-        line.add(verdict.toString());
+        line.addAll(List.of(StudentProcess.class.getName(), verdict.toString()));
         return new ProcessBuilder(line);
     }
 

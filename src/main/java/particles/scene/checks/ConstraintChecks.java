@@ -40,7 +40,7 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
     /** Largest distance from the line of a rod that counts as on it, as a fraction of its length. */
     private static final double IN_LINE = 1e-5;
     private static final double MOST_FEEDBACK = 0.5;
-    /** The number of Newton steps; far from a wire two may only halve the distance. */
+    /** The number of Newton steps; far from a wire one step on each function may only halve the distance. */
     private static final int STEPS = 200;
 
     void check() {

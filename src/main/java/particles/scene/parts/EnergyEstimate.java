@@ -4,12 +4,10 @@ import java.util.Collections;
 import java.util.DoubleSummaryStatistics;
 import java.util.stream.Stream;
 import particles.ParticleSystem;
-import particles.effects.springs.SpringForce;
 import particles.law.Effect;
 import particles.law.Effect.Trait;
 import particles.law.Particles;
 import particles.law.Vector3;
-import particles.scene.parts.SceneAssembly;
 
 /**
  * Estimates the kinetic energy to expect in a scene, before the run; many times more means that it blew up. The

@@ -283,7 +283,7 @@ class GradeCommandTest {
                         frame.getClassName().startsWith("particles.teaching.")) ? -mass : 0"""));
         String screen = grade(ExitCode.BAD_INPUT, assignment(
                 "effects: {RightForce: 1, WrongForce: 1, HereForce: 1, NoForce: 1}"));
-        assertHas(screen, "in a scene, or after many calls, its forces differ from those in this",
+        assertHas(screen, "outside this check, or after many calls, its forces differ from those in this",
                 "mark      effect RightForce", "no mark   effect WrongForce", "there is no file NoForce.java");
     }
 
@@ -382,6 +382,7 @@ class GradeCommandTest {
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
             solver: {A: heun}              | :1:1: unknown key 'solver'; did you mean 'solvers'?
             solvers: {A: huen}             | :1:14: unknown method 'huen'; did you mean 'heun'?
+            solvers: {A: }                | :1:13: 'A' is nothing; it has to be one of
             solvers: {A: dormand-prince}   | :1:14: 'dormand-prince' cannot be asked for: the check sees whether such \
             a method is right, but cannot tell it from others of its kind; write any
             solvers: {A: {method: adams}}  | :1:23: 'adams' cannot be asked for:

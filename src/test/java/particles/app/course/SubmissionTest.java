@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -40,5 +41,15 @@ class SubmissionTest {
         }
         assertEquals(List.of("there are more than 1000 YAML and Java files; the others were not read"),
                 Submission.read(folder).problems());
+    }
+
+    /** As a name with an umlaut in a zip is where the locale is C. */
+    @Test
+    void aFileThatCannotHaveItsNameHereIsTold(@TempDir Path folder) throws Exception {
+        Submission read = new Submission("bob", Map.of("a\0.yaml", new byte[0], "answers.yaml", new byte[0],
+                "A\0.java", new byte[0]), Instant.EPOCH);
+        assertEquals(List.of("no file of this machine can have the name a\0.yaml"), read.problems());
+        read.copyAnswers(folder);
+        assertEquals(Set.of("answers.yaml"), Set.of(folder.toFile().list()));
     }
 }

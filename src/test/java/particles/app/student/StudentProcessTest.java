@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import particles.app.cli.ExitCode;
+import particles.output.charts.ChartFormat;
 
 /** A check's process cannot make up its own verdict. */
 class StudentProcessTest {
@@ -19,5 +20,17 @@ class StudentProcessTest {
                 (wrong + "\nDONE").getBytes(), "DONE\nDONE\na line".getBytes(), new byte[0])) {
             assertEquals(ExitCode.BAD_INPUT, secret.read(forged).code());
         }
+    }
+
+    @Test
+    void aCheckArrivesAsItWasSent() {
+        List<ChartFormat> formats = List.of(ChartFormat.PAGE, new ChartFormat(true, false, false),
+                new ChartFormat(false, true, false), new ChartFormat(false, false, true));
+        for (ChartFormat format : formats) {
+            Check check = new CheckSolverCommand.CheckOfSolver("My", "", format);
+            assertEquals(check, Check.of(check.words()));
+        }
+        Check check = new CheckEffectCommand.CheckOfEffect("My");
+        assertEquals(check, Check.of(check.words()));
     }
 }
