@@ -196,7 +196,7 @@ final class SlidingFriction {
         return forward < 0 ? velocity.minus(beginning.over(length).times(2 * forward / length)) : velocity;
     }
 
-    /** The part along all surfaces of a vector that begins at an entry; plain numbers, so that steps allocate less. */
+    /** The part along all surfaces of a vector that begins at an entry, without a new vector for each axis. */
     private Vector3 along(double[] vectors, int place) {
         double x = vectors[place];
         double y = vectors[place + 1];

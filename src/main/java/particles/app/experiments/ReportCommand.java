@@ -49,10 +49,10 @@ public final class ReportCommand extends ResultsCommand {
     /** What each experiment takes (s): between its CPU time and the time that it took on two quiet cores. */
     private static final Map<String, Integer> SECONDS = Map.of("lectureFigures", 3, "energyDrift", 3, "phasePlots", 1,
             "race", 6, "workPrecision", 55, "stiffGallery", 7, "stability", 2, "effectCost", 5, "stiffCloth", 25);
-    /** Measured CPU time of those that look at a scene: in any case (s), and for a second of energyDrift there. */
+    /** CPU time of those that look at a scene (s): {a, b} is a + b times that of energyDrift there. */
     private static final Map<String, double[]> OF_SCENE = Map.of("energyDrift", new double[] {0, 1},
             "phasePlots", new double[] {0, 1}, "race", new double[] {9.5, 2}, "stability", new double[] {0.5, 0.9});
-    /** Measured CPU time of energyDrift: in any case, and for each full race's work of rk4 in the scene (s). */
+    /** CPU time of energyDrift on a scene (s): DRIFT + DRIFT_OF_A_RACE times the full races of rk4 that it is worth. */
     private static final double DRIFT = 1.3;
     private static final double DRIFT_OF_A_RACE = 1.9;
     private static final int MOST_LINES = 8;
@@ -105,7 +105,6 @@ public final class ReportCommand extends ResultsCommand {
         List<ExperimentCommand> chosen = this.chosen.get();
         long begin = System.nanoTime();
         drift = about.get().map(scene -> DRIFT + DRIFT_OF_A_RACE * RaceCommand.fullRaces(scene));
-        chosen.forEach(this::prepare);
         ToDoubleFunction<ExperimentCommand> cost = one -> failures.containsKey(one) ? 0 : seconds(one, drift);
         if (chosen.size() > FEW) {
             int minutes = (int) (chosen.stream().mapToDouble(cost).sum() / 60) + 1;
@@ -113,6 +112,7 @@ public final class ReportCommand extends ResultsCommand {
                     + getStyle().option("experiments") + " with fewer names takes less");
             lines.flush();
         }
+        chosen.forEach(this::prepare);
         PrintedProgress progress = new PrintedProgress(lines, System::nanoTime);
         List<Section> sections;
         try (OutputFolder folder = OutputFolder.open(getFolder(), FILE)) {
@@ -198,7 +198,7 @@ public final class ReportCommand extends ResultsCommand {
         } catch (RuntimeException e) {
             failures.put(experiment, reason(e));
         }
-        if (experiment instanceof EnergyDriftCommand) {
+        if (experiment instanceof EnergyDriftCommand && page.isPresent()) {
             drift = drift.map(expected -> CpuClock.ofAllThreads() - used);
         }
         return new Section(experiment.name(), purpose, into, (System.nanoTime() - begin) * NANO, page,

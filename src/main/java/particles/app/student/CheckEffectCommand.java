@@ -60,8 +60,8 @@ public final class CheckEffectCommand extends CheckCommand {
                     run.run();
                     return law.apply(particles);
                 }), () -> PlainRuns.forces(law))) {
-                    findings = List.of(new Finding(Kind.FAILURE, "outside this check, or after many calls, its forces differ"
-                            + " from those in this check"));
+                    findings = List.of(new Finding(Kind.FAILURE, "outside this check, or after many calls, its forces"
+                            + " differ from those in this check"));
                 }
                 Optional<String> other = EffectSample.checkedThrough(subject);
                 String identity = other.map(name -> "It acts through '" + name + "', which then")

@@ -27,7 +27,7 @@ public final class CpuClock {
                 : System.nanoTime());
     }
 
-    /** @return the same of all threads of the program together (s) */
+    /** @return CPU time of all threads of the program together (s) */
     public static double ofAllThreads() {
         return NANO * ProcessHandle.current().info().totalCpuDuration().map(Duration::toNanos)
                 .orElseGet(System::nanoTime);

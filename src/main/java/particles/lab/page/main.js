@@ -170,7 +170,8 @@ function opened(message) {
   }
   $('teaches').textContent = facts.title + ': ' + ofPage(facts.teaches);
   settings.show(facts, chosen.tolerance);
-  setTimeout(() => facts === message.facts && showNumbers(0, [], facts));      // the picture comes first
+  setTimeout(() => message.run === player.run && facts === message.facts      // the picture comes first
+    && showNumbers(0, [], facts));
   inspector.start();
   startPlots();
   if (wanted?.time > 0) {

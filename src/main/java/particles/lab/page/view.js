@@ -216,7 +216,7 @@ class View {
       this.matrix.makeScale(size, size, size).setPosition(state[6 * i], state[6 * i + 1], state[6 * i + 2]);
       (look.kind === 'glow' && !fixed[i] ? this.spots : this.balls).add(this.matrix,
           mark?.colour !== undefined ? this.colour.set(mark.colour)
-          : this.particleColour(look, fixed[i], (time - births[i]) / (lives[i] ?? Infinity)));
+          : this.particleColour(look, fixed[i], (time - births[i]) / lives[i]));
     }
     if (look.kind === 'blobs') {
       this.blobs.place(wet, this.ball, this.camera.viewHeight / this.element.clientHeight,

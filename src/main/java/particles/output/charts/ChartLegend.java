@@ -14,9 +14,9 @@ import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
 
 /**
- * The legend of a chart: one item for each series, with its line and its points. No item have a series whose name is in
- * the chart; the filled region of a solver, as "rk4: stable", whose line has one; and a single series, unless it is that
- * of a solver or of failures, which the axis does not name.
+ * The legend of a chart: one item for each series, with its line and its points. There is none for a series
+ * whose name is in the chart; for the filled region of a solver, as "rk4: stable", whose line has one; and for a single
+ * series, unless it is that of a solver or of failures, which the axis does not name.
  */
 final class ChartLegend {
     private ChartLegend() {
