@@ -123,8 +123,8 @@ public final class StudentProcess {
     }
 
     /**
-     * The process of a check: reads the secret, the check and the classes from its input, where no other check can change
-     * them any more, and writes the signed verdict. Java's serialization would take 100 ms to load.
+     * The process of a check: reads the secret, the check and the classes from its input, where no other check can
+     * change them any more, and writes the signed verdict. Java's serialization would take 100 ms to load.
      *
      * @param args the file of the verdict
      * @throws IOException if the input cannot be read
@@ -137,8 +137,8 @@ public final class StudentProcess {
             sources.put(input.get(i), input.get(i + 1));
         }
         new StudentLoader(() -> sources, StudentProcess.class.getClassLoader()).install();
-        new CheckRun(Check.of(input.subList(2, CLASSES)), Path.of(input.get(1)), (code, report) -> end(Path.of(args[0]),
-                secret, code, report)).run();
+        new CheckRun(Check.of(input.subList(2, CLASSES)), Path.of(input.get(1)),
+                (code, report) -> end(Path.of(args[0]), secret, code, report)).run();
     }
 
     /** Writes the verdict once and ends the process, in which code of the class may still be running. */
@@ -162,8 +162,8 @@ public final class StudentProcess {
     }
 
     /**
-     * Without verifying bytecode, which takes a sixth of the compiler's time. A class that makes bytecode of its own can
-     * crash the process, as it can with Unsafe.
+     * Without verifying bytecode, which takes a sixth of the compiler's time. A class that makes bytecode of its own
+     * can crash the process, as it can with Unsafe.
      */
     private static ProcessBuilder builder(Path verdict) {
         List<String> line = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
