@@ -27,9 +27,7 @@ public record SolverContract(Supplier<DESolver> maker) {
     private static final double H = 1.0 / 16;
     private static final double ALIKE = 1e-2;
     private static final double ROUNDING = 1e-12;
-    /** The entries are worked one after the other if there are so many more evaluations for twice as many of them. */
-    private static final double IN_TURN = 1.5;
-    /** In so short a step, entries that are worked in turn are as good as alike. */
+    /** In so short a step, entries that are worked one after the other are as good as alike. */
     private static final double BRIEF = H / 64;
     /** So small that an adaptive method accepts its first step. */
     public static final double TINY = StrictMath.pow(2, -40);
@@ -136,7 +134,7 @@ public record SolverContract(Supplier<DESolver> maker) {
     }
 
     private Optional<Finding> unlike(StudentSource source, int d, String size, String cause) {
-        boolean inTurn = evaluations(2, H) > IN_TURN * evaluations(1, H);
+        boolean inTurn = evaluations(2, H) >= 2 * evaluations(1, H);
         double h = inTurn ? BRIEF : H;
         try {
             source.step(maker.get(), h);

@@ -115,13 +115,13 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
 
     /** @return whether a longer step has many more parts, as with step-size control */
     boolean makesSubSteps() {
-        return timeMoves(LONG) > SHORT_STEPS / 2 * timeMoves(LONG / SHORT_STEPS);
+        return times(LONG) > SHORT_STEPS / 2 * times(LONG / SHORT_STEPS);
     }
 
-    private int timeMoves(double deltaT) {
+    private int times(double deltaT) {
         WindyOscillators source = windy(1);
         source.accepts(maker.get(), deltaT);
-        return source.timeMoves();
+        return source.times();
     }
 
     /** @return the mistake of a method whose last sub-step leads beyond t + deltaT; the clock may be set back */

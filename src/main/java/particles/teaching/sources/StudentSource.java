@@ -3,9 +3,11 @@ package particles.teaching.sources;
 import deSolvers.DESolver;
 import deSolvers.problems.ReferenceProblem;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import particles.teaching.EndlessLoop;
 import particles.teaching.GuardedRun;
 import particles.teaching.StudentFailure;
@@ -13,6 +15,7 @@ import particles.teaching.StudentFailure;
 /** A source for a student's solver: it records arrays of a wrong length, and uses the part of them that fits. */
 public abstract class StudentSource extends ReferenceProblem {
     private static final int MOST_RECORDED = 4;
+    private static final int MOST_TIMES = 100_000;
     /** In one step; a right adaptive solver needs 100,000 in its longest measurement. */
     private static final long MOST_EVALUATIONS = 2_000_000;
 
@@ -20,6 +23,7 @@ public abstract class StudentSource extends ReferenceProblem {
     private final List<double[]> evaluatedAt = new ArrayList<>();
     private int reads;
     private int timeMoves;
+    private final Set<Float> times = new HashSet<>();
     private boolean isSet;
     private long before;
     private long most = MOST_EVALUATIONS;
@@ -123,6 +127,11 @@ public abstract class StudentSource extends ReferenceProblem {
         return timeMoves;
     }
 
+    /** @return the number of times (s) that the clock was moved to, which rounds of an iteration have in common */
+    public final int times() {
+        return times.size();
+    }
+
     /** @return whether the state was ever set */
     public final boolean isSet() {
         return isSet;
@@ -138,6 +147,9 @@ public abstract class StudentSource extends ReferenceProblem {
     public void incTime(double deltaT) {
         timeMoves++;
         super.incTime(deltaT);
+        if (times.size() < MOST_TIMES) {
+            times.add((float) getTime());
+        }
     }
 
     @Override

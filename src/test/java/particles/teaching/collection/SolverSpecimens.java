@@ -105,6 +105,8 @@ final class SolverSpecimens {
                 ImprovedEuler | midpoint by another name | | rk 1/2 -> 0 1
                 ExplicitTrapezoid | Heun by a third name | | rk HEUN
                 RalstonSolver | Ralston | | rk 2/3 -> 1/4 3/4
+                RalstonRK4 | as printed | | rk 2/5; .29697761 .15875964; .21810040 -3.05096516 3.83286476 \
+                -> .17476028 -.55148066 1.20553560 .17118478
                 RungeKutta3Solver | Heun's method of order 3 | | rk 1/3; 0 2/3 -> 1/4 0 3/4
                 RK3Solver | Ralston of order 3 | | rk 1/2; 0 3/4 -> 2/9 1/3 4/9
                 MySolver | Kutta of order 3 | | rk 1/2; -1 2 -> 1/6 2/3 1/6
@@ -372,6 +374,7 @@ final class SolverSpecimens {
                 BogackiShampine | Math.abs(deltaT) | sign of deltaT is lost | rk 1/2; 0 3/4 -> 2/9 1/3 4/9 | sign-lost
                 W201Kutta | state forward, clock back | one back end .* sign of deltaT is lost | rk 1/2; -1 2 \
                 -> 1/6 2/3 1/6 | state-forward 0
+                Mine | ends at 1e-4 | iteration ends too early | TRAPEZOID : simple 1e-4 500
                 ImplicitMidpoint | no rounds for negative deltaT | for want of Math.abs \
                 | IMPLICIT_MIDPOINT : simple 1e-12 500 signed
                 AdamsBashforth3 | one array | newest derivative only | adams 3 4 : weights 1 0 0
