@@ -187,8 +187,8 @@ public enum Phrase {
             # style
             style DRAG: its order is %s, and %s where the acceleration depends on the velocity, as with drag: there \
                 the velocity in each kick has to be iterated, or predicted to the time of the kick
-            style PRINTED: the coefficients are those of %s to eight digits: give them by formulas, such as \
-                Math.sqrt(0.5), or with sixteen digits
+            style PRINTED: the coefficients are those of %s to eight digits: give them as fractions or \
+                formulas, such as 1.0 / 6 or Math.sqrt(0.5), or with sixteen digits
             method DRAG_DIVERGES: where the acceleration depends on the velocity, as with drag, the error does not go \
                 to 0 with deltaT (order %s): the state of each evaluation has to have the velocities of its time, \
                 not 0, and each round of a kick has to begin with the velocity before it

@@ -77,7 +77,8 @@ record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<Or
         Optional<Finding> note = (read.isOfParticles() ? dragged() : Phrase.UNUSED.when(idle)).or(() ->
                 Phrase.PRINTED.when(same && scheme.size() > 1 && !KnownMethods.isAny(scheme, 1), name));
         Optional<Finding> unsolved = same ? note : SolvedEquation.rounds(maker, scheme, promise).or(() ->
-                KnownMethods.mistake(scheme)).or(() -> Optional.of(idle ? Phrase.NOT_ITERATED.of(promise.says())
+                KnownMethods.mistake(scheme)).or(() -> Optional.of(idle && read.stages().stream().allMatch(
+                stage -> stage.increment() == 0) ? Phrase.NOT_ITERATED.of(promise.says())
                 : unsolved(scheme)).filter(finding -> promise.isImplicit()));
         return same ? new Diagnosis("This is " + name, note, nearest.known().order(), name)
                 : unsolved.isPresent() ? new Diagnosis("This is an explicit method", unsolved)

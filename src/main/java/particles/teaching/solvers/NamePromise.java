@@ -49,11 +49,13 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
             the Euler method | 1 | euler explicit-euler forward-euler | the Euler method |
             the Euler method, or an improved one | 1 | euler-? | the Euler method; Heun's method; the midpoint method; \
             Ralston's method |
-            symplectic Euler | 1 | symplectic-euler semi-implicit semi-implicit-euler cromer euler-cromer symplectic \
+            symplectic Euler | 1 | symplectic-euler semi-implicit semi-implicit-euler \
+            semi-implizit semi-implizit-euler symplekti-euler cromer euler-cromer symplectic \
             kickdrift driftkick simplealgorithm simpleparticle \
             | symplectic Euler, the slides' simple particle system algorithm; \
             symplectic Euler with the position first |
-            backward Euler | 1 | backward-euler implicit-euler newton-euler \
+            backward Euler | 1 | backward-euler implicit-euler newton-euler implizit-euler \
+            rueckwaerts-euler rckwrts-euler \
             stiff-euler fixedpoint-euler iterat-euler | backward Euler | implicit
             the midpoint method | 2 | midpoint | the midpoint method; the implicit midpoint method |
             the midpoint method | 2 | explicit-midpoint | the midpoint method |
@@ -74,6 +76,8 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
             a Runge-Kutta method of order 3 | 3 | rk3 rungekutta3 kutta3 heun3 \
             ralston3 bogackishampine ssprk3 ssprk43 ssp3 | |
             a strong-stability-preserving method | 2 | ssp ssprk ssprk42 shuosher | |
+            an implicit Runge-Kutta method | 1 | rungekutta-implicit rungekutta-implizit | backward Euler; \
+            the implicit midpoint method; the implicit trapezoidal rule | implicit
             a Runge-Kutta method | 1 | rungekutta-? | |
             a Runge-Kutta method of order 4 | 4 | rk4 rungekutta4 rungekutta classicalrk ralston4 ralstonrk4 \
             ssprk4 ssprk54 ssprk104 | |
@@ -123,10 +127,12 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
             a BDF method of order 5 | 5 | bdf5 | | earlier
             a BDF method of order 6 | 6 | bdf6 | | earlier
             Beeman's method | 2 | beeman | |
-            Newmark's method | 2 | newmark averageacceleration meanacceleration | |
+            Newmark's method | 2 | newmark averageacceleration meanacceleration \
+            | the implicit trapezoidal rule; velocity Verlet (leapfrog: kick, drift, kick) |
             Gragg's method | 2 | gragg modifiedmidpoint | |
             an extrapolation method | 3 | bulirsch stoer bulirsch-stoer gragg-bulirsch \
-            gragg-extrapol gragg-bulirsch-stoer bulirsch-stoer-extrapol romberg romberg-extrapol gbs | |
+            gragg-extrapol gragg-bulirsch-stoer bulirsch-stoer-extrapol gbs | |
+            an extrapolation method | 2 | romberg romberg-extrapol | |
             a predictor-corrector method | 2 | pec pece predictor-corrector | |
             a Gauss method | 2 | gauss gausslegendre | the implicit midpoint method | implicit
             a Gauss method of order 4 | 4 | gauss4 gausslegendre4 | | implicit
@@ -173,17 +179,18 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
         for (int n = 0; n < NUMBERS.length; n++) {
             digits = digits.replaceAll(NUMBER.formatted(NUMBERS[n]), String.valueOf(n + 2));
         }
-        String bare = digits;
+        String bare = digits.replaceFirst("^(.)(RungeKutta)(?!\\d)", "$2$1");       // ThirdRungeKutta
         String lower = bare.toLowerCase(Locale.ROOT);
         int said = Integer.parseInt("0" + lower.replaceAll(ORDER, "$1$5"));
         boolean adapts = ADAPTS.matcher(lower).find();
         return ROWS.stream().filter(row -> row.isIn(bare)).max(Comparator.comparingInt(Row::length)).map(best -> {
             String rest = lower.replaceAll("(" + String.join("|", best.parts) + ")(s(?=method|rule|solver|$))?", " ");
             boolean more = EXTRAPOLATES.matcher(rest).find();
-            return new NamePromise((more ? "the extrapolation of " : "") + best.says, Math.max(said, best.order
-                    + (more ? 1 : 0)),
-                    best.methods, best.kind, more || ROWS.stream().anyMatch(row -> row.parts.stream().allMatch(
-                    rest::contains)) || CHANGES.matcher(rest).find(), adapts);      // HeunEuler is another method
+            String says = said > best.order ? best.says.split(" of order")[0] + " of order " + said : best.says;
+            return new NamePromise((more ? "the extrapolation of " : "") + says,
+                    Math.max(said, best.order + (more ? 1 : 0)), best.methods, best.kind,
+                    more || ROWS.stream().anyMatch(row -> row.parts.stream().allMatch(rest::contains))
+                    || CHANGES.matcher(rest).find(), adapts);      // HeunEuler is another method
         }).orElseGet(() -> new NamePromise(said > 0 ? "a method of order " + said : "", said, List.of(), "",
                 true, adapts));
     }
@@ -196,8 +203,8 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
     /** @return whether a method of this name and order may be called so */
     boolean allows(String method, int itsOrder) {
         boolean high = itsOrder >= order;
-        return methods.contains(method) && (high || itsOrder == 0) || high && (methods.isEmpty()
-                || changed);
+        return methods.contains(method) && (high || itsOrder == 0 && order <= 2)
+                || high && (methods.isEmpty() || changed);
     }
 
     /** @return the meaning of the name, with the order */

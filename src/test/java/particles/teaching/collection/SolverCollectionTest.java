@@ -74,8 +74,22 @@ class SolverCollectionTest {
                 GraggSolver | the modified midpoint method | | rk 1/2 -> 0 1
                 SecondOrderSymplectic | for equations of second order | | turns 0 1 -> 1
                 SdirkTwo | one stage | | IMPLICIT_MIDPOINT NEWTON
+                NewmarkSolver | average acceleration | | TRAPEZOID NEWTON
+                NewmarkSolver | central differences | | LEAPFROG
+                ImpliziterEulerSolver | its name | | BACKWARD NEWTON
+                RueckwaertsEuler | its name | | BACKWARD NEWTON
+                SymplektischerEuler | its name | | turns 0 1 -> 1
+                ThirdRungeKuttaSolver | its name | | rk 1/2; -1 2 -> 1/6 2/3 1/6
+                RombergEuler | one extrapolation | | rk 1/2 -> 0 1
+                ImplicitRungeKutta | one stage | | BACKWARD NEWTON
                 """));
         assertNamed(SolverTable.read("""
+                FourthOrderGaussSolver | one stage | not a Gauss method of order 4, | IMPLICIT_MIDPOINT NEWTON
+                ThirdOrderSdirk2 | one stage | not a diagonally implicit method of order 3, | IMPLICIT_MIDPOINT NEWTON
+                FifthRungeKutta | RK4 | not a Runge-Kutta method of order 5, | rk RK4 SIXTHS
+                FourthOrderRungeKutta | Heun | not a Runge-Kutta method of order 4, | rk HEUN
+                ImplicitMidpoint | order 2 and an unused evaluation | an explicit method with 4 evaluations .* solved \
+                | rk 1/3; 1/2; 0 1/2 -> 1/4 0 0 3/4
                 SdirkTwoSolver | gamma, order 1 | order is .* method of order 2: | irk 0.7071067811865476; \
                 0.2928932188134524 0.7071067811865476 -> 0.2928932188134524 0.7071067811865476 NEWTON
                 DormandPrinceFiveSolver | order 4 | not a Runge-Kutta method of order 5 | rk DOPRI DOPRI4
@@ -87,7 +101,7 @@ class SolverCollectionTest {
                 ThirdOrderSolver | Heun | not a method of order 3 | rk HEUN
                 GaussSolver | RK4 | explicit, and not a Gauss method | rk RK4 SIXTHS
                 NewmarkSolver | symplectic Euler | not Newmark's method | turns 0 1 -> 1
-                BulirschStoer6 | RK4 | not an extrapolation method, as | rk RK4 SIXTHS
+                BulirschStoer6 | RK4 | not an extrapolation method of order 6, as | rk RK4 SIXTHS
                 GraggBulirschStoer | midpoint | not an extrapolation method, as | rk 1/2 -> 0 1
                 RungeKuttaFour | Heun | not a Runge-Kutta method of order 4 | rk HEUN
                 TwoStageGauss | the trapezoidal rule | not a Gauss method | TRAPEZOID NEWTON
@@ -129,15 +143,13 @@ class SolverCollectionTest {
 
     @Test
     void methodsWithoutANameArePlaced() {
-        Specimen adams = SolverTable.read("Mine | Adams | | adams 2 1").get(0);
-        assertTrue(SolverCheck.check(adams.maker(), "Mine").multistep());
-        SolverVerdict tenth = SolverCheck.check(() -> PlantedSolvers.solver((source, deltaT) -> {
-            for (int k = 0; k < 10; k++) {
-                HandwrittenSolvers.euler(source, deltaT / 10);
-            }
-        }), "Mine");
-        assertFalse(tenth.multistep());
-        assertEquals("This is the Euler method in 10 sub-steps.", tenth.identity());
+        List<SolverVerdict> found = SolverTable.read("""
+                Mine | Adams | | adams 2 1
+                Mine | Euler | | rk 1/4; 1/4 1/4; 1/4 1/4 1/4 -> 1/4 1/4 1/4 1/4
+                """).stream().map(one -> SolverCheck.check(one.maker(), "Mine")).toList();
+        assertTrue(found.get(0).multistep());
+        assertFalse(found.get(1).multistep());
+        assertEquals("This is the Euler method in 4 sub-steps.", found.get(1).identity());
     }
 
     @Test
