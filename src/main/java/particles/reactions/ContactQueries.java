@@ -85,8 +85,9 @@ public final class ContactQueries {
     Block push(int i, double[] state, double[] force) {
         Block alone = singles.of(i);
         alone.take(state, Block.ALL);
-        singles.prepare(state, system.getTime());
-        singles.putRight(alone, force);
+        for (Row row : alone.rows) {
+            row.right = -(row.times(force, 3) + row.bend);
+        }
         alone.solve(row -> true, true);
         return alone;
     }

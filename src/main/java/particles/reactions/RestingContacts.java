@@ -3,9 +3,9 @@ package particles.reactions;
 import deSolvers.ForceDerivatives;
 import deSolvers.text.Digits;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
-import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.law.Reaction;
@@ -193,27 +193,27 @@ public final class RestingContacts implements Reaction {
      * @return whether the forces could stop any sliding particle within that time
      */
     public boolean mayStopWithin(double time) {
-        return stoppingWithin(time).findAny().isPresent();
+        return !stoppingWithin(time).isEmpty();
     }
 
-    /** The sliding particles that the forces could stop within a time (s). */
-    private IntStream stoppingWithin(double time) {
-        if (IntStream.range(0, modes.end()).noneMatch(i -> rubbing(i) > 0)) {
-            return IntStream.empty();
-        }
+    /** The sliding particles that the forces could stop within a time (s); a loop, since each step asks. */
+    private BitSet stoppingWithin(double time) {
+        BitSet stopping = new BitSet();
         double[] state = system.getOwnState();
-        double[] force = new double[system.getStateSize()];
-        system.addUpEffects(state, system.getTime(), force);
-        return IntStream.range(0, modes.end()).filter(i -> {
-            double speed = Vector3.at(state, STRIDE * i + 3).length();
-            double pull = Vector3.at(force, STRIDE * i + 3).length() / particles.mass(i);
-            return rubbing(i) > 0 && speed <= STOPS * time * (1 + rubbing(i)) * pull;
-        });
-    }
-
-    /** The largest coefficient of Coulomb friction on a particle that slides; 0 if there is none. */
-    private double rubbing(int i) {
-        return modes.isSticking(i) ? 0 : largest(i, f -> f.ofCoulomb(1));
+        double[] force = {};
+        for (int i = 0; i < modes.end(); i++) {
+            double rubbing = modes.isSticking(i) ? 0 : largest(i, f -> f.ofCoulomb(1));
+            if (rubbing > 0) {
+                if (force.length == 0) {
+                    force = new double[system.getStateSize()];
+                    system.addUpEffects(state, system.getTime(), force);
+                }
+                double speed = Vector3.at(state, STRIDE * i + 3).length();
+                double pull = Vector3.at(force, STRIDE * i + 3).length() / particles.mass(i);
+                stopping.set(i, speed <= STOPS * time * (1 + rubbing) * pull);
+            }
+        }
+        return stopping;
     }
 
     /**
@@ -226,7 +226,10 @@ public final class RestingContacts implements Reaction {
      * @param deltaT the length of the step (s)
      */
     public void stopWithinStep(double deltaT) {
-        stoppingWithin(deltaT).forEach(i -> sliding.stopWithinStep(i, particles.mass(i) / deltaT));
+        BitSet stopping = stoppingWithin(deltaT);
+        for (int i = stopping.nextSetBit(0); i >= 0; i = stopping.nextSetBit(i + 1)) {
+            sliding.stopWithinStep(i, particles.mass(i) / deltaT);
+        }
     }
 
     /**

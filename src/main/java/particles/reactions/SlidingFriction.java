@@ -97,10 +97,15 @@ final class SlidingFriction {
     }
 
     /** Whether a particle on a surface does not move along it. */
-    private static boolean isAtRest(Row row, double[] state) {
-        Vector3 v = Vector3.at(state, Particles.STRIDE * row.first + 3);
-        Vector3 along = v.minus(Vector3.at(row.gradient, 0).times(row.rate));
-        return along.norm1() <= ROUNDING * v.norm1();
+    private boolean isAtRest(Row row, double[] state) {
+        slideOn(row);
+        return along(state, Particles.STRIDE * row.first + 3).isZero();
+    }
+
+    /** Lets the particle slide along one surface. */
+    private void slideOn(Row row) {
+        axes[0] = Vector3.at(row.gradient, 0);
+        surfaces = 1;
     }
 
     /**
@@ -114,8 +119,7 @@ final class SlidingFriction {
         if (!isRough(row)) {
             return;
         }
-        axes[0] = Vector3.at(row.gradient, 0);
-        surfaces = 1;
+        slideOn(row);
         double all = 0;                                 // the particle's Coulomb friction
         for (int r = 0; pushKnown && r < rows.length; r++) {
             Row other = rows[r];
@@ -160,7 +164,7 @@ final class SlidingFriction {
             return along(state, v).times(most / push);
         }
         boolean stops = mayStop(v / Particles.STRIDE);
-        if (!stops) {
+        if (!stops && !startsFromRest(v / Particles.STRIDE)) {     // then the velocity is mostly round-off at first
             Vector3 direction = followBeginning(along(state, v), v);
             double speed = length(direction);
             if (speed > 0) {
@@ -183,9 +187,6 @@ final class SlidingFriction {
     private Vector3 followBeginning(Vector3 velocity, int v) {
         if (stepBegin.length <= v) {
             return velocity;
-        }
-        if (startsFromRest(v / Particles.STRIDE)) {
-            return Vector3.ZERO;                        // a velocity that is mostly round-off at first
         }
         Vector3 beginning = along(stepBegin, v);
         double length = length(beginning);
