@@ -179,8 +179,8 @@ public final class SolverCheck {
     /** The diagnosis of a method whose coefficients cannot be read. */
     private Diagnosis measured() {
         return new Diagnosis(UNREAD, clock.or(() -> Search.first(unread::entryByEntry, () -> firstSubStep(finding ->
-                finding.kind() != Finding.Kind.METHOD), unread::uncut, unread::asymmetric, () -> poorOrder(
-                this::unstable), unread::elsewhere, this::stageClocks, unread::uncontrolled, () ->
+                finding.kind() != Finding.Kind.METHOD), unread::asymmetric, this::stageClocks, unread::uncut, () ->
+                poorOrder(this::unstable), unread::elsewhere, unread::uncontrolled, () ->
                 promise.kind().equals("implicit") || measurement().order() < UnreadMethod.SECOND ? unstable()
                 : Optional.empty(), explicit::dragged)));
     }

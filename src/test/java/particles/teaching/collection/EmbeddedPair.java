@@ -51,7 +51,7 @@ final class EmbeddedPair extends DESolver {
                 if (slips.contains("loop")) {
                     trial[s.length - 1] = s[s.length - 1];
                 }
-                Methods.clock(source, t + c[j] * h);
+                Methods.clock(source, slips.contains("clock-at-end") ? end - deltaT : t + c[j] * h);
                 k[j] = slopeAt(source, trial);
             }
             double[] off = Methods.trial(new double[s.length], h, error, k);

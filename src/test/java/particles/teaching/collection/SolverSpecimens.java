@@ -464,6 +464,8 @@ final class SolverSpecimens {
                 | pair BOGACKI : 1e-8 3 never-rejects
                 W135AdaptiveBogackiShampine | clock moves though rejected | clock may move only when \
                 | pair BOGACKI : 1e-8 3 clock-runs
+                Mine | clock moved at the end | ^time: the error is .* at another clock | pair HEUN -> 1 0 \
+                : 1e-3 2 clock-at-end
                 W78AdaptiveBogackiShampine | no Math.abs | Math.abs | pair BOGACKI : 1e-8 3 no-abs
                 W137AdaptiveBogackiShampine | error of entry 0 | largest of all entries \
                 | pair BOGACKI : 1e-8 3 first-entry
