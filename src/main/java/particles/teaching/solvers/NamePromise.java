@@ -31,16 +31,16 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
     private static final String[] NUMBERS = ("Two|Zwei|Deux|Dos Three|Third|Drei|Dritter|Trois|Tres|Tercer"
             + " Four(th)?|Vier(ter)?|Quatre|Cuatro Five|Fifth|Fuenf(ter)?|Cinq|Cinco Six(th)?|Sechs(ter)?|Seis"
             + " Seven(th)?|Sieben|Siete Eighth?(?![hs])|Acht(er)?(?!el)|Huit|Ocho").split(" ");
-    private static final String NUMBER = "(%s)(?!(?i)stage|step|phase|point|eighth|achtel|octav|stufig|schritt|punkt"
-            + "|etap|paso)";
+    private static final String NUMBER = "(%s)(?!(?i)stage|step|phase|point|eighth|achtel|octav"
+            + "|stufig|schritt|punkt|etap|paso)";
     /** A number right behind the name of an extrapolation method is its order. */
     private static final String ORDER = ".*([3-8])(rd|th)?(order|ordnung).*|.*(order|ordnung|ordre|orden|bulirsch"
             + "|stoer|gbs|romberg|richardson|extrapolat(?:ed|ion)(?:euler|midpoint)?)([3-8])(?!d).*|.*";
     /** A word that may say what the name means: what is left of it is more than these and two letters. */
     private static final String OTHER_WORD = "^(?!(my|our|the|new|own|simple|plain|basic|classic(al)?|klassisch(es)?"
             + "|standard|fixed|fast|slow|first|best|euler|runge|kutta|solver|methode?|metodo|verfahren|schema|scheme"
-            + "|integrator|stepper|step|ode|student|team|group|gruppe|task|exercise|aufgabe|homework|test|final"
-            + "|\\d)*.{0,2}$)";
+            + "|integrator|stepper|step|ode|student|team|group|gruppe|task|exercise|aufgabe"
+            + "|homework|test|final|\\d)*.{0,2}$)";
     private static final Pattern EXTRAPOLATES = Pattern.compile("richardson|extrapol");
     private static final Pattern ADAPTS = Pattern.compile("adapt|stepdoubling|stepsizecontrol|variablestep");
 
