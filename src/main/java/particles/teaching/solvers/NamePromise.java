@@ -116,7 +116,7 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
             a Rosenbrock method of order 2 | 2 | ros2 rosenbrock2 | | implicit
             a Rosenbrock method of order 3 | 3 | ros3 rosenbrock3 rodas3 | | implicit
             a Rosenbrock method of order 4 | 4 | ros4 rosenbrock4 rodas kapsrentrop grk4 | | implicit
-            an exponential method of order 2 | 2 | etd2 etdrk2 exponentialmidpoint | |
+            an exponential method of order 2 | 2 | etd2 etdrk2 exponentialmidpoint exponential-rosenbrock | |
             an exponential method of order 4 | 4 | etd4 etdrk4 lawson4 | |
             TR-BDF2 | 2 | trbdf2 | | implicit
             a Nystrom method | 3 | nystrom nystroem rkn | |

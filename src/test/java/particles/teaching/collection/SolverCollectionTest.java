@@ -105,6 +105,7 @@ class SolverCollectionTest {
                 GraggBulirschStoer | midpoint | not an extrapolation method, as | rk 1/2 -> 0 1
                 RungeKuttaFour | Heun | not a Runge-Kutta method of order 4 | rk HEUN
                 TwoStageGauss | the trapezoidal rule | not a Gauss method | TRAPEZOID NEWTON
+                ExponentialRosenbrockEuler | backward Euler | not an exponential method of order 2 | BACKWARD NEWTON
                 """));
     }
 
