@@ -133,7 +133,12 @@ final class EventSteps {
     }
 
     private boolean mayTurnWithin(double time) {
-        return rules.stream().anyMatch(rule -> rule.mayTurnWithin(system, time));
+        for (EventRule rule : rules) {                  // no stream, since each step asks
+            if (rule.mayTurnWithin(system, time)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Moves by h, or to the first event before that; returns whether an event ended it. */

@@ -88,10 +88,8 @@ public final class EnergyHistory extends StridedRecorder {
         double[] state = system.getOwnState();
         double[] force = new double[system.getStateSize()];
         system.addUpEffects(state, system.getTime(), force);
-        Vector3 sum = Vector3.ZERO;
-        for (int i : particles.free().toArray()) {
-            sum = sum.plus(Vector3.at(force, Particles.STRIDE * i + 3));
-        }
+        Vector3 sum = particles.free().mapToObj(i -> Vector3.at(force, Particles.STRIDE * i + 3))
+                .reduce(Vector3.ZERO, Vector3::plus);
         double weight = Math.sqrt(sum.dot(sum));
         if (!(weight > 0)) {
             return 0;
