@@ -136,27 +136,23 @@ class ArchitectureTest {
             particles.output.report:       particles.output.charts particles.output.files particles.output.text
                                            particles.view java.awt javax.imageio com.samskivert
             particles.output.text:         deSolvers.text particles.output.files particles.view java.awt org.jfree
-            particles.reactions:           deSolvers deSolvers.text particles particles.law
-                                           particles.reactions.algebra particles.reactions.contact
-                                           particles.reactions.wires particles.view
-            particles.reactions.algebra:   org.ejml
-            particles.reactions.contact:   particles.law
-            particles.reactions.wires:     particles.law particles.view
+            particles.reactions:           deSolvers deSolvers.text particles particles.law particles.view
+                                           org.ejml
             particles.rules:               deSolvers.text particles particles.effects particles.effects.springs
-                                           particles.law particles.reactions particles.reactions.contact particles.view
+                                           particles.law particles.reactions particles.view
             particles.scene:               deSolvers.text particles particles.effects
                                            particles.effects.springs particles.law particles.reactions particles.rules
                                            particles.scene.checks particles.scene.format particles.scene.parts
                                            particles.spec particles.spec.messages particles.view
             particles.scene.checks:        deSolvers.catalog deSolvers.text particles.effects particles.law
-                                           particles.reactions.wires particles.scene.format particles.scene.parts
+                                           particles.reactions particles.scene.format particles.scene.parts
                                            particles.spec particles.spec.messages particles.view
             particles.scene.format:        deSolvers deSolvers.adaptive deSolvers.catalog particles.effects
                                            particles.law particles.scene.parts particles.spec
                                            particles.spec.messages particles.view
             particles.scene.parts:         particles particles.effects particles.effects.springs particles.law
-                                           particles.reactions particles.reactions.contact particles.reactions.wires
-                                           particles.rules particles.spec particles.spec.messages particles.view
+                                           particles.reactions particles.rules particles.spec
+                                           particles.spec.messages particles.view
             particles.spec:                deSolvers.text particles.law particles.spec.messages org.snakeyaml
             particles.spec.documents:      deSolvers.text particles.spec org.snakeyaml
             particles.spec.messages:       deSolvers.text org.snakeyaml

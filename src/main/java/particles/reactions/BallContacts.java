@@ -5,9 +5,8 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
+import particles.reactions.ContactModes.Mode;
 import particles.reactions.Row.Kind;
-import particles.reactions.contact.ContactModes;
-import particles.reactions.contact.ContactModes.Mode;
 
 /**
  * The contacts of hard balls: rods between their centres that may only push, see the {@linkplain particles.reactions

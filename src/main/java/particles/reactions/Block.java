@@ -8,10 +8,8 @@ import java.util.Optional;
 import java.util.function.IntPredicate;
 import java.util.function.Predicate;
 import particles.law.Particles;
+import particles.reactions.ContactModes.Mode;
 import particles.reactions.Row.Kind;
-import particles.reactions.algebra.ActiveSetMethod;
-import particles.reactions.algebra.EnvelopeMatrix;
-import particles.reactions.contact.ContactModes.Mode;
 
 /**
  * A block: the particles connected by rods, wires and contacts of balls, or one particle without any, and the linear

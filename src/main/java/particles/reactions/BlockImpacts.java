@@ -4,9 +4,8 @@ import java.util.BitSet;
 import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.law.Vector3;
+import particles.reactions.ContactModes.Mode;
 import particles.reactions.Row.Kind;
-import particles.reactions.contact.ContactModes;
-import particles.reactions.contact.ContactModes.Mode;
 
 /** Impacts of a particle with a surface or another ball, see the {@linkplain particles.reactions theory}. */
 public final class BlockImpacts {

@@ -11,8 +11,6 @@ import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.law.Particles;
 import particles.reactions.Row.Kind;
-import particles.reactions.algebra.ActiveSetMethod;
-import particles.reactions.contact.ContactModes;
 
 /**
  * The blocks of a system and their reaction forces, one block at a time, see the {@linkplain particles.reactions
@@ -77,7 +75,7 @@ final class Blocks {
             joinedAt = rows.getChanges();
             joined.clear();
             blockOf = new Block[particles.count()];
-            for (int[] part : new RowGraph(rows.list, particles).parts()) {
+            for (int[] part : rows.parts(particles)) {
                 Block block = block(part, Arrays.stream(part).mapToObj(rows::get)
                         .flatMapToInt(row -> IntStream.of(row.first, row.second))
                         .filter(i -> i >= 0 && !particles.isFixed(i)).distinct().sorted().toArray());

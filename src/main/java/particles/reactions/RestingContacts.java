@@ -11,9 +11,7 @@ import particles.law.Particles;
 import particles.law.Reaction;
 import particles.law.Vector3;
 import particles.law.Violation;
-import particles.reactions.contact.ContactModes;
-import particles.reactions.contact.ContactSurface;
-import particles.reactions.contact.Friction;
+import particles.reactions.ContactSurface.Friction;
 
 /**
  * The contact force on particles that rest on surfaces, the slides' "Particle/Plane Contact": for N . F &ge; 0 it is 0;

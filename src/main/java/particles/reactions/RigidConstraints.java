@@ -9,7 +9,6 @@ import particles.law.Reaction;
 import particles.law.Require;
 import particles.law.Violation;
 import particles.reactions.Row.Kind;
-import particles.reactions.wires.Curve;
 import particles.view.SpringView;
 
 /**

@@ -1,9 +1,14 @@
 package particles.reactions;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import particles.law.Particles;
 import particles.reactions.Row.Kind;
-import particles.reactions.wires.Curve;
 
 /** The rows of rods, of balls in contact and of wires, in this order. */
 final class Rows {
@@ -56,5 +61,51 @@ final class Rows {
             r--;
         }
         return r;
+    }
+
+    /**
+     * Returns the connected components of the graph of rows that share a movable particle, each in Cuthill-McKee order
+     * (1969): breadth-first from a row with few neighbours, so that the matrix of a chain is tridiagonal.
+     */
+    List<int[]> parts(Particles particles) {
+        List<List<Integer>> neighbours = neighbours(particles);
+        List<int[]> parts = new ArrayList<>();
+        boolean[] placed = new boolean[neighbours.size()];
+        Comparator<Integer> byDegree = Comparator.comparingInt(row -> neighbours.get(row).size());
+        IntStream.range(0, placed.length).boxed().sorted(byDegree).filter(row -> !placed[row]).forEach(start -> {
+            List<Integer> part = new ArrayList<>();
+            ArrayDeque<Integer> queue = new ArrayDeque<>(List.of(start));
+            placed[start] = true;
+            while (!queue.isEmpty()) {
+                int row = queue.remove();
+                part.add(row);
+                neighbours.get(row).stream().filter(other -> !placed[other]).distinct().sorted(byDegree)
+                        .forEach(other -> {
+                            placed[other] = true;
+                            queue.add(other);
+                        });
+            }
+            parts.add(part.stream().mapToInt(Integer::intValue).toArray());
+        });
+        return parts;
+    }
+
+    /** For each row, those that share a movable particle with it. */
+    private List<List<Integer>> neighbours(Particles particles) {
+        Map<Integer, List<Integer>> rowsOf = new HashMap<>();       // by movable particle
+        for (int r = 0; r < list.size(); r++) {
+            for (int i : new int[] {list.get(r).first, list.get(r).second}) {
+                if (i >= 0 && !particles.isFixed(i)) {
+                    rowsOf.computeIfAbsent(i, p -> new ArrayList<>()).add(r);
+                }
+            }
+        }
+        List<List<Integer>> neighbours = new ArrayList<>();
+        for (Row row : list) {
+            List<Integer> all = new ArrayList<>(rowsOf.getOrDefault(row.first, List.of()));
+            all.addAll(rowsOf.getOrDefault(row.second, List.of()));
+            neighbours.add(all);
+        }
+        return neighbours;
     }
 }

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.law.Vector3;
+import particles.reactions.ContactSurface.Friction;
 import particles.reactions.Row.Kind;
-import particles.reactions.contact.Friction;
 
 /**
  * The sliding friction of particles on surfaces: against the direction in which they slide, also if they are about to

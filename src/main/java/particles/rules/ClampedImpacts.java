@@ -2,9 +2,9 @@ package particles.rules;
 
 import particles.ParticleSystem;
 import particles.law.Vector3;
+import particles.reactions.ContactModes.Mode;
+import particles.reactions.ContactSurface;
 import particles.reactions.RestingContacts;
-import particles.reactions.contact.ContactModes.Mode;
-import particles.reactions.contact.ContactSurface;
 
 /**
  * Collisions with planes and spheres at the end of the step (clamp), the slides' "Particle/Plane Collisions": at an

@@ -6,9 +6,9 @@ import particles.EventRule;
 import particles.Motion;
 import particles.ParticleSystem;
 import particles.law.Vector3;
+import particles.reactions.ContactModes.Mode;
+import particles.reactions.ContactSurface;
 import particles.reactions.RestingContacts;
-import particles.reactions.contact.ContactModes.Mode;
-import particles.reactions.contact.ContactSurface;
 
 /**
  * Collisions with planes and spheres at their exact times, by event location: the slides' "should back-off simulation

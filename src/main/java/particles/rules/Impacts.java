@@ -5,10 +5,10 @@ import particles.ParticleSystem;
 import particles.Rule;
 import particles.law.Particles;
 import particles.law.Vector3;
+import particles.reactions.ContactModes;
+import particles.reactions.ContactModes.Mode;
+import particles.reactions.ContactSurface;
 import particles.reactions.RestingContacts;
-import particles.reactions.contact.ContactModes;
-import particles.reactions.contact.ContactModes.Mode;
-import particles.reactions.contact.ContactSurface;
 
 /**
  * Collisions with planes and spheres, the slides' "Particle/Plane Collisions": at an impact v_n' = -r v_n and v_t' =

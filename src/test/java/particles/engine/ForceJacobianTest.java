@@ -27,10 +27,10 @@ import particles.law.Particles;
 import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;
+import particles.reactions.ContactModes.Mode;
+import particles.reactions.ContactSurface;
+import particles.reactions.ContactSurface.Friction;
 import particles.reactions.RestingContacts;
-import particles.reactions.contact.ContactModes.Mode;
-import particles.reactions.contact.ContactSurface;
-import particles.reactions.contact.Friction;
 
 /** The force derivatives of a particle system against central differences, on random systems. */
 class ForceJacobianTest {

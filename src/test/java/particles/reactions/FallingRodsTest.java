@@ -11,7 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.SimulationException;
-import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.ContactModes.Mode;
 import particles.scene.ShortRun;
 
 /** Rods that hit the ground, come to rest, reverse or jam. */

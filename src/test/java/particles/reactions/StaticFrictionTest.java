@@ -18,8 +18,7 @@ import particles.Systems;
 import particles.law.Obstacle;
 import particles.law.Plane;
 import particles.law.Vector3;
-import particles.reactions.contact.ContactSurface;
-import particles.reactions.contact.Friction;
+import particles.reactions.ContactSurface.Friction;
 import particles.rules.ClampedImpacts;
 import particles.scene.ShortRun;
 

@@ -24,8 +24,8 @@ import particles.Rule;
 import particles.SimulationException;
 import particles.law.SeededRandom;
 import particles.law.Vector3;
+import particles.reactions.ContactModes.Mode;
 import particles.reactions.RigidConstraints;
-import particles.reactions.contact.ContactModes.Mode;
 import particles.scene.ShortRun;
 import particles.spec.messages.InvalidInputException;
 

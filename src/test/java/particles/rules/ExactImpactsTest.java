@@ -10,7 +10,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.law.Plane;
 import particles.law.Vector3;
-import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.ContactModes.Mode;
 import particles.scene.ShortRun;
 
 /** Impacts, rest and the ends of contact, sliding and sticking at their exact times. */

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.ContactModes.Mode;
 import particles.scene.ShortRun;
 
 /** Ends of contact: a particle lifts off or breaks away at its time, once, without false impacts afterwards. */

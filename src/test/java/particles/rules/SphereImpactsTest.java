@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.ContactModes.Mode;
 import particles.scene.ShortRun;
 
 /** Balls and hollows as obstacles: impacts, rest, sliding along and off, and no tunnelling. */

@@ -8,9 +8,9 @@ import particles.ParticleSystem;
 import particles.Rule;
 import particles.Simulation;
 import particles.energy.EnergyLedger;
+import particles.reactions.ContactModes.Mode;
 import particles.reactions.RestingContacts;
 import particles.reactions.RigidConstraints;
-import particles.reactions.contact.ContactModes.Mode;
 
 /** A small scene as text, run by any solver, and what its rules did. */
 public final class ShortRun implements Observer {

@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import particles.law.Vector3;
-import particles.reactions.wires.Curve;
+import particles.reactions.Curve;
 import particles.scene.format.SceneFormat;
 import particles.scene.parts.ConstraintDescription;
 import particles.scene.parts.ParticleIndex;

@@ -3,10 +3,10 @@ package particles.scene.parts;
 import java.util.function.BiFunction;
 import java.util.function.ToDoubleBiFunction;
 import particles.law.AnchorMotion;
+import particles.law.AnchorMotion.Circle;
+import particles.law.AnchorMotion.Glide;
+import particles.law.AnchorMotion.Sine;
 import particles.law.Vector3;
-import particles.rules.CircleMotion;
-import particles.rules.GlideMotion;
-import particles.rules.SineMotion;
 import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.Values;
@@ -41,7 +41,7 @@ final class MotionKind extends RuleKind {
 
     static final RuleKind SHAKE = new MotionKind("shake",
             "Moves a particle to and fro: its displacement is amplitude sin(2 pi t / period).",
-            (values, start) -> new SineMotion(start, values.get(AMPLITUDE), values.get(PERIOD)),
+            (values, start) -> new Sine(start, values.get(AMPLITUDE), values.get(PERIOD)),
             (values, start) -> 2 * Math.PI * values.get(AMPLITUDE).length() / values.get(PERIOD),
             ANCHOR, AMPLITUDE, PERIOD);
 
@@ -51,7 +51,7 @@ final class MotionKind extends RuleKind {
             + " does not matter.");
 
     static final RuleKind CIRCLE = new MotionKind("circle", "Moves a particle round an axis, like a crank.",
-            (values, start) -> new CircleMotion(start, values.get(CENTRE), values.get(AXIS), values.get(PERIOD)),
+            (values, start) -> new Circle(start, values.get(CENTRE), values.get(AXIS), values.get(PERIOD)),
             (values, start) -> 2 * Math.PI * start.minus(values.get(CENTRE)).length() / values.get(PERIOD),
             ANCHOR, CENTRE, AXIS, PERIOD);
 
@@ -61,7 +61,7 @@ final class MotionKind extends RuleKind {
 
     static final RuleKind GLIDE = new MotionKind("glide",
             "Moves a particle straight to another place, starting and stopping smoothly.",
-            (values, start) -> new GlideMotion(start, values.get(TO), values.get(DURATION)),
+            (values, start) -> new Glide(start, values.get(TO), values.get(DURATION)),
             (values, start) -> 1.875 * values.get(TO).minus(start).length() / values.get(DURATION),
             ANCHOR, TO, DURATION);
 }

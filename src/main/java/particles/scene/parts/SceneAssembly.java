@@ -15,7 +15,7 @@ import particles.law.Particles;
 import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;
-import particles.reactions.contact.ContactSurface;
+import particles.reactions.ContactSurface;
 import particles.rules.Collisions;
 import particles.rules.Deaths;
 import particles.view.Scenery;

@@ -1,4 +1,4 @@
-package particles.reactions.algebra;
+package particles.reactions;
 
 import java.util.Arrays;
 
@@ -8,7 +8,7 @@ import java.util.Arrays;
  * a few entries a row, and the time is proportional to its length. There is no pivoting: A = J W J<sup>T</sup> does not
  * need it, and friction makes A only a little unsymmetric; callers check the residual.
  */
-public final class EnvelopeMatrix {
+final class EnvelopeMatrix {
     private int size;
     private int[] first = new int[4];                   // column of a row's first entry
     private int[] begin = new int[4];                   // index where column 0 of a row would be
@@ -20,13 +20,13 @@ public final class EnvelopeMatrix {
     private boolean current;                            // whether the factors are those of A
 
     /** Starts a matrix without rows. */
-    public void clear() {
+    void clear() {
         size = 0;
         current = false;
     }
 
     /** Adds a row and a column of zeros. @param first the first entry that can differ from zero */
-    public void add(int first) {
+    void add(int first) {
         int place = size == 0 ? 0 : begin[size - 1] + size;
         int after = place + size - first + 1;
         if (size == this.first.length) {
@@ -45,24 +45,24 @@ public final class EnvelopeMatrix {
     }
 
     /** Sets A(row, column) and A(column, row), with the column in the envelope, not to the right of the diagonal. */
-    public void set(int row, int column, double below, double above) {
+    void set(int row, int column, double below, double above) {
         lower[begin[row] + column] = below;
         upper[begin[row] + column] = above;
         current = false;
     }
 
     /** @return the number of rows */
-    public int size() {
+    int size() {
         return size;
     }
 
     /** @return the first column of a row's envelope */
-    public int first(int row) {
+    int first(int row) {
         return first[row];
     }
 
     /** @return an entry of A */
-    public double get(int row, int column) {
+    double get(int row, int column) {
         int r = Math.max(row, column);
         int c = Math.min(row, column);
         return c < first[r] ? 0 : (row < column ? upper : lower)[begin[r] + c];
@@ -75,7 +75,7 @@ public final class EnvelopeMatrix {
      * @return false if a pivot is smaller: the row is nearly a linear combination of earlier ones; the factors are then
      *         invalid
      */
-    public boolean factorise(boolean[] active, double smallest) {
+    boolean factorise(boolean[] active, double smallest) {
         for (int r = 0; r < size; r++) {
             current &= active[r] == factored[r];
         }
@@ -109,7 +109,7 @@ public final class EnvelopeMatrix {
     }
 
     /** Solves L U x = b. @param x holds b, 0 where a row is not active; receives x */
-    public void solve(double[] x) {
+    void solve(double[] x) {
         for (int r = 0; r < size; r++) {
             double sum = x[r];
             for (int c = first[r]; c < r; c++) {
@@ -125,7 +125,7 @@ public final class EnvelopeMatrix {
     }
 
     /** Computes y = A x - b. */
-    public void residual(double[] x, double[] b, double[] y) {
+    void residual(double[] x, double[] b, double[] y) {
         for (int r = 0; r < size; r++) {
             double sum = lower[begin[r] + r] * x[r] - b[r];
             for (int c = first[r]; c < r; c++) {

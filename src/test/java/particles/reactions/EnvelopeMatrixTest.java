@@ -1,4 +1,4 @@
-package particles.reactions.algebra;
+package particles.reactions;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;

@@ -1,4 +1,4 @@
-package particles.reactions.contact;
+package particles.reactions;
 
 import java.util.Arrays;
 import particles.law.Particles;

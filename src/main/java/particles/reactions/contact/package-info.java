@@ -1,2 +1,0 @@
-/** Contact of one particle with surfaces: the surfaces, contact modes, laws of friction and directions of sliding. */
-package particles.reactions.contact;
