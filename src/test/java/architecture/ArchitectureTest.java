@@ -63,25 +63,23 @@ class ArchitectureTest {
                                            particles.experiments.spectrum particles.experiments.stability
                                            particles.experiments.work particles.law particles.output.animation
                                            particles.output.charts particles.output.files particles.output.frames
-                                           particles.output.race particles.output.raster particles.output.report
-                                           particles.output.text particles.scene particles.scene.format
-                                           particles.spec.messages particles.view picocli
+                                           particles.output.race particles.output.report particles.scene
+                                           particles.scene.format particles.spec.messages particles.view picocli
             particles.app.run:             deSolvers.catalog deSolvers.text particles particles.app.cli
                                            particles.app.student particles.energy particles.engine
                                            particles.experiments.phase particles.experiments.runs particles.lab
                                            particles.law particles.messages particles.output.animation
                                            particles.output.charts particles.output.files particles.output.frames
-                                           particles.output.raster particles.output.report particles.scene
-                                           particles.scene.checks particles.scene.format particles.spec
-                                           particles.spec.documents particles.spec.messages particles.view picocli
+                                           particles.output.report particles.scene particles.scene.checks
+                                           particles.scene.format particles.spec particles.spec.documents
+                                           particles.spec.messages particles.view picocli
             particles.app.student:         deSolvers deSolvers.catalog particles particles.app.cli
                                            particles.effects.springs particles.javac particles.law
                                            particles.output.charts particles.output.files particles.output.report
-                                           particles.output.text particles.spec particles.spec.messages
-                                           particles.teaching particles.teaching.effects
-                                           particles.teaching.exercises particles.teaching.figures
-                                           particles.teaching.marking particles.teaching.solvers particles.view
-                                           javax.tools picocli
+                                           particles.spec particles.spec.messages particles.teaching
+                                           particles.teaching.effects particles.teaching.exercises
+                                           particles.teaching.figures particles.teaching.marking
+                                           particles.teaching.solvers particles.view javax.tools picocli
             particles.effects:             deSolvers particles.law particles.spec
             particles.effects.springs:     deSolvers particles.law particles.view
             particles.energy:              deSolvers.text particles particles.law particles.view
@@ -120,22 +118,18 @@ class ArchitectureTest {
                                            particles.scene particles.spec
             particles.output.animation:    particles.output.files particles.output.frames java.awt javax.imageio
                                            org.jcodec
-            particles.output.charts:       deSolvers.text particles.output.files particles.output.text particles.view
-                                           java.awt javax.xml com.lowagie org.apache.batik org.jfree
-                                           org.w3c.dom
-            particles.output.files:        particles particles.law ar.com.hjg.pngj com.fasterxml.jackson
+            particles.output.charts:       deSolvers.text particles.output.files particles.view java.awt javax.xml
+                                           com.lowagie org.apache.batik org.jfree org.w3c.dom
+            particles.output.files:        particles particles.law java.awt ar.com.hjg.pngj com.fasterxml.jackson
             particles.output.frames:       deSolvers.text particles particles.law particles.output.files
-                                           particles.output.painters particles.output.raster
-                                           particles.output.text particles.view java.awt
+                                           particles.output.painters particles.output.raster particles.view java.awt
             particles.output.painters:     particles particles.law particles.output.raster particles.view
                                            com.carrotsearch.hppc
             particles.output.race:         particles particles.output.animation particles.output.charts
-                                           particles.output.files particles.output.frames particles.output.text
-                                           particles.view java.awt
-            particles.output.raster:       particles.law particles.output.text particles.view java.awt
-            particles.output.report:       particles.output.charts particles.output.files particles.output.text
-                                           particles.view java.awt javax.imageio com.samskivert
-            particles.output.text:         deSolvers.text particles.output.files particles.view java.awt org.jfree
+                                           particles.output.files particles.output.frames particles.view java.awt
+            particles.output.raster:       deSolvers.text particles.law particles.view java.awt
+            particles.output.report:       deSolvers.text particles.output.charts particles.output.files particles.view
+                                           java.awt javax.imageio com.samskivert
             particles.reactions:           deSolvers deSolvers.text particles particles.law particles.view
                                            org.ejml
             particles.rules:               deSolvers.text particles particles.effects particles.effects.springs

@@ -45,6 +45,20 @@ public final class Digits {
                 : digits.scaleByPowerOfTen(-exponent).toPlainString() + "e" + exponent;
     }
 
+    /** @return the smallest of 1, 2 and 5 times a power of ten that is at least a positive number, up to round-off */
+    public static BigDecimal roundStep(double least) {
+        double wanted = Math.max(least, Double.MIN_NORMAL) * (1 - 1e-9);
+        BigDecimal power = BigDecimal.ONE.scaleByPowerOfTen(
+                BigDecimal.valueOf(Math.log10(wanted)).setScale(0, RoundingMode.FLOOR).intValue());
+        for (int factor : new int[] {1, 2, 5}) {
+            BigDecimal step = power.multiply(BigDecimal.valueOf(factor));
+            if (step.doubleValue() >= wanted) {
+                return step;
+            }
+        }
+        return power.scaleByPowerOfTen(1);
+    }
+
     private static String write(double value, MathContext digits) {
         if (!Double.isFinite(value)) {
             return Double.isNaN(value) ? "not a number" : value > 0 ? "over 1e308" : "below -1e308";

@@ -4,7 +4,7 @@ import java.nio.FloatBuffer;
 import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.law.Particles;
-import particles.view.SpringList;
+import particles.view.SpringView.SpringList;
 
 /**
  * The particles, springs and rods of a run, until some are added or removed.

@@ -33,13 +33,13 @@ import particles.law.Vector3;
 import particles.output.frames.FrameRenderer;
 import particles.output.frames.TrailRecorder;
 import particles.output.painters.FrameState;
-import particles.output.painters.FrameStructure;
-import particles.output.painters.TrailSample;
+import particles.output.painters.FrameState.FrameStructure;
+import particles.output.painters.FrameState.TrailSample;
 import particles.view.Camera;
 import particles.view.ParticleStyle;
 import particles.view.Scenery;
 import particles.view.Scenery.Surface;
-import particles.view.SpringList;
+import particles.view.SpringView.SpringList;
 
 /** Styles of particles: areas, positions and brightness against computed values. */
 class ParticleStylesTest {

@@ -13,11 +13,11 @@ import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.output.frames.FrameObserver;
 import particles.output.frames.FrameRenderer;
-import particles.output.frames.FrameSetup;
+import particles.output.frames.FrameRenderer.FrameSetup;
 import particles.output.frames.FrameSink;
 import particles.output.painters.FrameState;
-import particles.output.painters.FrameStructure;
-import particles.output.painters.TrailSample;
+import particles.output.painters.FrameState.FrameStructure;
+import particles.output.painters.FrameState.TrailSample;
 import particles.view.Camera;
 import particles.view.ParticleStyle;
 import particles.view.ParticleStyle.ParticleMark;
@@ -26,7 +26,7 @@ import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
 import particles.view.Scenery.CurveView;
 import particles.view.Scenery.Surface;
-import particles.view.SpringList;
+import particles.view.SpringView.SpringList;
 
 /** Small pictures seen from the front, 20 pixels a metre, for tests that count pixels. */
 public final class SmallPictures {

@@ -15,7 +15,6 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import particles.app.cli.Program;
 import particles.app.course.Result.HandIn;
 import particles.app.course.Result.Item;
@@ -23,9 +22,7 @@ import particles.app.course.Result.Status;
 import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;
 import particles.output.report.Report;
-import particles.output.report.ReportWriter;
 import particles.output.report.ResultPage;
-import particles.output.report.ResultPageWriter;
 import particles.view.DataTable;
 
 /** Writes the tables of a class: class.csv, class.html and class.md. */
@@ -127,10 +124,10 @@ final class ClassTables {
                 + " classes yourself. JPlag compares more closely.");
         ResultPage page = new ResultPage("class", number(results.stream().mapToDouble(Result::points).sum())
                 + " points for " + results.size() + " students", text, List.of(), List.of(each, talk, common, all));
-        ResultPageWriter.write(files, page, ChartFormat.PAGE);
-        ReportWriter.write(files, "class.html", new Report(page.title(), List.of(), List.of(new Report.Section(
-                GradeClassCommand.NAME, "marks the hand-ins of a class", folder, 0, Optional.of(page),
-                Optional.empty())), "version " + Program.VERSION));
+        page.write(files, ChartFormat.PAGE);
+        new Report(page.title(), List.of(), List.of(new Report.Section(GradeClassCommand.NAME,
+                "marks the hand-ins of a class", folder, 0, Optional.of(page), Optional.empty())),
+                "version " + Program.VERSION).write(files, "class.html");
         return results.size() + " students; table: " + folder.resolve("class.html");
     }
 }

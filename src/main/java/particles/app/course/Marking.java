@@ -29,7 +29,6 @@ import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;
 import particles.output.report.JUnitXml;
 import particles.output.report.ResultPage;
-import particles.output.report.ResultPageWriter;
 import particles.spec.messages.InvalidInputException;
 import particles.teaching.GuardedRun;
 import particles.teaching.GuardedRun.Outcome;
@@ -204,8 +203,7 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
         List<String> names = List.of(PAGE + ".md", "marks.csv", Result.FILE, "TEST-" + PAGE + ".xml");
         clear(folder, names);
         try (OutputFolder files = OutputFolder.open(folder, names.toArray(new String[0]))) {
-            ResultPageWriter.write(files, new ResultPage(PAGE, title, result.problems(), List.of(), List.of(table)),
-                    ChartFormat.PAGE);
+            new ResultPage(PAGE, title, result.problems(), List.of(), List.of(table)).write(files, ChartFormat.PAGE);
             JUnitXml.write(files, PAGE, result.student(), result.items().stream().map(item -> new JUnitXml.Case(
                     item.name(), item.status() == Status.PASS ? Optional.empty() : Optional.of(item.lines().stream()
                     .findFirst().orElse("")), item.lines())).toList());

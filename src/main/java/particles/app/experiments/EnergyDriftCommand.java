@@ -3,7 +3,6 @@ package particles.app.experiments;
 import java.util.List;
 import java.util.function.IntFunction;
 import particles.experiments.energy.DriftCharts;
-import particles.experiments.energy.DriftHeadline;
 import particles.experiments.energy.EnergyDrift;
 import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.energy.EnergyDrift.Drift;
@@ -40,7 +39,7 @@ public final class EnergyDriftCommand extends ExperimentCommand {
                 + " 0.1. A cross marks a run that ended early.";
         IntFunction<Picture> picture = charts -> Picture.bySolver("energy-drift", caption, comparison.drifts(),
                 Drift::label, some -> DriftCharts.charts(comparison.of(some)).subList(0, charts));
-        return new ResultPage(name(), DriftHeadline.of(comparison), List.of(
+        return new ResultPage(name(), DriftCharts.finding(comparison), List.of(
                 """
                         The energy error is the change of the total energy minus the work of drag, damping, wind, \
                         contacts and collisions: it is the solver's error. It is divided by the largest kinetic plus \

@@ -10,8 +10,7 @@ import particles.experiments.runs.ProgressListener;
 import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;
 import particles.output.report.ResultPage;
-import particles.output.report.ResultPageWriter;
-import particles.output.text.TableText;
+import particles.output.report.TableText;
 import picocli.CommandLine.Mixin;
 
 /** A command that runs an experiment: a page in build/out/NAME, and the main table on the screen. */
@@ -50,7 +49,7 @@ public abstract class ExperimentCommand extends ResultsCommand {
      */
     final ResultPage writeInto(Path path, ProgressListener progress) {
         try (OutputFolder folder = OutputFolder.open(path, name() + ".md")) {
-            return ResultPageWriter.write(folder, measure(folder, progress), charts.format());
+            return measure(folder, progress).write(folder, charts.format());
         }
     }
 

@@ -14,9 +14,8 @@ import particles.experiments.runs.SolverChoice;
 import particles.law.Vector3;
 import particles.output.charts.ChartPage;
 import particles.output.files.OutputFolder;
-import particles.output.frames.FrameSetup;
+import particles.output.frames.FrameRenderer.FrameSetup;
 import particles.output.race.RaceFilm;
-import particles.output.raster.CameraFraming;
 import particles.scene.Scene;
 import particles.scene.format.OutputDescription.Frames;
 import particles.scene.format.SceneDescription;
@@ -68,7 +67,7 @@ final class RacePictures implements Race.ObserverFactory, AutoCloseable {
         Optional<Camera> own = scene.drawing().camera();
         Frames frames = scene.output().frames();
         double aspect = own.isPresent() ? (double) frames.width() / frames.height() : RaceFilm.aspect(panels);
-        camera = Optional.of(own.orElseGet(() -> CameraFraming.around(low, high, aspect)));
+        camera = Optional.of(own.orElseGet(() -> Camera.around(low, high, aspect)));
         film = Optional.of(new RaceFilm(panels, aspect, rate, playback));
     }
 

@@ -25,7 +25,6 @@ import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.output.report.Report;
 import particles.output.report.Report.Section;
-import particles.output.report.ReportWriter;
 import particles.output.report.ResultPage;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
@@ -118,9 +117,8 @@ public final class ReportCommand extends ResultsCommand {
         try (OutputFolder folder = OutputFolder.open(getFolder(), FILE)) {
             sections = progress.parts(chosen, cost, (experiment, part) ->
                     section(experiment, (done, what) -> part.reached(done, experiment.name() + ", " + what)));
-            ReportWriter.write(folder, FILE, new Report(title(), text(), sections,
-                    Digits.format("Made by gradle report of DESolver %s in %.0f s.", Program.VERSION,
-                    (System.nanoTime() - begin) * NANO)));
+            new Report(title(), text(), sections, Digits.format("Made by gradle report of DESolver %s in %.0f s.",
+                    Program.VERSION, (System.nanoTime() - begin) * NANO)).write(folder, FILE);
         }
         for (Section section : sections) {
             lines.printf(Locale.ROOT, "%-15s %4.0f s  %s%n", section.task(), section.seconds(), section.page()

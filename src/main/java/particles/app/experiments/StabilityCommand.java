@@ -6,7 +6,7 @@ import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.spectrum.Spectrum;
 import particles.experiments.stability.SceneStability;
-import particles.experiments.stability.StabilityLimits;
+import particles.experiments.stability.StabilityLimit;
 import particles.experiments.stability.StabilityRegion;
 import particles.experiments.stability.StabilityRegion.Window;
 import particles.output.charts.Panel;
@@ -74,8 +74,8 @@ public final class StabilityCommand extends ExperimentCommand {
     }
 
     private ResultPage limits(ProgressListener progress) {
-        DataTable limits = StabilityLimits.measure((part, what) -> progress.reached(part / 2, what));
-        return new ResultPage(name(), StabilityLimits.finding(), List.of(
+        DataTable limits = StabilityLimit.table((part, what) -> progress.reached(part / 2, what));
+        return new ResultPage(name(), StabilityLimit.finding(), List.of(
                 """
                         Every number was measured on the solver's code, by bisection on the test equation y' = \
                         lambda y. Beside it is the theory, as in the catalogue. A spring without damping lies on the \

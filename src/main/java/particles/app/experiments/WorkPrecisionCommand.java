@@ -13,8 +13,6 @@ import particles.experiments.work.WorkCharts;
 import particles.experiments.work.WorkPrecision;
 import particles.experiments.work.WorkPrecision.Curve;
 import particles.experiments.work.WorkProblem;
-import particles.experiments.work.WorkProblems;
-import particles.experiments.work.WorkTables;
 import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
@@ -50,7 +48,7 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
     @Override
     protected void read(Mistakes mistakes) {
         mistakes.check(() -> choices = solverChoices(solvers));
-        mistakes.check(() -> names = names("problem", "problem", problem, WorkProblems.NAMES));
+        mistakes.check(() -> names = names("problem", "problem", problem, WorkProblem.NAMES));
         super.read(mistakes);
     }
 
@@ -66,7 +64,7 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
     @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         List<WorkProblem> problems = progress.part(0, REFERENCES).each(names, name -> name + ", the reference",
-                WorkProblems::of);
+                WorkProblem::of);
         List<List<Curve>> measured = progress.part(REFERENCES, 1).parts(problems, solved -> COSTS.get(solved.name()),
                 (solved, part) -> part.each(choices, choice -> choice.label() + " on " + solved.name(), choice ->
                         new WorkPrecision(solved, choice, WorkPrecision.TIMED).curve()));
@@ -103,6 +101,6 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
                         Implicit ones take long steps, but see only the stages of a step: there radau has the order \
                         of its stages, 3, and not 5, until the step is as short as the time of the springs. It uses \
                         equal steps here, like the others."""),
-                pictures, List.of(CostExercise.table(costs), WorkTables.slopes(all), WorkTables.runs(all)));
+                pictures, List.of(CostExercise.table(costs), WorkCharts.slopes(all), WorkCharts.runs(all)));
     }
 }

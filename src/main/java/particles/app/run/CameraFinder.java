@@ -9,7 +9,6 @@ import particles.SimulationException;
 import particles.energy.EnergyLedger;
 import particles.experiments.runs.Extent;
 import particles.law.Vector3;
-import particles.output.raster.CameraFraming;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.format.SceneDescription;
@@ -44,7 +43,7 @@ public final class CameraFinder {
     public static Camera find(SceneDescription scene) {
         return scene.drawing().camera().orElseGet(() -> {
             Box box = rehearse(SceneBuilder.build(scene));
-            return CameraFraming.around(box.low, box.high,
+            return Camera.around(box.low, box.high,
                     (double) scene.output().frames().width() / scene.output().frames().height());
         });
     }

@@ -12,7 +12,7 @@ import particles.output.files.OutputFile;
 import particles.output.files.PngEncoder;
 import particles.output.frames.FrameObserver;
 import particles.output.frames.FrameRenderer;
-import particles.output.frames.FrameSetup;
+import particles.output.frames.FrameRenderer.FrameSetup;
 import particles.output.frames.FrameSink;
 import particles.output.frames.Pipeline;
 import particles.scene.Scene;

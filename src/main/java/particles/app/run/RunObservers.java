@@ -21,10 +21,9 @@ import particles.output.files.OutputFolder;
 import particles.output.files.TrajectoryWriter;
 import particles.output.frames.FrameObserver;
 import particles.output.frames.FrameRenderer;
-import particles.output.frames.FrameSetup;
+import particles.output.frames.FrameRenderer.FrameSetup;
 import particles.output.frames.FrameSink;
 import particles.output.frames.LastSteps;
-import particles.output.frames.PngFrames;
 import particles.output.report.Picture;
 import particles.scene.Scene;
 import particles.scene.format.OutputDescription;
@@ -111,7 +110,7 @@ final class RunObservers implements AutoCloseable {
                 description.title(), caption());
         int decimals = (int) Math.max(0, Math.ceil(Math.log10(format.rate())));
         FrameRenderer renderer = new FrameRenderer(stage, format.width(), format.height(), decimals);
-        List<FrameSink> sinks = new ArrayList<>(List.of(new PngFrames(folder, format.width(), format.height())));
+        List<FrameSink> sinks = new ArrayList<>(List.of(FrameSink.png(folder, format.width(), format.height())));
         if (format.animation() > 0) {
             sinks.add(new GifAnimation(folder, format.width(), format.height(), format.animation(),
                     format.playbackRate()));

@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import particles.app.student.Check.Checked;
-import particles.output.text.TableText;
+import particles.output.report.TableText;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.view.DataTable;

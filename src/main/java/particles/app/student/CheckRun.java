@@ -11,7 +11,6 @@ import particles.app.student.Check.Checked;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.output.report.ResultPage;
-import particles.output.report.ResultPageWriter;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.GuardedRun;
@@ -84,8 +83,8 @@ record CheckRun(Check check, Path folder, Screen screen) {
     private static Path write(Check check, Checked checked, Path folder) {
         Path report = check.report(folder);
         try (OutputFolder files = OutputFolder.open(folder, report.getFileName().toString())) {
-            ResultPageWriter.write(files, new ResultPage(check.command(), checked.subject() + ": " + checked.identity(),
-                    checked.paragraphs(), checked.pictures(), checked.tables()), check.format().quick());
+            new ResultPage(check.command(), checked.subject() + ": " + checked.identity(), checked.paragraphs(),
+                    checked.pictures(), checked.tables()).write(files, check.format().quick());
         }
         return report;
     }

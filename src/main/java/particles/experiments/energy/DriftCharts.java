@@ -5,22 +5,39 @@ import static particles.view.DataTable.column;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.energy.EnergyDrift.Drift;
 import particles.experiments.energy.EnergyDrift.Kind;
+import particles.experiments.runs.SolverChoice;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 import particles.view.DataTable;
 
-/** Charts and table of the energy drift of several solvers. */
+/**
+ * Charts and table of the energy drift of several solvers, and one sentence about it: each solver's energy error with
+ * its size, the worst first.
+ */
 public final class DriftCharts {
     /** The name of the crosses in the legend. */
     public static final String STOPPED = "stopped";
     /** The linear chart ends at this part of the energy scale. */
     private static final double LINEAR = 0.1;
     private static final double SMALLEST = 1e-17;
+
+    /** The largest number of solvers named; the others, which are better, are summed up in the last place. */
+    private static final int NAMED = 4;
+    /** From ten times the energy on, a percentage is hard to read. */
+    private static final double MANY_TIMES = 10;
+    /** Failures come first, by the time that they reached, then the others by the size of their error. */
+    private static final Comparator<Drift> WORST_FIRST = Comparator
+            .comparing((Drift drift) -> drift.kind() != Kind.FAILED)
+            .thenComparingDouble(drift -> drift.kind() == Kind.FAILED ? drift.outcome().endTime() : -size(drift));
 
     private DriftCharts() {
     }
@@ -47,9 +64,9 @@ public final class DriftCharts {
         if (!failures.isEmpty()) {
             logarithmic.add(Series.of(STOPPED, Mark.FAILURES, failures));
         }
-        return List.of(new ChartData(DriftHeadline.of(comparison), "time (s)",
+        return List.of(new ChartData(finding(comparison), "time (s)",
                         "|energy error| / scale", false, true, logarithmic),
-                new ChartData(DriftHeadline.within(LINEAR, comparison), "time (s)",
+                new ChartData(within(LINEAR, comparison), "time (s)",
                         "energy error / scale", false, false, linear));
     }
 
@@ -67,5 +84,73 @@ public final class DriftCharts {
                 column("evaluations", drift -> drift.outcome().evaluations()),
                 column("CPU time (s)", 2, drift -> drift.outcome().seconds()),
                 column("why it ended", drift -> drift.outcome().failure().orElse(""))).withoutEmptyColumns();
+    }
+
+    /**
+     * @param comparison the measured drifts
+     * @return a sentence that names each error with its size, the worst first
+     */
+    public static String finding(Comparison comparison) {
+        return start(comparison) + parts(comparison) + end(comparison);
+    }
+
+    /** Of a chart that ends at a part of the energy scale: the solvers that leave it, then the others. */
+    private static String within(double limit, Comparison comparison) {
+        List<String> far = comparison.drifts().stream().filter(drift -> drift.largest() > limit)
+                .map(Drift::label).toList();
+        Comparison near = comparison.of(comparison.drifts().stream()
+                .filter(drift -> drift.largest() <= limit).toList());
+        return start(comparison) + (far.isEmpty() ? "" : said(far, "exceeds " + part(limit)))
+                + (far.isEmpty() || near.drifts().isEmpty() ? "" : "; ") + parts(near) + end(comparison);
+    }
+
+    private static String start(Comparison comparison) {
+        boolean exchanges = comparison.drifts().stream().anyMatch(drift -> drift.kind() == Kind.EXCHANGING);
+        return comparison.scene() + (exchanges ? ", numerical energy error: " : ": ");
+    }
+
+    private static String end(Comparison comparison) {
+        return comparison.equalWork() ? " (equal evaluations)" : "";
+    }
+
+    private static String parts(Comparison comparison) {
+        // equal verdicts share a place
+        Map<String, List<Drift>> verdicts = comparison.drifts().stream().sorted(WORST_FIRST).collect(
+                Collectors.groupingBy(DriftCharts::verdict, LinkedHashMap::new, Collectors.toList()));
+        int places = verdicts.size() <= NAMED + 1 ? verdicts.size() : NAMED;
+        List<Drift> others = verdicts.values().stream().skip(places).flatMap(List::stream).toList();
+        return verdicts.entrySet().stream().limit(places).map(place -> said(place.getValue().stream()
+                .map(Drift::label).toList(), place.getKey())).collect(Collectors.joining("; "))
+                + (others.isEmpty() ? "" : "; the other " + others.size() + " are off by at most "
+                + part(others.stream().mapToDouble(DriftCharts::size).max().orElse(0)));
+    }
+
+    private static String said(List<String> solvers, String verdict) {
+        return SolverChoice.together(solvers) + " " + SolverChoice.verb(solvers.size(), verdict);
+    }
+
+    /** A drift is measured at its end, an oscillation by its largest amplitude. */
+    private static double size(Drift drift) {
+        return drift.kind() == Kind.SECULAR ? Math.abs(drift.end()) : drift.largest();
+    }
+
+    static String verdict(Drift drift) {
+        return switch (drift.kind()) {
+            case FAILED -> (drift.largest() > MANY_TIMES ? "blows up" : "stops") + " at t = "
+                    + Digits.few(drift.outcome().endTime()) + " s";
+            case SECULAR -> (drift.end() > 0 ? "gains " : "loses ") + part(size(drift));
+            case BOUNDED -> "stays within " + part(size(drift));
+            case ROUNDING -> "is exact to round-off";
+            case EXCHANGING -> (drift.extreme() > 0 ? "+" : drift.extreme() < 0 ? "\u2212" : "") + part(size(drift));
+        };
+    }
+
+    /** A part of the energy scale, in percent. */
+    private static String part(double of) {
+        return of >= MANY_TIMES ? two(of) + " times the energy" : two(100 * of) + " %";
+    }
+
+    private static String two(double value) {
+        return Double.isFinite(value) ? Digits.few(value, 2) : Double.toString(value);
     }
 }

@@ -19,8 +19,8 @@ import particles.experiments.stability.StabilityPolynomial;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
+import particles.view.ChartData.VectorField;
 import particles.view.DataTable;
-import particles.view.VectorField;
 
 /**
  * The figures of the slides on the Euler method, the midpoint method and Runge-Kutta: x'' = -x from (1, 0) in state

@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import particles.ParticleSystem;
 import particles.law.Particles;
-import particles.view.VectorField;
+import particles.view.ChartData.VectorField;
 
 /** The arrows of the slide "Vectors show the vector field", for systems that have one degree of freedom. */
 public final class VectorFields {

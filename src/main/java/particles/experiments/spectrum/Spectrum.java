@@ -1,6 +1,17 @@
 package particles.experiments.spectrum;
 
+import deSolvers.linear.Gmres;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
+import org.ejml.dense.row.NormOps_DDRM;
+import org.hipparchus.complex.Complex;
+import org.hipparchus.linear.EigenDecompositionNonSymmetric;
+import org.hipparchus.linear.MatrixUtils;
+import org.hipparchus.linear.RealMatrix;
 import particles.ParticleSystem;
 
 /**
@@ -17,12 +28,12 @@ public record Spectrum(List<Mode> modes, int products, double error) {
     private static final int MOST_DIRECTIONS = 300;
     private static final int FEWEST_DIRECTIONS = 12;
     /** Values whose residual is larger than this part of the largest one are not yet eigenvalues. */
-    static final double CONVERGED = 1e-3;
+    private static final double CONVERGED = 1e-3;
     /**
      * A lambda below this part of the largest is a free motion or round-off. It is the square root of the precision, as
      * 0 is a double eigenvalue.
      */
-    static final double ZERO = 1e-6;
+    private static final double ZERO = 1e-6;
 
     /**
      * @param system the system in the state in question; not changed
@@ -33,11 +44,13 @@ public record Spectrum(List<Mode> modes, int products, double error) {
         if (linear.coordinates() == 0) {
             return new Spectrum(List.of(), 0, 0);
         }
-        return Arnoldi.spectrum(linear);
+        Arnoldi arnoldi = new Arnoldi(linear);
+        arnoldi.iterate();
+        return arnoldi.modes(ZERO);
     }
 
     /** @return the number of directions of this size that fit into memory, at most the size */
-    static int directions(int doubles) {
+    private static int directions(int doubles) {
         long fit = Math.max(FEWEST_DIRECTIONS, MOST_DOUBLES / doubles);
         return (int) Math.min(doubles, Math.min(MOST_DIRECTIONS, fit));
     }
@@ -53,5 +66,134 @@ public record Spectrum(List<Mode> modes, int products, double error) {
      */
     public double growth() {
         return modes.stream().mapToDouble(Mode::re).filter(re -> re > 0).max().orElse(0);
+    }
+
+    /**
+     * A mode of a linearised system, s(t) = shape e<sup>lambda t</sup>: its eigenvalue lambda, and the damped spring
+     * x'' = -stiffness x - damping x' that moves like it. Of a conjugate pair only the mode with positive Im lambda is
+     * kept.
+     *
+     * @param re        Re lambda (1/s), negative for decay
+     * @param im        Im lambda (1/s), 0 or more: the angular frequency
+     * @param stiffness omega&sup2; of the spring (1/s&sup2;)
+     * @param damping   c of the spring (1/s)
+     * @param shape     the displacement and the velocity at time 0 in the layout of the state, up to a factor
+     */
+    public record Mode(double re, double im, double stiffness, double damping, double[] shape) {
+        /** @return |lambda| (1/s) */
+        public double size() {
+            return Math.sqrt(re * re + im * im);
+        }
+    }
+
+    /**
+     * The eigenvalues of a system: Arnoldi's iteration on the whole Jacobian. It finds the outermost eigenvalues first,
+     * and all of a small system. Without damping, drag or reactions the fastest vibration limits all steps, and the
+     * iteration ends when it is known.
+     *
+     * <p>Source: W. E. Arnoldi, Quart. Appl. Math. 9 (1951), 17.
+     */
+    private static final class Arnoldi {
+        private static final double BREAKDOWN = 1e-13;
+        /** The relative residual at which the fastest vibration is known. */
+        private static final double KNOWN = 1e-9;
+        /** Fewer directions are not looked at; of more, those after which twice as many would follow. */
+        private static final int FIRST_LOOK = 8;
+
+        private final Linearisation linear;
+        /** A direction in each row. */
+        private final DMatrixRMaj basis;
+        private final DMatrixRMaj hessenberg;
+        private double next;
+
+        Arnoldi(Linearisation linear) {
+            this.linear = linear;
+            int size = 2 * linear.coordinates();
+            int most = directions(size);
+            hessenberg = new DMatrixRMaj(most, most);
+            basis = new DMatrixRMaj(most, size);
+            basis.reshape(0, size, true);
+        }
+
+        private void iterate() {
+            double[] y = Linearisation.random(basis.numCols);
+            DMatrixRMaj parts = new DMatrixRMaj(1, 1);
+            double largest = 0;
+            while (true) {
+                int column = basis.numRows;
+                basis.reshape(column + 1, y.length, true);
+                System.arraycopy(y, 0, basis.data, column * y.length, y.length);
+                DMatrixRMaj image = DMatrixRMaj.wrap(y.length, 1, linear.derivative(y));
+                largest = Math.max(largest, NormOps_DDRM.normF(image));
+                for (int twice = 0; twice < 2; twice++) {           // Gram-Schmidt; once leaves round-off
+                    CommonOps_DDRM.mult(basis, image, parts);
+                    CommonOps_DDRM.changeSign(parts);
+                    CommonOps_DDRM.multAddTransA(basis, parts, image);
+                    for (int row = 0; row <= column; row++) {
+                        hessenberg.add(row, column, -parts.get(row));
+                    }
+                }
+                next = NormOps_DDRM.normF(image);
+                boolean look = linear.isConservative() && column >= FIRST_LOOK && Integer.bitCount(column) == 1;
+                if (column + 1 == hessenberg.numRows || next <= BREAKDOWN * largest
+                        || look && modes(1).error <= KNOWN) {
+                    return;
+                }
+                hessenberg.set(column + 1, column, next);
+                y = Linearisation.divided(image.data, next);
+            }
+        }
+
+        /** @param least the least |lambda| of interest, as a part of the largest */
+        private Spectrum modes(double least) {
+            int m = basis.numRows;
+            double scale = NormOps_DDRM.normF(hessenberg);          // the decomposition tells zeros by their size
+            RealMatrix square = MatrixUtils.createRealMatrix(m, m);
+            for (int row = 0; row < m; row++) {
+                for (int column = 0; column < m; column++) {
+                    square.setEntry(row, column, hessenberg.get(row, column) / scale);
+                }
+            }
+            EigenDecompositionNonSymmetric ritz = new EigenDecompositionNonSymmetric(square);
+            List<Complex> values = Arrays.stream(ritz.getEigenvalues()).map(value -> value.multiply(scale)).toList();
+            double largest = values.stream().mapToDouble(Complex::norm).max().orElse(0);
+            List<Mode> modes = new ArrayList<>();
+            double error = 0;
+            for (int k = 0; k < m; k++) {
+                Complex lambda = values.get(k);
+                boolean pair = lambda.getImaginary() < 0    // and the way back to a saddle, of which only growth counts
+                        || lambda.getImaginary() == 0 && lambda.getReal() < 0 && linear.isConservative();
+                if (pair || lambda.norm() < least * largest) {
+                    continue;
+                }
+                Complex[] weights = ritz.getEigenvector(k).toArray();
+                double length = Math.sqrt(Arrays.stream(weights).mapToDouble(w -> w.norm() * w.norm()).sum());
+                double residual = next * weights[m - 1].norm() / length;
+                if (residual <= CONVERGED * largest) {
+                    modes.add(mode(lambda, Arrays.stream(weights).mapToDouble(w -> w.getReal() / length).toArray()));
+                }
+                error = lambda.norm() == largest ? residual / largest : error;
+            }
+            modes.sort(Comparator.comparingDouble(Mode::size).reversed());
+            return new Spectrum(modes, m, error);
+        }
+
+        private Mode mode(Complex lambda, double[] weights) {
+            DMatrixRMaj y = new DMatrixRMaj(basis.numCols, 1);
+            CommonOps_DDRM.multTransA(basis, DMatrixRMaj.wrap(weights.length, 1, weights), y);
+            // an undamped mode's lambda keeps a real part from rounding
+            double re = Math.abs(lambda.getReal()) <= ZERO * lambda.norm() ? 0 : lambda.getReal();
+            double im = lambda.getImaginary();
+            double[] state = linear.inState(y.data);
+            if (im > 0) {
+                return new Mode(re, im, re * re + im * im, -2 * re, state);
+            }
+            // of a real eigenvalue, one of two of a damped spring, the shape gives the spring
+            int n = linear.coordinates();
+            double[] q = Arrays.copyOf(y.data, n);
+            double[] p = Arrays.copyOfRange(y.data, n, 2 * n);
+            double[] shape = Gmres.norm(q) > Gmres.norm(p) * ZERO ? q : p;
+            return new Mode(re, 0, linear.stiffness(shape), linear.damping(shape), state);
+        }
     }
 }

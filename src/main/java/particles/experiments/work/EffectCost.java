@@ -9,14 +9,17 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.LongSupplier;
+import particles.effects.springs.SpringForce;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SceneRun;
 import particles.experiments.runs.SolverChoice;
+import particles.law.Particles;
 import particles.scene.Scene;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 import particles.view.DataTable;
+import particles.view.SpringView;
 
 /**
  * Measures the cost of each effect and rule: the time for a step of a cloth with springs alone, and with one effect or
@@ -121,13 +124,45 @@ public final class EffectCost {
         double[] dSdt = new double[cloth.system().getStateSize()];
         List<Variant> all = new ArrayList<>(List.of(new Variant("springs, hand-written", () -> {
             for (int evaluation = 0; evaluation < 4 * steps; evaluation++) {
-                SpringLoop.derivative(cloth.springs(), inverseMasses, cloth.system().getOwnState(), dSdt);
+                loopOverSprings(cloth.springs(), inverseMasses, cloth.system().getOwnState(), dSdt);
             }
         })));
         for (String[] addition : ADDITIONS) {
             all.add(new Variant(addition[0], scene(columns, steps, addition[1]).simulation()::run));
         }
         return all;
+    }
+
+    /**
+     * Computes ds/dt of a mass-spring system in a plain loop over its springs, without effects, reactions or any choice
+     * at all, by the law of {@link particles.effects.springs.SpringForce}.
+     */
+    static void loopOverSprings(SpringView springs, double[] inverseMasses, double[] s, double[] dSdt) {
+        Arrays.fill(dSdt, 0);
+        for (int k = 0; k < springs.springCount(); k++) {
+            int i = Particles.STRIDE * springs.from(k);
+            int j = Particles.STRIDE * springs.to(k);
+            double x = s[j] - s[i];
+            double y = s[j + 1] - s[i + 1];
+            double z = s[j + 2] - s[i + 2];
+            double length = Math.sqrt(x * x + y * y + z * z);
+            double stretching = (x * (s[j + 3] - s[i + 3]) + y * (s[j + 4] - s[i + 4]) + z * (s[j + 5] - s[i + 5]))
+                    / length;
+            double perLength = (springs.stiffness(k) * (length - springs.restLength(k))
+                    + springs.damping(k) * stretching) / length;
+            dSdt[i + 3] += perLength * x;
+            dSdt[i + 4] += perLength * y;
+            dSdt[i + 5] += perLength * z;
+            dSdt[j + 3] -= perLength * x;
+            dSdt[j + 4] -= perLength * y;
+            dSdt[j + 5] -= perLength * z;
+        }
+        for (int k = 0; k < s.length; k += Particles.STRIDE) {
+            for (int c = k; c < k + 3; c++) {
+                dSdt[c] = s[c + 3];
+                dSdt[c + 3] *= inverseMasses[k / Particles.STRIDE];
+            }
+        }
     }
 
     /** @return what is measured besides the hand-written springs */

@@ -1,5 +1,7 @@
 package particles.experiments.work;
 
+import static particles.view.DataTable.column;
+
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -7,6 +9,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.work.WorkPrecision.Curve;
@@ -15,8 +18,12 @@ import particles.experiments.work.WorkPrecision.Point;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
+import particles.view.DataTable;
 
-/** Work-precision diagrams: the errors above, the runs without a result below, each solver in a row of its own. */
+/**
+ * Work-precision diagrams, the errors above, the runs without a result below, each solver in a row of its own; and the
+ * tables behind them.
+ */
 public final class WorkCharts {
     private static final double ROUGH = 1e-2;
     private static final double FINE = 1e-6;
@@ -152,5 +159,52 @@ public final class WorkCharts {
             }
         }
         return found.stream().min(Comparator.comparingDouble(Crossing::middle));
+    }
+
+    /**
+     * @param curves the curves on all problems
+     * @return the fitted slopes, the theoretical ones, and the runs that were fitted
+     */
+    public static DataTable slopes(List<Curve> curves) {
+        return DataTable.of("slopes",
+                "Fitted slopes beside theory; a fit is of the runs from the coarsest to the finest fitted", curves,
+                column("problem", curve -> curve.problem().name()), column("solver", Curve::label),
+                column("slope", 3, curve -> curve.fit().slope()), column("theory", Curve::expected),
+                column("order", curve -> curve.solver().order()),
+                column("varied", curve -> curve.byStep() ? "deltaT (s)" : "tolerance"),
+                column("coarsest fitted", 3, curve -> varied(curve, curve.fit().first())),
+                column("finest fitted", 3, curve -> varied(curve, curve.fit().last())),
+                column("fitted", curve -> curve.fit().last() - curve.fit().first() + 1),
+                column("runs", curve -> curve.points().size()),
+                column("unstable", curve -> curve.failures(Failure.UNSTABLE).count()),
+                column("not converged", curve -> curve.failures(Failure.NOT_CONVERGED).count()),
+                column("why no slope", curve -> curve.fit().whyNot()));
+    }
+
+    /** What was varied from run to run, deltaT (s) or the tolerance; NaN where there is no fit. */
+    private static double varied(Curve curve, int run) {
+        return Double.isNaN(curve.fit().slope()) ? Double.NaN : curve.byStep() ? curve.points().get(run).deltaT()
+                : curve.points().get(run).tolerance();
+    }
+
+    /**
+     * @param curves the curves on all problems
+     * @return every run
+     */
+    public static DataTable runs(List<Curve> curves) {
+        record Row(Curve curve, int k, Point point) {
+        }
+        return DataTable.of("runs", "Every run; times are medians of five or more runs that were warmed up",
+                curves.stream().flatMap(curve -> IntStream.range(0, curve.points().size()).mapToObj(k ->
+                        new Row(curve, k, curve.points().get(k)))).toList(),
+                column("problem", row -> row.curve.problem().name()), column("solver", row -> row.curve.label()),
+                column("deltaT (s)", row -> row.point.deltaT()), column("tolerance", 2, row -> row.point.tolerance()),
+                column("evaluations", row -> row.point.evaluations()), column("error", 3, row -> row.point.error()),
+                column("fitted", row -> row.curve.fit().contains(row.k) ? "yes" : ""),
+                column("time (s)", 2, row -> row.point.seconds()),
+                column("lower quartile (s)", 2, row -> row.point.lower()),
+                column("upper quartile (s)", 2, row -> row.point.upper()),
+                column("no result", row -> row.point.failure().map(Failure::words).orElse("")),
+                column("why", row -> row.point.why()));
     }
 }

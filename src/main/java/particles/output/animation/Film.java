@@ -4,10 +4,15 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import org.jcodec.codecs.h264.H264Encoder;
+import org.jcodec.codecs.h264.encode.RateControl;
+import org.jcodec.codecs.h264.io.model.SeqParameterSet;
+import org.jcodec.codecs.h264.io.model.SliceType;
+import org.jcodec.codecs.h264.io.model.VUIParameters;
 import org.jcodec.common.Codec;
 import org.jcodec.common.MuxerTrack;
 import org.jcodec.common.VideoCodecMeta;
 import org.jcodec.common.VideoEncoder.EncodedFrame;
+import org.jcodec.common.io.SeekableByteChannel;
 import org.jcodec.common.model.ColorSpace;
 import org.jcodec.common.model.Packet;
 import org.jcodec.common.model.Packet.FrameType;
@@ -61,7 +66,7 @@ public final class Film implements FrameSink {
         rowLength = width;
         this.width = width & ~1;
         this.height = height & ~1;
-        encoder = new FilmEncoder();
+        encoder = new Encoder();
         encoder.setKeyInterval((int) Math.max(1, Math.min(250, Math.round(KEY_FRAMES_SECONDS * fps))));
         encoder.setMotionSearchRange(SEARCH_RANGE);
         ticksPerSecond = (int) Math.max(1, Math.round(TICKS * fps));
@@ -110,7 +115,7 @@ public final class Film implements FrameSink {
         first = index;
         buffer = ByteBuffer.allocate(encoder.estimateBufferSize(picture));
         file = folder.create(FILE);
-        muxer = MP4Muxer.createMP4Muxer(new FilmChannel(file), Brand.MP4);
+        muxer = MP4Muxer.createMP4Muxer(new Channel(file), Brand.MP4);
         track = muxer.addVideoTrack(Codec.H264, VideoCodecMeta.createSimpleVideoCodecMeta(
                 new Size(width, height), ColorSpace.YUV420J));
     }
@@ -126,6 +131,129 @@ public final class Film implements FrameSink {
             whole.commit();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
+        }
+    }
+
+    /** The library's H.264 encoder, with one quality for all frames and the colour standard named in the stream. */
+    private static final class Encoder extends H264Encoder {
+        /**
+         * The quantiser, from 0 to 51; each 6 double the steps of colours. At 20 the sky has a tint in places, at 12 it
+         * has none.
+         */
+        private static final int QUANTISER = 12;
+        /**
+         * Numbers in H.264's tables of primaries, transfer curves and matrices (Annex E): BT.709, and BT.601's matrix.
+         */
+        private static final int BT709 = 1;
+        private static final int BT601 = 6;
+        private static final int UNSPECIFIED_FORMAT = 5;
+
+        Encoder() {
+            super(new SteadyQuality());
+        }
+
+        /** Adds the colour standard; without it, players guess it by the size of the picture. */
+        @Override
+        public SeqParameterSet initSPS(Size size) {
+            SeqParameterSet parameters = super.initSPS(size);
+            int blocks = (parameters.picWidthInMbsMinus1 + 1) * (parameters.picHeightInMapUnitsMinus1 + 1);
+            // Table A-1: frame size by level
+            parameters.levelIdc = blocks <= 8192 ? 40 : blocks <= 36_864 ? 51 : 60;
+            VUIParameters usability = new VUIParameters();
+            usability.videoSignalTypePresentFlag = true;
+            usability.videoFormat = UNSPECIFIED_FORMAT;
+            usability.videoFullRangeFlag = false;
+            usability.colourDescriptionPresentFlag = true;
+            usability.colourPrimaries = BT709;
+            usability.transferCharacteristics = BT709;
+            usability.matrixCoefficients = BT601;
+            parameters.vuiParams = usability;
+            return parameters;
+        }
+
+        /** Rate control with constant quality: frames of a still scene are small, those of a wild one large. */
+        private static final class SteadyQuality implements RateControl {
+            @Override
+            public int startPicture(Size size, int maxSize, SliceType sliceType) {
+                return QUANTISER;
+            }
+
+            @Override
+            public int initialQpDelta() {
+                return 0;
+            }
+
+            @Override
+            public int accept(int bits) {
+                return 0;
+            }
+        }
+    }
+
+    /**
+     * An output file as the channel of the film library: it is extended at its end, and its header is completed at
+     * last.
+     */
+    private static final class Channel implements SeekableByteChannel {
+        private final OutputFile file;
+        private long size;
+        private long position;
+
+        Channel(OutputFile file) {
+            this.file = file;
+        }
+
+        @Override
+        public int write(ByteBuffer source) {
+            byte[] bytes = new byte[source.remaining()];
+            source.get(bytes);
+            if (position == size) {
+                file.write(bytes, 0, bytes.length);
+            } else if (position + bytes.length <= size) {
+                file.overwrite(position, bytes);
+            } else {
+                throw new IllegalStateException("bytes at " + position + " reach over the end at " + size);
+            }
+            position += bytes.length;
+            size = Math.max(size, position);
+            return bytes.length;
+        }
+
+        @Override
+        public long position() {
+            return position;
+        }
+
+        @Override
+        public SeekableByteChannel setPosition(long to) {
+            position = to;
+            return this;
+        }
+
+        @Override
+        public long size() {
+            return size;
+        }
+
+        @Override
+        public int read(ByteBuffer target) throws IOException {
+            throw new IOException("a film that is being written is not read");
+        }
+
+        @Override
+        public SeekableByteChannel truncate(long length) throws IOException {
+            throw new IOException("a film that is being written is not shortened");
+        }
+
+        @Override
+        public boolean isOpen() {
+            return true;
+        }
+
+        /** Does nothing: the file is closed by its owner. */
+        @Override
+        public void close() {
+            // nothing of its own
         }
     }
 }

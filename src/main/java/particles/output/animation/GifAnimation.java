@@ -9,6 +9,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageTypeSpecifier;
 import javax.imageio.ImageWriter;
 import javax.imageio.metadata.IIOMetadata;
+import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFile;
@@ -24,6 +25,9 @@ public final class GifAnimation implements FrameSink {
     /** The file's name. */
     public static final String FILE = "animation.gif";
     private static final int OPAQUE = 0xff000000;
+    private static final String METADATA = "javax_imageio_gif_image_1.0";
+    /** Netscape's extension: block 1, then the number of runs, 0 for ever. */
+    private static final byte[] FOR_EVER = {1, 0, 0};
     /** The shortest delay (1/100 s): viewers show frames with a shorter one for a tenth of a second. */
     private static final int SHORTEST = 2;
     private static final int LONGEST = 65_535;
@@ -130,11 +134,35 @@ public final class GifAnimation implements FrameSink {
         return new Pending(index, place, image.getSubimage(place.x, place.y, place.width, place.height));
     }
 
+    /** Writes the pending picture, which stays under the next one, in ImageIO's "GIF Metadata Format Specification". */
     private void writePending(long hundredths) throws IOException {
+        Rectangle place = pending.place;
+        IIOMetadataNode root = new IIOMetadataNode(METADATA);
+        add(root, "ImageDescriptor", "imageLeftPosition", place.x, "imageTopPosition", place.y, "imageWidth",
+                place.width, "imageHeight", place.height, "interlaceFlag", "FALSE");
+        // the transparent colour is one of the palette that the writer chooses: it then sets flag and index itself
+        add(root, "GraphicControlExtension", "disposalMethod", "doNotDispose", "userInputFlag", "FALSE",
+                "transparentColorFlag", "FALSE", "transparentColorIndex", 0, "delayTime",
+                Math.min(LONGEST, hundredths));
+        if (pending.index == first) {
+            IIOMetadataNode extensions = add(root, "ApplicationExtensions");
+            add(extensions, "ApplicationExtension", "applicationID", "NETSCAPE", "authenticationCode", "2.0")
+                    .setUserObject(FOR_EVER.clone());
+        }
         IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(pending.image), null);
-        GifMetadata.describeFrame(metadata, pending.place, (int) Math.min(LONGEST, hundredths), pending.index == first);
+        metadata.mergeTree(METADATA, root);
         writer.writeToSequence(new IIOImage(pending.image, null, metadata), null);
         stream.flushBefore(stream.getStreamPosition());     // so that it is not all in memory
+    }
+
+    /** @param attributes names and values in turn */
+    private static IIOMetadataNode add(IIOMetadataNode parent, String name, Object... attributes) {
+        IIOMetadataNode node = new IIOMetadataNode(name);
+        for (int k = 0; k < attributes.length; k += 2) {
+            node.setAttribute((String) attributes[k], attributes[k + 1].toString());
+        }
+        parent.appendChild(node);
+        return node;
     }
 
     /** Ends the file; the last frame stays as long as the others do. */

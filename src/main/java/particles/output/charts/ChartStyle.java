@@ -13,7 +13,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import org.jfree.chart.util.ShapeUtils;
-import particles.output.text.FontCheck;
+import particles.output.files.FontCheck;
 
 /**
  * The common style of all charts: on white, for print and screen; lines differ in colour and dashes, points in colour

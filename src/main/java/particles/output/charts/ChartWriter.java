@@ -7,10 +7,10 @@ import java.awt.image.DataBufferInt;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import particles.output.files.FontCheck;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.output.files.PngEncoder;
-import particles.output.text.FontCheck;
 
 /** Writes charts as PNG pictures, and as SVG if wanted, all in one style; slides at the end once more as one PDF. */
 public final class ChartWriter implements AutoCloseable {

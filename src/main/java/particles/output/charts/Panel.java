@@ -7,10 +7,11 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import particles.output.charts.SolverStyle.SolverFamily;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
-import particles.view.VectorField;
+import particles.view.ChartData.VectorField;
 
 /**
  * A panel: one chart, or several above each other over the same x axis.

@@ -4,6 +4,7 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Shape;
 import java.awt.Stroke;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 
@@ -67,5 +68,35 @@ public record SolverStyle(SolverFamily family, Color colour, Stroke stroke, Shap
     /** @return the colour as 0xRRGGBB */
     public int rgb() {
         return colour.getRGB() & 0xffffff;
+    }
+
+    /** The families of solvers in charts: each has its own hue, and its own panel if there are many solvers. */
+    public enum SolverFamily {
+        /** Runge-Kutta and multistep methods with a fixed step. */
+        EXPLICIT("explicit, fixed step"),
+        /** Explicit methods that choose their sub-steps. */
+        ADAPTIVE("explicit, adaptive"),
+        /** Methods for positions and velocities. */
+        SYMPLECTIC("symplectic"),
+        /** Methods that solve equations in each step. */
+        IMPLICIT("implicit"),
+        /** Solvers of one's own. */
+        OWN("your own");
+
+        private final String title;
+
+        SolverFamily(String title) {
+            this.title = title;
+        }
+
+        /** @return a word for it, in names of files */
+        public String word() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+
+        /** @return the title of its panel */
+        public String title() {
+            return title;
+        }
     }
 }

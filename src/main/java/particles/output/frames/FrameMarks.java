@@ -17,11 +17,12 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import particles.law.Vector3;
+import particles.output.files.FontCheck;
+import particles.output.frames.FrameText.TextLine;
 import particles.output.painters.FrameState;
 import particles.output.raster.CameraProjection;
 import particles.output.raster.CameraProjection.Place;
 import particles.output.raster.Sky;
-import particles.output.text.FontCheck;
 import particles.view.ParticleStyle;
 
 /** Arrows along velocities and the labels of particles, drawn over the picture so that nothing hides them. */

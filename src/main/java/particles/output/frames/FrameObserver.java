@@ -2,14 +2,15 @@ package particles.output.frames;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.output.files.OutputException;
 import particles.output.painters.FrameState;
-import particles.output.painters.FrameStructure;
-import particles.output.painters.TrailSample;
+import particles.output.painters.FrameState.FrameStructure;
+import particles.output.painters.FrameState.TrailSample;
 import particles.view.ParticleStyle.ParticleMark;
 
 /**
@@ -29,12 +30,16 @@ public final class FrameObserver implements Observer, AutoCloseable {
     private static final int MOST_FRAMES = 100;
 
     private final double fps;
-    private final FrameWorker worker;
+    private final List<FrameSink> sinks;
+    private final Pipeline<FrameRenderer> pipeline;
     private final List<ParticleMark> marks;
     private final TrailRecorder trails;
     private double[] between = {};
     /** Shared by all frames until a rule changes it: effects may reorder springs, which decides what hides what. */
     private FrameStructure structure;
+    private CompletableFuture<Boolean> strainSeen = CompletableFuture.completedFuture(false);
+    private FrameState opening;
+    private boolean closed;
     private int every = 1;
     private int index;
 
@@ -52,7 +57,8 @@ public final class FrameObserver implements Observer, AutoCloseable {
         this.fps = fps;
         marks = renderer.style().marks();
         trails = new TrailRecorder(renderer.style().trail(), fps);
-        worker = new FrameWorker(renderer, List.copyOf(sinks), threads);
+        this.sinks = List.copyOf(sinks);
+        pipeline = new Pipeline<>(threads, () -> renderer.another(opening));
     }
 
     /** Leaves out all frames but every n-th one; trails stay as smooth as with all of them. */
@@ -110,9 +116,10 @@ public final class FrameObserver implements Observer, AutoCloseable {
 
     private void draw(ParticleSystem system, double[] state) {
         if (index % every == 0) {
-            worker.draw(index, frame(system, index / fps, state, trails.samples(), List.of()), 1);
+            show(frame(system, index / fps, state, trails.samples(), List.of()), 1);
+        } else {
+            index++;
         }
-        index++;
     }
 
     private FrameState frame(ParticleSystem system, double time, double[] state, List<TrailSample> trail,
@@ -141,11 +148,38 @@ public final class FrameObserver implements Observer, AutoCloseable {
             LastSteps.Step step = steps.get(k);
             if (step.state().length == system.getStateSize()) {
                 boolean end = k == steps.size() - 1;
-                int times = (int) Math.max(1, Math.min(MOST_FRAMES, Math.round((end ? LAST : EACH) * fps)));
-                worker.draw(index, frame(system, step.time(), step.state(), List.of(), notes), times);
-                index += times;
+                show(frame(system, step.time(), step.state(), List.of(), notes),
+                        (int) Math.max(1, Math.min(MOST_FRAMES, Math.round((end ? LAST : EACH) * fps))));
             }
         }
+    }
+
+    /** @param times the number of frames that show the picture, from frame index on */
+    private void show(FrameState state, int times) {
+        if (opening == null) {
+            opening = state;
+        }
+        int first = index;
+        index += times;
+        CompletableFuture<Boolean> before = strainSeen;
+        CompletableFuture<Boolean> now = new CompletableFuture<>();
+        strainSeen = now;
+        pipeline.add(renderer -> {
+            // the scale of strain stays in the picture once a spring was visible
+            now.complete(renderer.draw(state) || before.join());
+            int[] rgb = renderer.label(state, now.join());
+            List<Runnable> rest = prepare(first, rgb);
+            return () -> {
+                rest.forEach(Runnable::run);
+                for (int k = 1; k < times; k++) {
+                    prepare(first + k, rgb).forEach(Runnable::run);
+                }
+            };
+        }).whenComplete((done, failure) -> now.complete(false));     // so that nobody waits for a frame that failed
+    }
+
+    private List<Runnable> prepare(int frame, int[] rgb) {
+        return sinks.stream().map(sink -> sink.prepare(frame, rgb)).toList();
     }
 
     /**
@@ -155,6 +189,20 @@ public final class FrameObserver implements Observer, AutoCloseable {
      */
     @Override
     public void close() {
-        worker.close();
+        if (!closed) {
+            closed = true;
+            close(sinks);
+        }
+    }
+
+    private void close(List<FrameSink> open) {
+        if (open.isEmpty()) {
+            pipeline.close();
+            return;
+        }
+        FrameSink sink = open.get(0);
+        try (sink) {
+            close(open.subList(1, open.size()));
+        }
     }
 }

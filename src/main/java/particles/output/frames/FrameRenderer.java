@@ -13,17 +13,18 @@ import particles.output.painters.OpaquePainter;
 import particles.output.painters.TrailPainter;
 import particles.output.painters.VisibilityFilter;
 import particles.output.raster.Backdrop;
+import particles.output.raster.Backdrop.Foreground;
 import particles.output.raster.CameraProjection;
 import particles.output.raster.Colours;
-import particles.output.raster.Foreground;
-import particles.output.raster.LightLayer;
 import particles.output.raster.Lighting;
 import particles.output.raster.Raster;
 import particles.output.raster.RoundShapes;
 import particles.output.raster.ShadowMap;
 import particles.output.raster.Sky;
+import particles.view.Camera;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
+import particles.view.Scenery;
 
 /**
  * Software renderer of frames, without a screen: surfaces shaded on both sides, springs coloured by their strain,
@@ -78,8 +79,7 @@ public final class FrameRenderer {
         shown = new VisibilityFilter(stage.look(), stage.scenery().surfaces());
         blobs = style().kind() == ParticleStyle.Kind.BLOBS
                 ? Optional.of(new BlobPainter(stage.look().colours().particle())) : Optional.empty();
-        glow = style().kind() == ParticleStyle.Kind.GLOW ? Optional.of(new GlowPainter(style().ageColours(),
-                new LightLayer(width, height)))
+        glow = style().kind() == ParticleStyle.Kind.GLOW ? Optional.of(new GlowPainter(style().ageColours(), view))
                 : Optional.empty();
         trails = style().trail() > 0 ? Optional.of(new TrailPainter(view, style().trail())) : Optional.empty();
         marks = style().arrows() > 0 || !style().marks().isEmpty() ? Optional.of(new FrameMarks(view, style()))
@@ -139,7 +139,7 @@ public final class FrameRenderer {
         compose();
         Foreground drawn = new Foreground(shapes.raster(), backdrop);
         trails.ifPresent(layer -> layer.paint(state, shown, stage.look().colours().particle(), drawn, pixels));
-        glow.ifPresent(layer -> layer.paint(state, view, shown, sizes.ball(), drawn, pixels));
+        glow.ifPresent(layer -> layer.paint(state, shown, sizes.ball(), drawn, pixels));
         return strained;
     }
 
@@ -209,5 +209,17 @@ public final class FrameRenderer {
                 });
             }
         }
+    }
+
+    /**
+     * The fixed settings of all frames of a run: everything but the moving particles and springs.
+     *
+     * @param camera   the camera
+     * @param look     the render options
+     * @param scenery  the things besides particles and springs
+     * @param title    the scene's title, at the top; may be empty
+     * @param caption  the text below the time, such as the solver and its deltaT; may be empty
+     */
+    public record FrameSetup(Camera camera, RenderOptions look, Scenery scenery, String title, String caption) {
     }
 }

@@ -1,6 +1,9 @@
 package particles.output.frames;
 
 import particles.output.files.OutputException;
+import particles.output.files.OutputFile;
+import particles.output.files.OutputFolder;
+import particles.output.files.PngEncoder;
 
 /**
  * A receiver of drawn frames, such as a film. Several threads draw, so it takes a frame in two parts: what needs no
@@ -27,5 +30,18 @@ public interface FrameSink extends AutoCloseable {
     @Override
     default void close() {
         // a receiver that needs no end
+    }
+
+    /** @return a sink that writes pictures of this size (pixels), {@code frames/frame-00000.png} and so on */
+    static FrameSink png(OutputFolder folder, int width, int height) {
+        return (index, rgb) -> {
+            byte[] png = PngEncoder.file(width, height, rgb);
+            return () -> {
+                try (OutputFile file = folder.createFrame(index)) {
+                    file.write(png, 0, png.length);
+                    file.commit();
+                }
+            };
+        };
     }
 }

@@ -4,6 +4,8 @@ import deSolvers.text.Digits;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.font.FontRenderContext;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.math.BigDecimal;
@@ -12,10 +14,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import particles.output.files.FontCheck;
+import particles.output.frames.FrameRenderer.FrameSetup;
 import particles.output.painters.FrameState;
 import particles.output.raster.Colours;
 import particles.output.raster.Sky;
-import particles.output.text.FontCheck;
 
 /**
  * The text in a picture: the scene's title, time and solver, and the scale of strain. Without a font there is none.
@@ -144,6 +147,32 @@ final class FrameText {
         for (int k = 0; k < texts.size(); k++) {
             double room = bar.getWidth() - TextLine.width(texts.get(k), font);
             add(lines, texts.get(k), font, sky.text.soft(), bar.getX() + room * k / 2, y);
+        }
+    }
+
+    /** A line of text in a picture: its left end, and its baseline from the top (pixels). */
+    record TextLine(String text, Font font, Color colour, double x, double y) {
+        private static final FontRenderContext SMOOTH = new FontRenderContext(null, true, true);
+
+        static void smooth(Graphics2D g) {
+            g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+            g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        }
+
+        static double width(String text, Font font) {
+            return font.getStringBounds(text, SMOOTH).getWidth();
+        }
+
+        /** @return the rectangle that it takes up (pixels) */
+        Rectangle2D box() {
+            Rectangle2D box = font.getStringBounds(text, SMOOTH);
+            return new Rectangle2D.Double(x, y + box.getY(), box.getWidth(), box.getHeight());
+        }
+
+        void draw(Graphics2D g) {
+            g.setColor(colour);
+            g.setFont(font);
+            g.drawString(text, (float) x, (float) y);
         }
     }
 }

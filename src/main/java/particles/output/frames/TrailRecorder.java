@@ -8,7 +8,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.stream.IntStream;
 import particles.law.Particles;
-import particles.output.painters.TrailSample;
+import particles.output.painters.FrameState.TrailSample;
 
 /** Records the positions of particles at regular times and at impacts, for as long as trails are visible. */
 public final class TrailRecorder {

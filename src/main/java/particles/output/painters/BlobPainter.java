@@ -3,9 +3,9 @@ package particles.output.painters;
 import java.util.List;
 import java.util.stream.IntStream;
 import particles.law.Vector3;
+import particles.output.raster.CameraProjection.Direction;
 import particles.output.raster.CameraProjection.Place;
 import particles.output.raster.Colours;
-import particles.output.raster.Direction;
 import particles.output.raster.Lighting;
 import particles.output.raster.RoundShapes;
 

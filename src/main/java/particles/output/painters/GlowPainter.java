@@ -1,20 +1,43 @@
 package particles.output.painters;
 
+import java.util.Arrays;
 import java.util.List;
+import particles.output.painters.FrameState.FrameStructure;
+import particles.output.raster.Backdrop.Foreground;
 import particles.output.raster.CameraProjection;
 import particles.output.raster.CameraProjection.Place;
 import particles.output.raster.Colours;
-import particles.output.raster.Foreground;
-import particles.output.raster.LightLayer;
+import particles.output.raster.Raster;
 
 /**
- * Draws particles as spots of light, whose colour and brightness depend on their age relative to their lifetime.
- *
- * @param colours the colours from birth to death, evenly spread
- * @param layer   the light of a frame
+ * Draws particles as spots of light, whose colour and brightness depend on their age relative to their lifetime. Added
+ * light saturates towards white: c becomes 255 - (255 - c) exp(-light).
  */
-public record GlowPainter(List<Integer> colours, LightLayer layer) {
+public final class GlowPainter {
     private static final double BRIGHTNESS = 0.45;
+    private static final int STEPS_PER_UNIT = 256;
+    private static final double MOST = 8;
+    /** Where the channels of a colour are: red, green, blue. */
+    private static final int[] SHIFTS = {16, 8, 0};
+
+    private final List<Integer> colours;
+    private final CameraProjection view;
+    /** Red, green, blue a pixel. */
+    private final float[] light;
+    private final float[] passed = new float[(int) (MOST * STEPS_PER_UNIT) + 1];
+
+    /**
+     * @param colours the colours from birth to death, evenly spread
+     * @param view    the camera, with the size of the pictures
+     */
+    public GlowPainter(List<Integer> colours, CameraProjection view) {
+        this.colours = colours;
+        this.view = view;
+        light = new float[3 * view.width * view.height];
+        for (int k = 0; k < passed.length; k++) {
+            passed[k] = (float) Math.exp(-(double) k / STEPS_PER_UNIT);
+        }
+    }
 
     /** @return the age relative to the lifetime; 0 for particles without one */
     static double age(double time, double birth, double death) {
@@ -28,18 +51,59 @@ public record GlowPainter(List<Integer> colours, LightLayer layer) {
         return Colours.mix(colours.get(k), colours.get(Math.min(colours.size() - 1, k + 1)), at - k);
     }
 
-    /** Adds the particles' light to a layer. */
-    public void paint(FrameState state, CameraProjection view, VisibilityFilter shown, double radius,
-            Foreground foreground, int[] pixels) {
+    /** Brightens a picture by the particles' light, where nothing in the foreground hides them. */
+    public void paint(FrameState state, VisibilityFilter shown, double radius, Foreground foreground, int[] pixels) {
         Place[] places = state.places(view);
         FrameStructure lives = state.structure();
-        layer.clear(foreground);
+        Arrays.fill(light, 0);
         for (int i = 0; i < state.particles(); i++) {
             if (places[i].visible() && !state.isFixed(i) && shown.particle(i)) {
                 double age = age(state.time(), lives.births()[i], lives.deaths()[i]);
-                layer.spot(places[i], radius * places[i].scale(), colour(colours, age), BRIGHTNESS * (1 - age));
+                add(places[i], radius * places[i].scale(), colour(colours, age), BRIGHTNESS * (1 - age), foreground);
             }
         }
-        layer.addTo(pixels);
+        for (int k = 0; k < light.length; k++) {
+            if (light[k] > 0) {
+                int shift = SHIFTS[k % 3];
+                int channel = pixels[k / 3] >> shift & 255;
+                pixels[k / 3] += brighter(channel, light[k]) - channel << shift;
+            }
+        }
+    }
+
+    /**
+     * Adds a round spot with brightness (1 - d&sup2;/r&sup2;)&sup2;.
+     *
+     * @param at         the place of the middle
+     * @param radius     r, in pixels
+     * @param rgb        its colour
+     * @param brightness the brightness of its centre; 1 turns black into most of the colour
+     */
+    private void add(Place at, double radius, int rgb, double brightness, Foreground foreground) {
+        int x0 = Raster.first(at.x() - radius, 0);
+        int x1 = Raster.last(at.x() + radius, view.width - 1);
+        int y1 = Raster.last(at.y() + radius, view.height - 1);
+        float[] colour = new float[3];
+        for (int c = 0; c < 3; c++) {
+            colour[c] = (float) (brightness * (rgb >> SHIFTS[c] & 255) / 255);
+        }
+        for (int y = Raster.first(at.y() - radius, 0); y <= y1; y++) {
+            double dy = (y + 0.5 - at.y()) / radius;
+            for (int x = x0; x <= x1; x++) {
+                double dx = (x + 0.5 - at.x()) / radius;
+                double rest = 1 - dx * dx - dy * dy;
+                if (rest > 0 && foreground.shows(at.near(), x, y)) {
+                    float share = (float) (rest * rest);
+                    for (int c = 0; c < 3; c++) {
+                        light[3 * (y * view.width + x) + c] += share * colour[c];
+                    }
+                }
+            }
+        }
+    }
+
+    private int brighter(int channel, float amount) {
+        int step = (int) Math.min(passed.length - 1, amount * STEPS_PER_UNIT);
+        return Math.round(255 - (255 - channel) * passed[step]);
     }
 }

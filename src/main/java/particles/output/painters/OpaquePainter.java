@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import particles.law.Vector3;
+import particles.output.painters.SurfacePainter.IntactTriangles;
 import particles.output.raster.CameraProjection.Place;
 import particles.output.raster.RoundShapes;
 import particles.view.ParticleStyle;

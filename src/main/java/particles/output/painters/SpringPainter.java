@@ -6,7 +6,7 @@ import particles.output.raster.CameraProjection.Place;
 import particles.output.raster.Colours;
 import particles.output.raster.RoundShapes;
 import particles.view.RenderOptions;
-import particles.view.SpringList;
+import particles.view.SpringView.SpringList;
 
 /**
  * Draws springs, coloured by their strain: as coils if they are few or soft, as straight tubes if they are many. Rods,

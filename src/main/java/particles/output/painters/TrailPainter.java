@@ -3,11 +3,11 @@ package particles.output.painters;
 import java.util.Arrays;
 import java.util.List;
 import particles.law.Vector3;
+import particles.output.raster.Backdrop.Foreground;
 import particles.output.raster.CameraProjection;
 import particles.output.raster.CameraProjection.Place;
 import particles.output.raster.Capsule;
 import particles.output.raster.Colours;
-import particles.output.raster.Foreground;
 
 /** Draws the past paths of particles as fading lines, hidden by anything nearer. */
 public final class TrailPainter {

@@ -13,7 +13,7 @@ import java.util.zip.DeflaterOutputStream;
 import java.util.zip.InflaterInputStream;
 import particles.output.frames.FrameObserver;
 import particles.output.frames.FrameRenderer;
-import particles.output.frames.FrameSetup;
+import particles.output.frames.FrameRenderer.FrameSetup;
 import particles.output.frames.FrameSink;
 
 /** The frames of one run, compressed in memory until those of all other runs are there too. */

@@ -13,7 +13,7 @@ import particles.output.charts.ChartPage;
 import particles.output.charts.SolverStyle;
 import particles.output.charts.StripChart;
 import particles.output.files.OutputFolder;
-import particles.output.frames.FrameSetup;
+import particles.output.frames.FrameRenderer.FrameSetup;
 import particles.output.frames.Pipeline;
 import particles.view.ChartData;
 

@@ -17,7 +17,7 @@ import java.util.stream.IntStream;
 import particles.output.charts.ChartStyle;
 import particles.output.charts.SolverStyle;
 import particles.output.charts.StripChart;
-import particles.output.text.FontCheck;
+import particles.output.files.FontCheck;
 
 /**
  * A picture of a race, 16:9: a title and the time, panels in a grid, and a chart in the free cells or below.

@@ -1,12 +1,12 @@
 package particles.output.raster;
 
+import deSolvers.text.Digits;
 import java.util.List;
 import java.util.Optional;
 import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.output.raster.CameraProjection.Ray;
-import particles.output.text.DecimalTicks;
 import particles.view.Camera;
 import particles.view.Scenery;
 
@@ -19,6 +19,9 @@ public final class Backdrop {
     private static final float DARKEST_SHADOW = 0.56f;
     /** About this many grid lines in the height of the picture. */
     private static final double LINES = 7;
+    /** The widths of grid lines, as parts of their distance. */
+    private static final double THIN = 0.016;
+    private static final double THICK = 0.034;
     /** Planes fade into the haze within this many heights of the picture. */
     private static final double HAZE = 5;
     /** The column of the shadow map at a pixel without shadows. */
@@ -58,7 +61,7 @@ public final class Backdrop {
                 .map(plane -> new Plane(plane.point().minus(plane.normal().times(inset)), plane.normal()))
                 .filter(this::isSeen).toList();
         lampView = ShadowMap.view(lighting, camera, view.viewHeight);
-        spacing = new DecimalTicks().getCeilingTickUnit(view.viewHeight / LINES).getSize();
+        spacing = Digits.roundStep(view.viewHeight / LINES).doubleValue();
         for (int y = 0; y < view.height; y++) {
             for (int x = 0; x < width; x++) {
                 paint(x, y);
@@ -117,7 +120,7 @@ public final class Backdrop {
         double line = 0;
         for (Vector3 axis : List.of(axisU, axisV)) {
             double foot = Math.abs(beside.minus(hit).dot(axis)) + Math.abs(below.minus(hit).dot(axis));
-            line = Math.max(line, GridLines.coverage(from.dot(axis) / spacing, foot / spacing));
+            line = Math.max(line, gridLines(from.dot(axis) / spacing, foot / spacing));
         }
         colour[p] = Colours.mix(Colours.lit(Colours.mix(sky.ground, sky.line, line), Math.max(0.5f, light), 0),
                 sky.horizon, haze);
@@ -129,6 +132,28 @@ public final class Backdrop {
             column[p] = (float) seenX;
             row[p] = (float) seenY;
         }
+    }
+
+    /**
+     * Antialiased grid lines at whole numbers, every fifth one thicker.
+     *
+     * @param u    the pixel's position in units of the grid
+     * @param foot the pixel's width in those units
+     * @return the fraction of the pixel that lines cover, 0 to 1; thin lines count less
+     */
+    static double gridLines(double u, double foot) {
+        double f = Math.max(foot, 1e-9);
+        return Math.min(1, Math.max(0.75 * covered(u, f, THIN), covered(u / 5, f / 5, THICK / 5)));
+    }
+
+    private static double covered(double u, double foot, double line) {
+        return (integral(u + foot / 2, line) - integral(u - foot / 2, line)) / foot;
+    }
+
+    /** The integral from 0 to u of the function that is 1 on lines of this width around whole numbers, else 0. */
+    private static double integral(double u, double line) {
+        double cell = Math.floor(u + 0.5);
+        return cell * line + Math.max(-line / 2, Math.min(line / 2, u - cell));
     }
 
     private Vector3 on(Plane plane, double px, double py, Vector3 otherwise) {
@@ -172,6 +197,20 @@ public final class Backdrop {
             if (covered > 0) {
                 pixels[p] = Colours.lit(pixels[p], 1 - (1 - DARKEST_SHADOW) * covered, 0);
             }
+        }
+    }
+
+    /**
+     * The things of a frame that are drawn already, and hide light and lines that are added behind them.
+     *
+     * @param raster   the opaque shapes
+     * @param backdrop the planes and spheres behind them
+     */
+    public record Foreground(Raster raster, Backdrop backdrop) {
+
+        /** @return whether a point of this nearness is visible at a pixel */
+        public boolean shows(double near, int x, int y) {
+            return near > backdrop.near(y * backdrop.width + x) && near > raster.nearAt(x, y);
         }
     }
 }

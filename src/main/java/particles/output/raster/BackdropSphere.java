@@ -2,6 +2,7 @@ package particles.output.raster;
 
 import particles.law.Sphere;
 import particles.law.Vector3;
+import particles.output.raster.CameraProjection.Direction;
 
 /**
  * Paints a ball of the scene, or the far inner wall of a hollow, onto the background by ray casting, with four rays a
@@ -77,8 +78,8 @@ final class BackdropSphere {
         }
         double ring = Math.sqrt(normal.x() * normal.x() + normal.z() * normal.z());
         double foot = 1 / (view.scale(depth) * radius * SPACING * Math.max(0.15, Math.abs(seen.back())));
-        double line = Math.max(GridLines.coverage(Math.asin(Math.max(-1, Math.min(1, normal.y()))) / SPACING, foot),
-                ring > 0.05 ? GridLines.coverage(Math.atan2(normal.x(), normal.z()) / SPACING, foot / ring) : 0);
+        double line = Math.max(Backdrop.gridLines(Math.asin(Math.max(-1, Math.min(1, normal.y()))) / SPACING, foot),
+                ring > 0.05 ? Backdrop.gridLines(Math.atan2(normal.x(), normal.z()) / SPACING, foot / ring) : 0);
         return Colours.lit(Colours.mix(WALL, LINE, line), 0.65f + 0.35f * lighting.light(seen), 0);
     }
 }

@@ -113,4 +113,18 @@ public final class CameraProjection {
         return perspective ? new Ray(eye, across.plus(upwards).minus(back))
                 : new Ray(eye.plus(across).plus(upwards), back.times(-1));
     }
+
+    /**
+     * A direction as the camera sees it.
+     *
+     * @param right the component to the right in the picture
+     * @param up    the component upwards in the picture
+     * @param back  the component towards the viewer
+     */
+    public record Direction(float right, float up, float back) {
+        /** @return the scalar product with another direction */
+        float dot(Direction other) {
+            return other.right * right + other.up * up + other.back * back;
+        }
+    }
 }

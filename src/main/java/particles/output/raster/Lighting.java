@@ -1,6 +1,7 @@
 package particles.output.raster;
 
 import particles.law.Vector3;
+import particles.output.raster.CameraProjection.Direction;
 
 /**
  * The light: one distant lamp, above and a little to the left in front, and ambient light that is stronger from above.

@@ -153,12 +153,12 @@ public final class Raster {
     }
 
     /** @return the first sample, from least on, whose centre lies beyond an edge */
-    static int first(double edge, int least) {
+    public static int first(double edge, int least) {
         return (int) Math.max(least, Math.ceil(edge - 0.5));
     }
 
     /** @return the last sample, up to most, whose centre lies before an edge */
-    static int last(double edge, int most) {
+    public static int last(double edge, int most) {
         return (int) Math.min(most, Math.floor(edge - 0.5));
     }
 }

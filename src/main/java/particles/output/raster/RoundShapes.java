@@ -1,5 +1,6 @@
 package particles.output.raster;
 
+import particles.output.raster.CameraProjection.Direction;
 import particles.output.raster.CameraProjection.Place;
 
 /** Draws balls and tubes, shaded at each sample. The view's places are in samples. */

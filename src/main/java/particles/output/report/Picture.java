@@ -11,8 +11,8 @@ import particles.output.charts.ChartPage;
 import particles.output.charts.ChartWriter;
 import particles.output.charts.Panel;
 import particles.output.charts.PanelGrid;
-import particles.output.charts.SolverFamily;
 import particles.output.charts.SolverStyle;
+import particles.output.charts.SolverStyle.SolverFamily;
 import particles.view.ChartData;
 
 /**

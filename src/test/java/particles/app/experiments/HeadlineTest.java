@@ -37,8 +37,7 @@ import particles.output.charts.ChartWriter;
 import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
-import particles.output.report.ResultPageWriter;
-import particles.output.text.TableText;
+import particles.output.report.TableText;
 
 /**
  * Each chart of the experiments is laid out well, as page and as slide, and its headline is recomputed from the CSV
@@ -73,7 +72,7 @@ class HeadlineTest {
             assertEquals(List.of(), otherDigits(measured));
             for (boolean slide : List.of(false, true)) {
                 ChartFormat format = new ChartFormat(slide, false, false);
-                ResultPage page = ResultPageWriter.write(folder, measured, format);
+                ResultPage page = measured.write(folder, format);
                 for (Picture picture : page.pictures()) {
                     if (Files.exists(out.resolve(picture.name() + ".csv"))) {
                         judge(picture.title(), Drawn.read(out.resolve(picture.name() + ".csv")));

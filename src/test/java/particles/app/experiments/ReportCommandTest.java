@@ -27,7 +27,7 @@ import particles.app.cli.PrintedProgress;
 import particles.app.cli.ProgramCommand.Mistakes;
 import particles.app.cli.Screen;
 import particles.experiments.runs.ProgressListener;
-import particles.experiments.work.WorkProblems;
+import particles.experiments.work.WorkProblem;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.output.report.ResultPage;
@@ -98,7 +98,7 @@ class ReportCommandTest {
                 6.9, 6, 17);
         requireCountdown(ofScene, experiment -> ReportCommand.seconds(experiment, Optional.of(13.8)),
                 13.8, 19, 44, 18);
-        requireCountdown(WorkProblems.NAMES, WorkPrecisionCommand.COSTS::get, 10.2, 9.8, 6.8, 13, 13.5, 18);
+        requireCountdown(WorkProblem.NAMES, WorkPrecisionCommand.COSTS::get, 10.2, 9.8, 6.8, 13, 13.5, 18);
     }
 
     private <T> void requireCountdown(List<T> tasks, ToDoubleFunction<T> cost, double... seconds) {

@@ -55,7 +55,7 @@ class DriftHeadlineTest {
         assertFalse(columns.contains("tolerance"), "a column that would be empty");
         boolean failed = Stream.of(drifts).anyMatch(drift -> drift.kind() == Kind.FAILED);
         assertEquals(failed, columns.contains("why it ended"));
-        return DriftHeadline.of(comparison);
+        return DriftCharts.finding(comparison);
     }
 
     static Stream<Arguments> cases() {

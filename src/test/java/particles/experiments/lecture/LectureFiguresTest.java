@@ -11,8 +11,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import particles.experiments.lecture.LectureFigures.Figure;
 import particles.experiments.lecture.LectureFigures.Result;
 import particles.view.ChartData;
+import particles.view.ChartData.VectorField;
 import particles.view.DataTable;
-import particles.view.VectorField;
 
 class LectureFiguresTest {
     private static final List<Result> RESULTS = LectureFigures.ON_SLIDES.stream().map(LectureFigures::run).toList();

@@ -23,7 +23,7 @@ import particles.scene.TestScenes;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
-import particles.view.VectorField;
+import particles.view.ChartData.VectorField;
 
 /** Paths in state space and the field that they follow. */
 class PhaseHistoryTest {

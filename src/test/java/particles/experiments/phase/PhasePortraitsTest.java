@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import particles.experiments.phase.PhasePortraits.Portrait;
 import particles.experiments.phase.PhasePortraits.Portraits;
 import particles.experiments.runs.SolverChoice;
 import particles.scene.TestScenes;

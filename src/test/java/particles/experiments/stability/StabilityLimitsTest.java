@@ -30,8 +30,8 @@ class StabilityLimitsTest {
     @Test
     void everyLimitThatTheCatalogueStatesIsMeasured() {
         for (SolverInfo info : SolverCatalog.all()) {
-            assertLimit(info.realLimit(), StabilityLimits.real(info), info.name() + ", real");
-            assertLimit(info.imaginaryLimit(), StabilityLimits.imaginary(info), info.name() + ", imaginary");
+            assertLimit(info.realLimit(), StabilityLimit.real(info), info.name() + ", real");
+            assertLimit(info.imaginaryLimit(), StabilityLimit.imaginary(info), info.name() + ", imaginary");
         }
     }
 
@@ -52,7 +52,7 @@ class StabilityLimitsTest {
     void limitsUnderDampingAreMeasured() {
         for (String name : List.of("symplectic-euler", "verlet", "yoshida4")) {
             SolverInfo info = SolverCatalog.info(name);
-            double measured = StabilityLimits.real(info).value();
+            double measured = StabilityLimit.real(info).value();
             assertEquals(info.dampedLimit(), measured, 5e-4, name);     // measured 3e-4, of verlet
             assertTrue(info.dampedLimit() <= measured, name);
         }
@@ -76,7 +76,7 @@ class StabilityLimitsTest {
     @ParameterizedTest
     @CsvSource({"euler, 4.987562e-3, 1e-9", "midpoint, 1.249992e-5, 1e-10", "adams, 1.6e-7, 2e-9"})
     void whatAlwaysGrowsSaysByHowMuch(String solver, double growth, double digits) {
-        StabilityLimit limit = StabilityLimits.imaginary(SolverCatalog.info(solver));
+        StabilityLimit limit = StabilityLimit.imaginary(SolverCatalog.info(solver));
         assertEquals(growth, limit.growth(), digits);
         assertStarts(limit.text(), "always grows: ");
     }
@@ -87,14 +87,14 @@ class StabilityLimitsTest {
     @Test
     void theGrowthOfBulirschStoerIsTinyAndNotNone() {
         SolverInfo info = SolverCatalog.info("bulirsch-stoer");
-        assertEquals(0, StabilityLimits.imaginary(info).value());
+        assertEquals(0, StabilityLimit.imaginary(info).value());
         Amplification amplification = Amplification.of(info);
         assertEquals(256, (amplification.at(0, 0.4) - 1) / (amplification.at(0, 0.2) - 1), 10);     // measured 250
     }
 
     @Test
     void theTableHasEverySolverAndSaysUnbounded() {
-        DataTable table = StabilityLimits.measure(NOBODY);
+        DataTable table = StabilityLimit.table(NOBODY);
         assertEquals(SolverCatalog.names(), table.rows().stream().map(row -> row.get(0)).toList());
         List<Object> verlet = table.rows().get(SolverCatalog.names().indexOf("verlet"));
         assertEquals(List.of("-", "-"), verlet.subList(1, 3), "it is tried on springs, not on the real axis");

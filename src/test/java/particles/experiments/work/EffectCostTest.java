@@ -77,7 +77,7 @@ class EffectCostTest {
         double[] expected = new double[cloth.system().getStateSize()];
         cloth.system().getStateDerivative(expected);
         double[] actual = new double[expected.length];
-        SpringLoop.derivative(cloth.springs(), cloth.system().getParticles().getInverseMasses(),
+        EffectCost.loopOverSprings(cloth.springs(), cloth.system().getParticles().getInverseMasses(),
                 cloth.system().getOwnState(), actual);
         assertArrayEquals(expected, actual, 1e-12);
         assertTrue(Arrays.stream(actual).map(Math::abs).max().orElseThrow() > 1e-3, "and they do move");

@@ -14,7 +14,7 @@ import particles.experiments.work.WorkPrecision.Point;
 
 /** Who is called first in a time chart, on made-up times with known quartiles. */
 class FirstByTheClockTest {
-    private static final WorkProblem PROBLEM = WorkProblems.of("oscillator");
+    private static final WorkProblem PROBLEM = WorkProblem.of("oscillator");
 
     /** Runs of a solver: error, lower quartile, median and upper quartile; verlet's fast one is too rough for 1e-6. */
     @ParameterizedTest

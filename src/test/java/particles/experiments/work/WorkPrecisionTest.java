@@ -24,7 +24,7 @@ import particles.view.ChartData.Mark;
 
 class WorkPrecisionTest {
     private static Curve curve(String problem, String solver) {
-        return curve(WorkProblems.of(problem), solver);
+        return curve(WorkProblem.of(problem), solver);
     }
 
     private static Curve curve(WorkProblem problem, String solver) {
@@ -36,7 +36,7 @@ class WorkPrecisionTest {
     @ParameterizedTest
     @ValueSource(strings = {"oscillator", "pendulum", "kepler", "network"})
     void slopesOfFixedStepsAreTheOrders(String problem) {
-        WorkProblem solved = WorkProblems.of(problem);
+        WorkProblem solved = WorkProblem.of(problem);
         for (SolverChoice solver : SolverChoice.list("all").stream().filter(one -> !one.adaptive()).toList()) {
             Curve curve = new WorkPrecision(solved, solver, 0).curve();
             assertEquals(solver.order(), curve.fit().slope(), 0.1, solver.label() + " on " + problem);
@@ -69,7 +69,7 @@ class WorkPrecisionTest {
     @ParameterizedTest
     @ValueSource(strings = {"pendulum", "network", "cloth", "stiff-chain"})
     void referencesAreWhatAnotherSolverFinds(String problem) {
-        WorkProblem solved = WorkProblems.of(problem);
+        WorkProblem solved = WorkProblem.of(problem);
         DEStateSource source = solved.start().get();
         SolverCatalog.create("dormand-prince", 1e-13, 1e-13).stepState(source, solved.duration());
         double error = solved.error(source);                // measured 8e-13, 2e-13, 1e-13, and 2e-16 of 1e-14
@@ -80,7 +80,7 @@ class WorkPrecisionTest {
     @Test
     void evaluationsAndErrorsAreTheSameInTwoRuns() {
         for (String problem : List.of("network", "stiff-chain")) {
-            WorkProblem solved = WorkProblems.of(problem);
+            WorkProblem solved = WorkProblem.of(problem);
             for (String solver : List.of("rk4", "adams", "dormand-prince", "backward-euler")) {
                 List<Point> once = curve(solved, solver).points();
                 List<Point> again = curve(solved, solver).points();
@@ -93,7 +93,7 @@ class WorkPrecisionTest {
 
     @Test
     void timesAreMediansBetweenQuartiles() {
-        for (Point point : new WorkPrecision(WorkProblems.of("network"), SolverChoice.of("rk4"),
+        for (Point point : new WorkPrecision(WorkProblem.of("network"), SolverChoice.of("rk4"),
                 WorkPrecision.TIMED).curve().points()) {
             assertTrue(point.lower() <= point.seconds() && point.seconds() <= point.upper() && point.lower() > 0);
         }
@@ -101,7 +101,7 @@ class WorkPrecisionTest {
 
     @Test
     void failuresAreDrawnByKindBelowTheErrors() {
-        WorkProblem chain = WorkProblems.of("stiff-chain");
+        WorkProblem chain = WorkProblem.of("stiff-chain");
         Curve rk4 = curve(chain, "rk4");
         assertEquals(Optional.of(Failure.UNSTABLE), rk4.points().get(0).failure(),
                 "a step of 0.125 s for omega = 1407 1/s");
@@ -130,7 +130,7 @@ class WorkPrecisionTest {
     /** Filled points are the fitted ones, on top of the hollow ones of the same line. */
     @Test
     void fittedPointsAreMarked() {
-        WorkProblem network = WorkProblems.of("network");
+        WorkProblem network = WorkProblem.of("network");
         Curve rk4 = curve(network, "rk4");
         List<ChartData.Series> series = WorkCharts.byEvaluations(List.of(rk4)).get(0).series();
         assertEquals(List.of(Mark.LINE_AND_OPEN_POINTS, Mark.POINTS), series.subList(0,
@@ -171,7 +171,7 @@ class WorkPrecisionTest {
     private static SlopeFit fit(double theory, double... errors) {
         List<Point> points = IntStream.range(0, errors.length).mapToObj(k -> new Point(Math.pow(2, -k), Double.NaN,
                 1L << k, errors[k], 1, 1, 1, Optional.empty(), "")).toList();
-        return SlopeFit.of(points, WorkProblems.of("oscillator").floor(), true, 0, theory);
+        return SlopeFit.of(points, WorkProblem.of("oscillator").floor(), true, 0, theory);
     }
 
     /** The counts of the reference are good to about 1 %. */

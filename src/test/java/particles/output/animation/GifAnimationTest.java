@@ -24,7 +24,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.output.files.OutputFolder;
 import particles.output.frames.FrameRenderer;
-import particles.output.frames.FrameSetup;
+import particles.output.frames.FrameRenderer.FrameSetup;
 import particles.output.painters.FrameState;
 import particles.view.RenderOptions;
 import particles.view.Scenery;

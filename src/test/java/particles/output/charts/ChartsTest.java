@@ -33,11 +33,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.experiments.lecture.LectureFigures;
 import particles.output.files.OutputFolder;
-import particles.output.text.DecimalTicks;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
-import particles.view.VectorField;
+import particles.view.ChartData.VectorField;
 
 /** Charts by what they were given to draw; how they look is for eyes. */
 class ChartsTest {
@@ -144,7 +143,7 @@ class ChartsTest {
 
     @Test
     void ticksHaveTheDigitsTheyNeed() {
-        DecimalTicks ticks = new DecimalTicks();
+        DecimalAxis.Ticks ticks = new DecimalAxis.Ticks();
         TickUnit tiny = ticks.getCeilingTickUnit(1.3e-15);
         assertEquals(2e-15, tiny.getSize());
         assertEquals("-4e-15", tiny.valueToString(-4.0000001e-15));
@@ -217,7 +216,7 @@ class ChartsTest {
         axis.setRange(0, 8);
         Graphics2D g = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
         int text = g.getFontMetrics(axis.getTickLabelFont()).stringWidth("0.2");
-        double room = axis.estimateMaximumTickLabelWidth(g, new DecimalTicks().getCeilingTickUnit(0.2));
+        double room = axis.estimateMaximumTickLabelWidth(g, new DecimalAxis.Ticks().getCeilingTickUnit(0.2));
         assertTrue(room > text && room < 3 * text, room + " for " + text);
     }
 

@@ -22,6 +22,7 @@ import particles.Systems;
 import particles.law.Vector3;
 import particles.output.TestEffects;
 import particles.output.files.OutputException;
+import particles.output.frames.FrameRenderer.FrameSetup;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 import particles.view.Scenery;

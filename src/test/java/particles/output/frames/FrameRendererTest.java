@@ -23,8 +23,9 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import particles.law.Plane;
 import particles.law.Vector3;
+import particles.output.frames.FrameRenderer.FrameSetup;
 import particles.output.painters.FrameState;
-import particles.output.painters.IntactTriangles;
+import particles.output.painters.SurfacePainter.IntactTriangles;
 import particles.output.painters.VisibilityFilter;
 import particles.view.Camera;
 import particles.view.ParticleStyle;
@@ -32,7 +33,7 @@ import particles.view.RenderOptions;
 import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
 import particles.view.Scenery.Surface;
-import particles.view.SpringList;
+import particles.view.SpringView.SpringList;
 
 /** Pictures against computed values: positions, visibility and shadows. */
 class FrameRendererTest {

@@ -12,11 +12,12 @@ import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import particles.output.frames.FrameRenderer.FrameSetup;
 import particles.output.painters.FrameState;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 import particles.view.Scenery;
-import particles.view.SpringList;
+import particles.view.SpringView.SpringList;
 
 /** The words of a picture can be read, whatever is behind them. */
 class FrameTextTest {

@@ -19,6 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import particles.output.animation.Film;
 import particles.output.animation.GifAnimation;
 import particles.output.files.OutputFolder;
+import particles.output.frames.FrameRenderer.FrameSetup;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneFiles;
@@ -54,7 +55,7 @@ class ThreadsTest {
         FrameRenderer renderer = new FrameRenderer(setup, WIDTH, HEIGHT, 2);
         Path path = top.resolve(name + "-" + threads);
         try (OutputFolder folder = OutputFolder.open(path, OutputFolder.FRAMES);
-                FrameObserver frames = new FrameObserver(renderer, RATE, List.of(new PngFrames(folder, WIDTH, HEIGHT),
+                FrameObserver frames = new FrameObserver(renderer, RATE, List.of(FrameSink.png(folder, WIDTH, HEIGHT),
                         new GifAnimation(folder, WIDTH, HEIGHT, WIDTH / 2, RATE),
                         new Film(folder, WIDTH, HEIGHT, RATE)), threads)) {
             scene.simulation().addObserver(frames);

@@ -37,7 +37,7 @@ import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartWriter;
 import particles.output.charts.StripChart;
 import particles.output.files.OutputFolder;
-import particles.output.frames.FrameSetup;
+import particles.output.frames.FrameRenderer.FrameSetup;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;

@@ -79,7 +79,7 @@ class CameraProjectionTest {
             Vector3 low = random(random).times(20);
             Vector3 size = new Vector3(random.nextDouble() + 0.01, 3 * random.nextDouble() + 0.01, random.nextDouble());
             double aspect = k % 3 == 0 ? 0.6 : 16 / 9.0;
-            CameraProjection view = new CameraProjection(CameraFraming.around(low, low.plus(size), aspect),
+            CameraProjection view = new CameraProjection(Camera.around(low, low.plus(size), aspect),
                     (int) (aspect * 900), 900);
             double farthest = 0;
             for (int c = 0; c < 8; c++) {

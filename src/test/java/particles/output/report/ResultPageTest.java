@@ -21,13 +21,12 @@ import org.junit.jupiter.api.io.TempDir;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.Panel;
 import particles.output.files.OutputFolder;
-import particles.output.text.TableText;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 import particles.view.DataTable;
 
-class ResultPageWriterTest {
+class ResultPageTest {
     private static final DataTable TABLE = new DataTable("cost", "What it costs", List.of(DataTable.column("solver"),
             DataTable.column("error (m)"), DataTable.column("evaluations")),
             List.of(List.of("rk4, \"old\"", 1.23456789e-7, 400L), List.of("a|b", Double.NaN, 12_345_678L)));
@@ -54,8 +53,8 @@ class ResultPageWriterTest {
     void longTablesAreFilesOnly(@TempDir Path path) throws IOException {
         List<List<Object>> rows = Collections.nCopies(101, List.of("many"));
         try (OutputFolder folder = OutputFolder.open(path)) {
-            ResultPageWriter.write(folder, new ResultPage("long", "Long", List.of(), List.of(),
-                    List.of(new DataTable("all", "All", List.of(DataTable.column("a")), rows))), ChartFormat.PAGE);
+            new ResultPage("long", "Long", List.of(), List.of(), List.of(new DataTable("all", "All",
+                    List.of(DataTable.column("a")), rows))).write(folder, ChartFormat.PAGE);
         }
         String text = Files.readString(path.resolve("long.md"));
         assertTrue(text.contains("All 101 rows: [all.csv](all.csv).") && !text.contains("| many |"), text);
@@ -77,7 +76,7 @@ class ResultPageWriterTest {
                 Picture.panels("both", "Twice.", "Two",
                 List.of(Panel.chart(data), Panel.phase(data, Optional.empty())))), List.of(TABLE));
         try (OutputFolder folder = OutputFolder.open(path.resolve("fall"))) {
-            ResultPageWriter.write(folder, page, ChartFormat.PAGE);
+            page.write(folder, ChartFormat.PAGE);
         }
         Path made = path.resolve("fall");
         assertEquals(List.of("chart,series,x quantity,x,y quantity,y", "falls,ball,time (s),0.0,height (m),1.0",

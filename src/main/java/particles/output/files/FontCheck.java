@@ -1,11 +1,10 @@
-package particles.output.text;
+package particles.output.files;
 
 import java.awt.AWTError;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
-import particles.output.files.OutputException;
 
 /**
  * Checks once whether this machine can draw text. A Java without fonts, or without the libraries that read them, fails

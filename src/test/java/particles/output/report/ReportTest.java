@@ -43,7 +43,7 @@ import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 import particles.view.DataTable;
 
-class ReportWriterTest {
+class ReportTest {
     private static final String NASTY = "A \"chain\" <b>&amp; co</b> ]]> \u0001 \ud83d\ude80 \u03c9\u00b2";
     private static final DataTable COST = new DataTable("cost", "What it costs",
             List.of(DataTable.column("solver <name>"),
@@ -69,7 +69,7 @@ class ReportWriterTest {
         for (String name : List.of("fall", "fallToo")) {
             Path made = top.resolve(name);
             try (OutputFolder folder = OutputFolder.open(made)) {
-                ResultPageWriter.write(folder, fall, ChartFormat.PAGE);
+                fall.write(folder, ChartFormat.PAGE);
                 try (OutputFile gif = folder.create("animation.gif")) {
                     gif.write(new byte[] {'G', 'I', 'F', 1, 2, 3, 4});
                     gif.commit();
@@ -79,7 +79,7 @@ class ReportWriterTest {
         }
         sections.add(new Section("jump", "Jumps.", top, 0, Optional.empty(), Optional.of("a < b\nand so on")));
         try (OutputFolder folder = OutputFolder.open(top.resolve("report"))) {
-            ReportWriter.write(folder, "report.html", new Report(NASTY, List.of(NASTY), sections, "The end."));
+            new Report(NASTY, List.of(NASTY), sections, "The end.").write(folder, "report.html");
         }
         html = Files.readString(top.resolve("report/report.html"));
         page = Xml.of(html);
@@ -104,7 +104,7 @@ class ReportWriterTest {
             }
         };
         try (OutputFolder folder = OutputFolder.open(top.resolve("pieces"), counting)) {
-            ReportWriter.write(folder, "report.html", withPicture("large.gif"));
+            withPicture("large.gif").write(folder, "report.html");
         }
         assertTrue(Files.size(top.resolve("pieces/report.html")) > 400_000);
         assertTrue(largest.get() <= 1 << 16, "a piece of " + largest + " bytes");
@@ -115,7 +115,7 @@ class ReportWriterTest {
         try (OutputFolder folder = OutputFolder.open(top.resolve("broken"))) {
             Report report = withPicture("gone.gif");
             OutputException failure = assertThrows(OutputException.class,
-                    () -> ReportWriter.write(folder, "report.html", report));
+                    () -> report.write(folder, "report.html"));
             assertEquals(top.resolve("gone.gif"), failure.getFile());
         }
         assertFalse(Files.exists(top.resolve("broken/report.html")));
@@ -131,7 +131,7 @@ class ReportWriterTest {
         assertEquals(Set.of("meta", "img"), Pattern.compile("<(\\w+)[^<>]*/>").matcher(html).results()
                 .map(closed -> closed.group(1)).collect(Collectors.toSet()));
         // what a browser reads as it stands has nothing that XML would read otherwise
-        for (String raw : List.of(ReportStyle.CSS, ReportStyle.SCRIPT)) {
+        for (String raw : List.of(Report.CSS, Report.SCRIPT)) {
             assertFalse(raw.contains("<") || raw.contains("&") || raw.contains("]]>"));
         }
     }
@@ -213,7 +213,7 @@ class ReportWriterTest {
         assertEquals("All", page.one("//section[1]//div[@class='folded'][1]//h3"));
         assertEquals(2, page.all("//section[1]//h3").size(), "the short table's stands alone");
         assertEquals("Not printed: All; 200 rows, in costs.csv.", page.one("//section[1]//p[@class='printed']"));
-        String print = ReportStyle.CSS.substring(ReportStyle.CSS.indexOf("@media print"));
+        String print = Report.CSS.substring(Report.CSS.indexOf("@media print"));
         assertHas(print, ".folded { display: none; }", ".printed { display: block; }");
     }
 
@@ -228,10 +228,9 @@ class ReportWriterTest {
             ResultPage panels = new ResultPage("wide", "Wide", List.of(),
                     List.of(Picture.panels("many", "Many.", "Many",
                     Collections.nCopies(2, Panel.chart(chart)))), List.of());
-            ResultPageWriter.write(folder, panels, ChartFormat.PAGE);
-            ReportWriter.write(folder, "report.html",
-                    new Report("Wide", List.of(), List.of(new Section("wide", "Is wide.",
-                    top.resolve("wide"), 1, Optional.of(panels), Optional.empty())), "The end."));
+            panels.write(folder, ChartFormat.PAGE);
+            new Report("Wide", List.of(), List.of(new Section("wide", "Is wide.", top.resolve("wide"), 1,
+                    Optional.of(panels), Optional.empty())), "The end.").write(folder, "report.html");
         }
         assertHas(Files.readString(top.resolve("wide/report.html")), "class=\"whole\"");
     }

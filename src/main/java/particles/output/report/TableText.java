@@ -1,4 +1,4 @@
-package particles.output.text;
+package particles.output.report;
 
 import deSolvers.text.Digits;
 import java.math.BigDecimal;
@@ -6,8 +6,9 @@ import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.function.Function;
+import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.output.files.Numbers;
 import particles.output.files.TrajectoryWriter;
@@ -44,18 +45,18 @@ public final class TableText {
     /** @return a header and a line each row, as RFC 4180 says */
     public static List<String> csv(DataTable table) {
         List<String> lines = new ArrayList<>();
-        lines.add(line(table.columns(), DataTable.Column::name));
-        table.rows().forEach(row -> lines.add(line(row, cell -> cell instanceof Double d ? Numbers.shortest(d)
-                : cell.toString().replaceFirst(FORMULA, "'"))));
+        lines.add(line(table.columns().stream().map(DataTable.Column::name)));
+        table.rows().forEach(row -> lines.add(line(row.stream().map(cell -> cell instanceof Double d
+                ? Numbers.shortest(d) : cell.toString().replaceFirst(FORMULA, "'")))));
         return lines;
     }
 
-    private static <T> String line(List<T> cells, Function<T, String> text) {
-        return cells.stream().map(text).map(TrajectoryWriter::quoted).collect(Collectors.joining(","));
+    /** @return a line of a CSV file */
+    static String line(Stream<String> cells) {
+        return cells.map(TrajectoryWriter::quoted).collect(Collectors.joining(","));
     }
 
-    /** @return whether all cells of a column are numbers */
-    public static boolean isNumbers(DataTable table, int column) {
+    private static boolean isNumbers(DataTable table, int column) {
         return table.rows().stream().anyMatch(row -> row.get(column) instanceof Number);
     }
 
@@ -71,5 +72,36 @@ public final class TableText {
             return value > 0 ? "\u221e" : "\u2212\u221e";
         }
         return Digits.exact(BigDecimal.valueOf(value).round(new MathContext(table.columns().get(column).digits())));
+    }
+
+    /**
+     * A table as the templates of pages see it.
+     *
+     * @param table    the table
+     * @param mostRows a table with more rows is long
+     */
+    record TableView(DataTable table, int mostRows) {
+        /** A column's name, and whether it has numbers. */
+        record Head(String text, boolean number) {
+        }
+
+        /** A cell for people, and the value of a number with all digits. */
+        record Cell(String text, Optional<Object> value) {
+        }
+
+        boolean isLong() {
+            return table.rows().size() > mostRows;
+        }
+
+        List<Head> heads() {
+            return IntStream.range(0, table.columns().size()).mapToObj(c ->
+                    new Head(table.columns().get(c).name(), TableText.isNumbers(table, c))).toList();
+        }
+
+        List<List<Cell>> rows() {
+            return table.rows().stream().map(row -> IntStream.range(0, row.size()).mapToObj(c -> new Cell(
+                    TableText.text(table, row, c), Optional.of(row.get(c)).filter(Number.class::isInstance)))
+                    .toList()).toList();
+        }
     }
 }

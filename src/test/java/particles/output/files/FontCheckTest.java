@@ -1,4 +1,4 @@
-package particles.output.text;
+package particles.output.files;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -21,13 +21,11 @@ import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartPage;
 import particles.output.charts.ChartWriter;
 import particles.output.charts.Panel;
-import particles.output.files.OutputException;
-import particles.output.files.OutputFolder;
 import particles.output.frames.FrameObserver;
 import particles.output.frames.FrameRenderer;
-import particles.output.frames.FrameSetup;
-import particles.output.frames.PngFrames;
-import particles.output.raster.CameraFraming;
+import particles.output.frames.FrameRenderer.FrameSetup;
+import particles.output.frames.FrameSink;
+import particles.view.Camera;
 import particles.view.ChartData;
 import particles.view.RenderOptions;
 import particles.view.Scenery;
@@ -47,10 +45,10 @@ class FontCheckTest {
             try (OutputFolder folder = OutputFolder.open(Path.of(args[0]))) {
                 ParticleSystem system = Systems.oneParticle(Vector3.ZERO, Vector3.ZERO);
                 FrameRenderer renderer = new FrameRenderer(new FrameSetup(
-                        CameraFraming.around(Vector3.ZERO, Vector3.ZERO, 1.5), RenderOptions.STANDARD,
+                        Camera.around(Vector3.ZERO, Vector3.ZERO, 1.5), RenderOptions.STANDARD,
                         Scenery.NONE, "title", "caption"), 90, 60, 2);
                 Simulation simulation = rk4(system, 0.1, 0);
-                try (FrameObserver frames = new FrameObserver(renderer, 25, List.of(new PngFrames(folder, 90, 60)))) {
+                try (FrameObserver frames = new FrameObserver(renderer, 25, List.of(FrameSink.png(folder, 90, 60)))) {
                     simulation.addObserver(frames);
                     simulation.run();
                 }
