@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import particles.Simulation.Observers;
 import particles.SimulationException.End;
 
 /**

@@ -18,7 +18,7 @@
  *     <li>if an {@link particles.EventRule} sees an impact in the step, {@link particles.EventLocator} finds its exact
  *         time. The step is repeated up to there, the impact acts, and the rest of the step follows.</li>
  *     </ul></li>
- * <li>{@link particles.Observers} shows the motion to each {@link particles.Observer}: frames, plots, the
+ * <li>{@link particles.Simulation.Observers} shows the motion to each {@link particles.Observer}: frames, plots, the
  *     {@code particles.energy.EnergyLedger}.</li>
  * <li>Each {@link particles.Rule} may change the state, and add or remove particles and springs. Observers are told of
  *     each change. After a change the solver is {@linkplain deSolvers.DESolver#reset reset}.</li>
@@ -30,3 +30,5 @@
  * times in seconds; y points up.
  */
 package particles;
+
+

@@ -49,13 +49,13 @@ class ArchitectureTest {
                                            particles.app.run particles.app.student particles.output.files
                                            particles.output.report
             particles.app.cli:             deSolvers deSolvers.text particles particles.experiments.runs
-                                           particles.output.charts particles.output.files
-                                           particles.spec.messages picocli
+                                           particles.output.charts particles.output.files particles.spec.messages
+                                           picocli
             particles.app.course:          deSolvers.catalog particles.app.cli particles.app.student
                                            particles.output.charts particles.output.files particles.output.frames
-                                           particles.output.report particles.spec particles.spec.documents
-                                           particles.spec.messages particles.teaching particles.teaching.exercises
-                                           particles.teaching.marking particles.view picocli
+                                           particles.output.report particles.spec particles.spec.messages
+                                           particles.teaching particles.teaching.exercises particles.teaching.marking
+                                           particles.view picocli
             particles.app.experiments:     deSolvers.catalog deSolvers.text particles particles.app.cli
                                            particles.app.student particles.experiments.energy
                                            particles.experiments.lecture particles.experiments.phase
@@ -68,10 +68,9 @@ class ArchitectureTest {
             particles.app.run:             deSolvers.catalog deSolvers.text particles particles.app.cli
                                            particles.app.student particles.energy particles.engine
                                            particles.experiments.phase particles.experiments.runs particles.lab
-                                           particles.law particles.messages particles.output.animation
-                                           particles.output.charts particles.output.files particles.output.frames
-                                           particles.output.report particles.scene particles.scene.checks
-                                           particles.scene.format particles.spec particles.spec.documents
+                                           particles.law particles.output.animation particles.output.charts
+                                           particles.output.files particles.output.frames particles.output.report
+                                           particles.scene particles.scene.format particles.spec
                                            particles.spec.messages particles.view picocli
             particles.app.student:         deSolvers deSolvers.catalog particles particles.app.cli
                                            particles.effects.springs particles.javac particles.law
@@ -96,7 +95,7 @@ class ArchitectureTest {
             particles.experiments.runs:    deSolvers deSolvers.catalog particles particles.law particles.scene
                                            particles.scene.format
             particles.experiments.spectrum: deSolvers.implicit deSolvers.linear particles particles.law org.ejml
-                org.hipparchus
+                                           org.hipparchus
             particles.experiments.stability: deSolvers deSolvers.catalog deSolvers.problems deSolvers.text particles
                                            particles.experiments.runs particles.experiments.spectrum particles.law
                                            particles.scene particles.scene.format particles.view org.hipparchus
@@ -107,15 +106,11 @@ class ArchitectureTest {
             particles.javac:               javax.tools
             particles.lab:                 deSolvers deSolvers.catalog deSolvers.text particles
                                            particles.effects.springs particles.energy particles.experiments.stability
-                                           particles.law particles.messages particles.scene particles.scene.format
-                                           particles.spec particles.spec.documents particles.spec.messages
-                                           particles.view
+                                           particles.law particles.scene particles.scene.format particles.spec
+                                           particles.spec.messages particles.view
             particles.lab.browser:         deSolvers particles.effects particles.lab particles.spec org.teavm
             particles.lab.compile:         particles.javac particles.lab org.teavm
             particles.law:                 deSolvers
-            particles.messages:            deSolvers deSolvers.catalog deSolvers.text particles particles.effects
-                                           particles.effects.springs particles.law particles.reactions
-                                           particles.scene particles.spec
             particles.output.animation:    particles.output.files particles.output.frames java.awt javax.imageio
                                            org.jcodec
             particles.output.charts:       deSolvers.text particles.output.files particles.view java.awt javax.xml
@@ -128,37 +123,31 @@ class ArchitectureTest {
             particles.output.race:         particles particles.output.animation particles.output.charts
                                            particles.output.files particles.output.frames particles.view java.awt
             particles.output.raster:       deSolvers.text particles.law particles.view java.awt
-            particles.output.report:       deSolvers.text particles.output.charts particles.output.files particles.view
-                                           java.awt javax.imageio com.samskivert
-            particles.reactions:           deSolvers deSolvers.text particles particles.law particles.view
-                                           org.ejml
+            particles.output.report:       deSolvers.text particles.output.charts particles.output.files
+                                           particles.view java.awt javax.imageio com.samskivert
+            particles.reactions:           deSolvers deSolvers.text particles particles.law particles.view org.ejml
             particles.rules:               deSolvers.text particles particles.effects particles.effects.springs
                                            particles.law particles.reactions particles.view
-            particles.scene:               deSolvers.text particles particles.effects
+            particles.scene:               deSolvers deSolvers.catalog deSolvers.text particles particles.effects
                                            particles.effects.springs particles.law particles.reactions particles.rules
-                                           particles.scene.checks particles.scene.format particles.scene.parts
-                                           particles.spec particles.spec.messages particles.view
-            particles.scene.checks:        deSolvers.catalog deSolvers.text particles.effects particles.law
-                                           particles.reactions particles.scene.format particles.scene.parts
-                                           particles.spec particles.spec.messages particles.view
+                                           particles.scene.format particles.scene.parts particles.spec
+                                           particles.spec.messages particles.view
             particles.scene.format:        deSolvers deSolvers.adaptive deSolvers.catalog particles.effects
-                                           particles.law particles.scene.parts particles.spec
-                                           particles.spec.messages particles.view
+                                           particles.law particles.scene.parts particles.spec particles.spec.messages
+                                           particles.view
             particles.scene.parts:         particles particles.effects particles.effects.springs particles.law
-                                           particles.reactions particles.rules particles.spec
-                                           particles.spec.messages particles.view
+                                           particles.reactions particles.rules particles.spec particles.spec.messages
+                                           particles.view
             particles.spec:                deSolvers.text particles.law particles.spec.messages org.snakeyaml
-            particles.spec.documents:      deSolvers.text particles.spec org.snakeyaml
             particles.spec.messages:       deSolvers.text org.snakeyaml
             particles.teaching:
             particles.teaching.contract:   deSolvers particles.teaching particles.teaching.sources
             particles.teaching.effects:    deSolvers deSolvers.text particles particles.effects
                                            particles.effects.springs particles.law particles.spec particles.teaching
-            particles.teaching.exercises:  deSolvers deSolvers.catalog deSolvers.problems
-                                           deSolvers.rungeKutta particles particles.energy
-                                           particles.experiments.runs particles.law particles.scene
-                                           particles.scene.format particles.spec particles.spec.messages
-                                           particles.teaching.marking
+            particles.teaching.exercises:  deSolvers deSolvers.catalog deSolvers.problems deSolvers.rungeKutta
+                                           particles particles.energy particles.experiments.runs particles.law
+                                           particles.scene particles.scene.format particles.spec
+                                           particles.spec.messages particles.teaching.marking
             particles.teaching.figures:    deSolvers deSolvers.catalog deSolvers.problems deSolvers.text
                                            particles.experiments.stability particles.teaching
                                            particles.teaching.contract particles.teaching.solvers

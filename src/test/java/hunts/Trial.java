@@ -15,10 +15,10 @@ import particles.law.DifferentiableEffect;
 import particles.law.Effect;
 import particles.law.Obstacle;
 import particles.law.Reaction;
-import particles.messages.BlowUpMessage;
 import particles.reactions.ContactSurface;
 import particles.reactions.RestingContacts;
 import particles.reactions.RigidConstraints;
+import particles.scene.BlowUpMessage;
 import particles.scene.Scene;
 
 /** One run of a scene as {@code gradle run} makes it, with what a judge of its physics asks. */

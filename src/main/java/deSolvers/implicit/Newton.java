@@ -2,6 +2,7 @@ package deSolvers.implicit;
 
 import deSolvers.DESolverException;
 import deSolvers.StepTransaction;
+import deSolvers.implicit.ShiftedJacobian.Choice;
 import deSolvers.implicit.ShiftedJacobian.Kind;
 import deSolvers.linear.SolverWork;
 import deSolvers.text.Digits;
@@ -51,7 +52,7 @@ final class Newton {
     private static final double LINEAR_TOLERANCE = 1e-4;
 
     private final SolverWork work = new SolverWork();
-    private final JacobianChoice choice = new JacobianChoice(work);
+    private final Choice choice = new Choice(work);
     private StepTransaction source;
     private ShiftedJacobian jacobian;
     private double[] start;

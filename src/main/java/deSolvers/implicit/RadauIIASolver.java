@@ -2,6 +2,8 @@ package deSolvers.implicit;
 
 import deSolvers.StepTransaction;
 import deSolvers.adaptive.AdaptiveSolver;
+import deSolvers.implicit.RadauNewton.RadauTableau;
+import deSolvers.implicit.ShiftedJacobian.Choice;
 import deSolvers.linear.SolverWork;
 
 /**
@@ -39,7 +41,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
     private static final double WORTH_FACTORISING = 1.2;
 
     private final SolverWork work = new SolverWork();
-    private final JacobianChoice choice = new JacobianChoice(work);
+    private final Choice choice = new Choice(work);
     private ShiftedJacobian jacobian;
     private RadauNewton newton = new RadauNewton(work, getTolerance(), 0);
     private double[][] z = new double[3][0];

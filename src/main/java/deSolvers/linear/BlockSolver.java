@@ -1,5 +1,8 @@
 package deSolvers.linear;
 
+import deSolvers.linear.BlockMatrix.Pattern;
+import java.util.Arrays;
+
 /**
  * A sparse linear solver: A x = b for a matrix of 3 x 3 blocks. A small or ill-conditioned matrix is factorised;
  * otherwise conjugate gradients solve a symmetric positive definite system, and GMRES any other, both preconditioned by
@@ -92,7 +95,7 @@ public final class BlockSolver {
         if (expected <= FEW_ITERATIONS || !factors().isFit()) {
             return false;
         }
-        BlockPattern pattern = matrix.getPattern();
+        Pattern pattern = matrix.getPattern();
         return factors.products(symmetric) + factors.blocks() < expected * (pattern.countBlocks() + pattern.rows);
     }
 
@@ -160,6 +163,39 @@ public final class BlockSolver {
             System.arraycopy(x, from, half, 0, n);
             applyInverse(half, image);
             System.arraycopy(image, 0, y, from, n);
+        }
+    }
+
+    /** The block Jacobi preconditioner: the inverses of the 3 x 3 diagonal blocks. */
+    static final class BlockJacobi implements LinearOperator {
+        private final SolverWork work;
+        private double[] inverse = {};
+
+        BlockJacobi(SolverWork work) {
+            this.work = work;
+        }
+
+        /** Inverts the diagonal blocks of a matrix; false if one is singular. */
+        boolean prepare(BlockMatrix matrix) {
+            Pattern pattern = matrix.getPattern();
+            if (inverse.length != 9 * pattern.rows) {
+                inverse = new double[9 * pattern.rows];
+            }
+            for (int i = 0; i < pattern.rows; i++) {
+                if (!Block3.invert(matrix.getValues(), 9 * pattern.diagonal[i], inverse, 9 * i)) {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        @Override
+        public void apply(double[] x, double[] y) {
+            Arrays.fill(y, 0);
+            for (int at = 0, v = 0; at < inverse.length; at += 9, v += 3) {
+                Block3.addProduct(1, inverse, at, false, x, v, y, v);
+            }
+            work.blockOperations += inverse.length / 9;
         }
     }
 }

@@ -1,5 +1,6 @@
 package deSolvers.linear;
 
+import deSolvers.linear.BlockMatrix.Pattern;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 
@@ -18,12 +19,12 @@ final class NestedDissection {
     private static final double SMALLEST_PART = 0.3;
     private static final int UNKNOWN = Integer.MAX_VALUE;
 
-    private final BlockPattern pattern;
+    private final Pattern pattern;
     private final int[] order;
     private final int[] queue;
     private final int[] level;                          // of each row, in the last search that found it
 
-    private NestedDissection(BlockPattern pattern) {
+    private NestedDissection(Pattern pattern) {
         this.pattern = pattern;
         order = new int[pattern.rows];
         queue = new int[pattern.rows];
@@ -31,7 +32,7 @@ final class NestedDissection {
     }
 
     /** @return all rows in the order of their elimination */
-    static int[] order(BlockPattern pattern) {
+    static int[] order(Pattern pattern) {
         NestedDissection dissection = new NestedDissection(pattern);
         dissection.dissect(IntStream.range(0, pattern.rows).toArray(), 0);
         return dissection.order;

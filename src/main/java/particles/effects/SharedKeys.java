@@ -7,7 +7,6 @@ import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.Values;
 import particles.spec.VectorType;
-import particles.spec.WholeNumberType;
 
 /** Scene keys that several effects and rules have in common. */
 public final class SharedKeys {
@@ -15,7 +14,7 @@ public final class SharedKeys {
     public static final Key<Double> BALL_RADIUS = NumberType.positive("m").required("radius",
             "The radius of every ball without a radius of its own (m).");
     /** The seed of random numbers. */
-    public static final Key<Integer> SEED = new WholeNumberType(0, 1_000_000_000).withDefault("seed", 1,
+    public static final Key<Integer> SEED = new NumberType.Whole(0, 1_000_000_000).withDefault("seed", 1,
             "The seed of the random numbers; the same seed gives the same run on every machine.");
 
     /** The centre of a sphere. */

@@ -11,8 +11,8 @@ import java.util.stream.Stream;
 import particles.Observer;
 import particles.energy.EnergyLedgerRecorder;
 import particles.scene.Scene;
+import particles.spec.JsonText;
 import particles.spec.Ordered;
-import particles.spec.documents.JsonText;
 
 /** A run recorded for the lab's page, which shows it without computing anything. */
 public final class Replay {

@@ -19,7 +19,7 @@ import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.experiments.stability.Amplification;
 import particles.law.Vector3;
-import particles.messages.BlowUpMessage;
+import particles.scene.BlowUpMessage;
 import particles.scene.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
@@ -28,9 +28,9 @@ import particles.scene.format.SceneDescription;
 import particles.scene.format.SolverDescription;
 import particles.scene.format.SolverDescription.Tolerances;
 import particles.spec.ClassNames;
+import particles.spec.JsonText;
 import particles.spec.Ordered;
 import particles.spec.Reading;
-import particles.spec.documents.JsonText;
 import particles.spec.messages.InvalidInputException;
 
 /** The session of a page: opens a scene, runs it for a while, looks back at earlier times. One scene at a time. */

@@ -3,7 +3,6 @@ package particles.scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
-import particles.scene.checks.RunLimits;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
 import particles.spec.Key;

@@ -14,8 +14,6 @@ import particles.law.Violation;
 import particles.reactions.RestingContacts;
 import particles.rules.ClampedImpacts;
 import particles.rules.ExactImpacts;
-import particles.scene.checks.MemoryEstimate;
-import particles.scene.checks.RunLimits;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
 import particles.scene.format.SolverDescription;
@@ -52,7 +50,7 @@ public final class SceneBuilder {
         Problems problems = new Problems();
         SolverDescription.check(scene, problems);
         RunLimits.check(scene.values(), problems);
-        MemoryEstimate.check(scene, Runtime.getRuntime().maxMemory(), problems);
+        RunLimits.checkMemory(scene, Runtime.getRuntime().maxMemory(), problems);
         problems.throwIfAny();
         return assemble(scene);
     }

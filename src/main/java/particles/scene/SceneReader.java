@@ -2,7 +2,6 @@ package particles.scene;
 
 import java.nio.file.Path;
 import java.util.List;
-import particles.scene.checks.SceneChecks;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
 import particles.spec.ClassNames;

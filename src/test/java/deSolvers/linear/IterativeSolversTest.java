@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import deSolvers.linear.BlockMatrix.Pattern;
+import deSolvers.linear.BlockSolver.BlockJacobi;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -106,7 +108,7 @@ class IterativeSolversTest {
     /** Factors of another matrix are a preconditioner: more iterations, the same solution, until they are too old. */
     @Test
     void oldFactorsServeUntilTheyCostTooMuch() {
-        BlockPattern pattern = SparseCases.grid(8);
+        Pattern pattern = SparseCases.grid(8);
         BlockSolver solver = new BlockSolver(work);
         double[] b = SparseCases.vector(192);
         double[] x = new double[192];

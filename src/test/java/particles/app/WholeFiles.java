@@ -19,7 +19,7 @@ import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.jcodec.common.io.ByteBufferSeekableByteChannel;
 import org.jcodec.containers.mp4.demuxer.MP4Demuxer;
-import particles.spec.documents.JsonText;
+import particles.spec.JsonText;
 
 /** Checks the result files of a run: each is complete, and folders have equal files. */
 final class WholeFiles {

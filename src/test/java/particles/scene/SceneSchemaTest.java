@@ -13,7 +13,7 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import particles.scene.format.SceneFormat;
 import particles.spec.JsonSchema;
-import particles.spec.documents.Reference;
+import particles.spec.Reference;
 
 class SceneSchemaTest {
 

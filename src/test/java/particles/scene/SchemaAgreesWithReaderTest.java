@@ -25,8 +25,8 @@ import org.snakeyaml.engine.v2.api.LoadSettings;
 import org.snakeyaml.engine.v2.schema.CoreSchema;
 import particles.scene.format.SceneFormat;
 import particles.spec.JsonSchema;
+import particles.spec.JsonText;
 import particles.spec.Reading;
-import particles.spec.documents.JsonText;
 import particles.spec.messages.Problems;
 
 /**

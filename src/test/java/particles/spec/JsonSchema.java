@@ -3,7 +3,7 @@ package particles.spec;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import particles.spec.documents.JsonText;
+import particles.spec.NumberType.Whole;
 
 /** Makes the JSON Schema of a file format, by which editors complete and check files: scenes/scene.schema.json. */
 public final class JsonSchema {
@@ -22,7 +22,7 @@ public final class JsonSchema {
     private static Map<String, Object> of(Type<?> type) {
         if (type instanceof NumberType number) {
             return Ordered.map("type", "number", "minimum", number.least(), "maximum", number.most());
-        } else if (type instanceof WholeNumberType number) {
+        } else if (type instanceof Whole number) {
             return Ordered.map("type", "integer", "minimum", number.least(), "maximum", number.most());
         } else if (type instanceof TextType text) {
             return Ordered.map("type", "string", "pattern", text.pattern().pattern(), "maxLength", TextType.LONGEST);

@@ -8,8 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import particles.spec.JsonText;
 import particles.spec.Ordered;
-import particles.spec.documents.JsonText;
 import particles.spec.messages.InvalidInputException;
 
 /**

@@ -22,7 +22,7 @@ import particles.scene.SceneFiles.SceneName;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
-import particles.spec.documents.Reference;
+import particles.spec.Reference;
 import particles.view.Camera;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;

@@ -14,8 +14,8 @@ import particles.energy.EnergyLedgerRecorder;
 import particles.energy.EnergyRecorder;
 import particles.law.Violation;
 import particles.scene.Scene;
+import particles.spec.JsonText;
 import particles.spec.Ordered;
-import particles.spec.documents.JsonText;
 
 /**
  * The summary of a run, for people and for run.json.

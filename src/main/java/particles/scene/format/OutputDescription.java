@@ -9,7 +9,6 @@ import particles.spec.MappingType;
 import particles.spec.NameType;
 import particles.spec.NumberType;
 import particles.spec.Values;
-import particles.spec.WholeNumberType;
 import particles.spec.messages.Place;
 
 /**
@@ -79,7 +78,7 @@ public record OutputDescription(Frames frames, boolean energy, Optional<Phase> p
     public static final int LEAST_SIDE = 16;
     /** The longest one. */
     public static final int MOST_SIDE = 4096;
-    private static final WholeNumberType SIDE = new WholeNumberType(LEAST_SIDE, MOST_SIDE);
+    private static final NumberType.Whole SIDE = new NumberType.Whole(LEAST_SIDE, MOST_SIDE);
     static final Key<Integer> WIDTH = SIDE.withDefault("width", 960, "The width of a frame (pixels).");
     static final Key<Integer> HEIGHT = SIDE.withDefault("height", 540, "The height of a frame (pixels).");
     static final Key<Boolean> ANIMATION = FlagType.FLAG.withDefault("animation", true,
@@ -94,7 +93,7 @@ public record OutputDescription(Frames frames, boolean energy, Optional<Phase> p
             "Whether to plot the energies in energy.png.");
     public static final Key<Values> PHASE = Phase.TYPE.optional("phase",
             "Plots velocity against position of one particle in phase.png; no plot if left out.");
-    static final Key<Integer> TRAJECTORY_STRIDE = new WholeNumberType(1, 1_000_000).optional("trajectoryStride",
+    static final Key<Integer> TRAJECTORY_STRIDE = new NumberType.Whole(1, 1_000_000).optional("trajectoryStride",
             "Write every n-th step to trajectory.csv; by default n keeps the file below about 200,000 lines.");
 
     static final MappingType TYPE = MappingType.of("the output", FRAME_RATE, WIDTH, HEIGHT, ANIMATION, VIDEO, ENERGY,

@@ -19,7 +19,6 @@ import particles.spec.NameType;
 import particles.spec.NumberType;
 import particles.spec.TextType;
 import particles.spec.Values;
-import particles.spec.WholeNumberType;
 
 /** The format of scene files. The reader, its messages, the JSON Schema for editors
  * and the reference tables all follow from it. */
@@ -32,7 +31,7 @@ public final class SceneFormat {
     public static final Key<Double> DELTA_T = NumberType.positive("s").required("deltaT", "The time step (s).");
     public static final Key<Double> DURATION = NumberType.notNegative("s").required("duration",
             "The duration of the run (s).");
-    public static final Key<Integer> THREADS = new WholeNumberType(1, 64).optional("threads",
+    public static final Key<Integer> THREADS = new NumberType.Whole(1, 64).optional("threads",
             "The number of threads that evaluate the forces of a large system; by default one for each processor."
             + " The result is the same with any number, bit for bit.");
     public static final Key<List<Values>> PARTICLES = ListType.of("a particle", ParticleDescription.TYPE)

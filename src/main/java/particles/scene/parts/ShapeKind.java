@@ -15,14 +15,13 @@ import particles.spec.NumberType;
 import particles.spec.TextType;
 import particles.spec.Values;
 import particles.spec.VectorType;
-import particles.spec.WholeNumberType;
 
 /** A kind of shape that a scene can name, with its keys and particle positions; {@link #ALL} lists them. */
 public final class ShapeKind extends Kind {
     private static final TextType OWN_ID = TextType.of(
             "the id of a particle of the shape, such as ID[0] in a rope, ID[3,4] in a cloth",
             "^[^\\s\\[\\],\"'\\x00-\\x1f\\x7f]{1,60}\\[[0-9]+(,[0-9]+)*\\]$");
-    private static final WholeNumberType COUNT = new WholeNumberType(2, 1_000_000);
+    private static final NumberType.Whole COUNT = new NumberType.Whole(2, 1_000_000);
 
     static final Key<Double> MASS = NumberType.positive("kg").optional("mass",
             "The mass of each particle (kg); give this or totalMass.");

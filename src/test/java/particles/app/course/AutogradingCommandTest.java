@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
-import particles.spec.documents.JsonText;
+import particles.spec.JsonText;
 import particles.teaching.exercises.Exercises;
 import particles.teaching.marking.Draw;
 import particles.teaching.marking.NumericExercise;

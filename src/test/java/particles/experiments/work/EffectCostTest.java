@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import particles.experiments.work.EffectCost.Cost;
 import particles.scene.Scene;
 import particles.scene.format.SceneFormat;
-import particles.spec.documents.Reference;
+import particles.spec.Reference;
 import particles.view.ChartData;
 
 /** The measurement by a clock of the test's own, and the hand-written springs against the system's. */

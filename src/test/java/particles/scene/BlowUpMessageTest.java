@@ -1,4 +1,4 @@
-package particles.messages;
+package particles.scene;
 
 import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -20,9 +20,6 @@ import particles.SimulationException;
 import particles.energy.EnergyRecorder;
 import particles.law.ParticleForce;
 import particles.law.Vector3;
-import particles.scene.Scene;
-import particles.scene.SceneBuilder;
-import particles.scene.TestScenes;
 import particles.scene.format.SceneDescription;
 
 /** The line at the end of a blow-up, and that its advice is good. */

@@ -1,4 +1,4 @@
-package particles.messages;
+package particles.scene;
 
 import deSolvers.catalog.SolverInfo;
 import deSolvers.text.Digits;
@@ -6,7 +6,6 @@ import particles.effects.AirDrag;
 import particles.effects.springs.SpringRates;
 import particles.law.Effect;
 import particles.law.Particles;
-import particles.scene.Scene;
 
 /** The longest stable step of each solver for a scene's springs, their damping and air drag. */
 final class StepLimit {

@@ -1,4 +1,4 @@
-package particles.scene.checks;
+package particles.scene;
 
 import java.util.ArrayList;
 import java.util.HashMap;

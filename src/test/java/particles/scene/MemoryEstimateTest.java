@@ -1,4 +1,4 @@
-package particles.scene.checks;
+package particles.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
@@ -6,7 +6,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import particles.scene.TestScenes;
+import particles.scene.RunLimits.MemoryEstimate;
 import particles.scene.format.SceneDescription;
 import particles.spec.messages.Problems;
 
@@ -49,12 +49,12 @@ class MemoryEstimateTest {
     @Test
     void aSceneThatDoesNotFitIsRefusedWithNumbers() {
         Problems problems = new Problems();
-        MemoryEstimate.check(cloth(300, "rk4"), 100 * MEGABYTE, problems);
+        RunLimits.checkMemory(cloth(300, "rk4"), 100 * MEGABYTE, problems);
         assertEquals(List.of("""
                 x.yaml:7:3: the scene needs about 152 MiB of memory for 90000 particles and 358202 springs with rk4, \
                 and Java may use 100 MiB; use fewer particles, or give Java more memory: JAVA_TOOL_OPTIONS=-Xmx1g"""),
                 problems.lines());
-        MemoryEstimate.check(cloth(300, "rk4"), 153 * MEGABYTE, problems);
+        RunLimits.checkMemory(cloth(300, "rk4"), 153 * MEGABYTE, problems);
         assertEquals(1, problems.count());
     }
 
@@ -64,7 +64,7 @@ class MemoryEstimateTest {
         String text = "solver: rk4\nparticles:\n  - {id: source, position: [0, 0, 0], fixed: true}\nrules:\n"
                 + "  - emitter: {id: spark, position: [0, 0, 0], speed: 1, rate: 1e8, lifetime: 100}\n";
         Problems problems = new Problems();
-        MemoryEstimate.check(read(text), 4096 * MEGABYTE, problems);
+        RunLimits.checkMemory(read(text), 4096 * MEGABYTE, problems);
         assertEquals(List.of("x.yaml:1:1: the scene needs about 763000 MiB of memory for 1000000001 particles and 0"
                 + " springs with rk4, and Java may use 4100 MiB; use fewer particles"), problems.lines());
     }

@@ -1,4 +1,4 @@
-package particles.spec.documents;
+package particles.spec;
 
 import deSolvers.text.Digits;
 import java.util.ArrayList;
@@ -6,12 +6,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import particles.spec.Key;
-import particles.spec.KindType;
-import particles.spec.ListType;
-import particles.spec.MappingType;
-import particles.spec.NameType;
-import particles.spec.Type;
 
 /**
  * Writes the reference of a file format as Markdown tables: one for each mapping, with key, values, default and

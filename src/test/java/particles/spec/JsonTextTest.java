@@ -1,11 +1,10 @@
-package particles.spec.documents;
+package particles.spec;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
-import particles.spec.Ordered;
 
 class JsonTextTest {
 

@@ -1,4 +1,4 @@
-package particles.messages;
+package particles.scene;
 
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
@@ -9,7 +9,6 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import particles.scene.Scene;
 import particles.spec.NumberType;
 
 /**

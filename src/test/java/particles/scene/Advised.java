@@ -1,10 +1,9 @@
-package particles.messages;
+package particles.scene;
 
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import particles.scene.Overrides;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
 

@@ -1,4 +1,4 @@
-package particles.messages;
+package particles.scene;
 
 import deSolvers.DESolverException;
 import deSolvers.catalog.SolverCatalog;
@@ -19,7 +19,6 @@ import particles.law.Effect;
 import particles.law.Reaction;
 import particles.reactions.RestingContacts;
 import particles.reactions.RigidConstraints;
-import particles.scene.Scene;
 
 /**
  * The message for a run that cannot go on, in up to three lines: the event and its place; the cause, such as the factor

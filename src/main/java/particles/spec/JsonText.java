@@ -1,4 +1,4 @@
-package particles.spec.documents;
+package particles.spec;
 
 import deSolvers.text.Digits;
 import java.util.Arrays;

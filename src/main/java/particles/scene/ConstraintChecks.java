@@ -1,4 +1,4 @@
-package particles.scene.checks;
+package particles.scene;
 
 import deSolvers.text.Digits;
 import java.util.ArrayList;
