@@ -18,6 +18,7 @@ import org.openqa.selenium.chrome.ChromeDriver;
 import org.openqa.selenium.chrome.ChromeDriverService;
 import org.openqa.selenium.chrome.ChromeOptions;
 import particles.app.run.LabCommand;
+import particles.app.student.PageClasses;
 import particles.lab.LabBuilder;
 import particles.scene.SceneFiles;
 
@@ -126,9 +127,11 @@ final class Browser implements AutoCloseable {
                 LabBuilder builder = Class.forName("particles.lab.compile.PageBuilder").asSubclass(LabBuilder.class)
                         .getConstructor().newInstance();
                 List<Path> scenes = SceneFiles.list(Path.of("scenes"));
+                Path own = Files.createTempDirectory(folder, "lab");
+                List<String> solvers = List.of(SOLVER, UNFINISHED);
                 String page = builder.build(new LabBuilder.Contents(scenes, LabCommand.pictures(scenes),
-                        SceneFiles.find(Path.of("scenes"), "2"), "", List.of(SOLVER, UNFINISHED),
-                        List.of(EFFECT), exercises));
+                        SceneFiles.find(Path.of("scenes"), "2"), "", solvers,
+                        PageClasses.compile(solvers, List.of(EFFECT), exercises, own)), own);
                 return Files.writeString(folder.resolve("index.html"), page);
             } catch (IOException e) {
                 throw new UncheckedIOException(e);

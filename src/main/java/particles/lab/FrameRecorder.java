@@ -8,6 +8,7 @@ import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.energy.EnergyLedgerRecorder;
+import particles.lab.Frame.Structure;
 import particles.law.Effect;
 import particles.scene.Scene;
 

@@ -2,6 +2,7 @@ package particles.lab;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 
@@ -11,23 +12,23 @@ public interface LabBuilder {
     /**
      * The content of the page.
      *
-     * @param scenes    its scenes
-     * @param pictures  small pictures of scenes, as PNG files
-     * @param first     the one that it opens with
-     * @param solver    the solver that it opens with, if it is not the scene's; else empty
-     * @param solvers   the full names of students' solvers
-     * @param effects   the full names of students' effects
-     * @param exercises the folder of students' classes
+     * @param scenes   its scenes
+     * @param pictures small pictures of scenes, as PNG files
+     * @param first    the one that it opens with
+     * @param solver   the solver that it opens with, if it is not the scene's; else empty
+     * @param solvers  the full names of students' solvers
+     * @param classes  finds the classes of the page
      */
     record Contents(List<Path> scenes, Map<Path, byte[]> pictures, Path first, String solver,
-                    List<String> solvers, List<String> effects, Path exercises) {
+            Collection<String> solvers, ClassLoader classes) {
     }
 
     /**
      * @param contents the contents of the page
+     * @param folder   receives the files of the compiler
      * @return the page
-     * @throws IOException              if a file cannot be read
+     * @throws IOException              if a file cannot be read or written
      * @throws IllegalArgumentException if a class does not compile for a page; the message is one line
      */
-    String build(Contents contents) throws IOException;
+    String build(Contents contents, Path folder) throws IOException;
 }

@@ -8,6 +8,7 @@ import particles.Observer;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.energy.EnergyRecorder;
+import particles.lab.Frame.Structure;
 import particles.scene.Scene;
 import particles.scene.format.SceneDescription;
 

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import particles.Observer;
 import particles.energy.EnergyLedgerRecorder;
+import particles.lab.Frame.Structure;
 import particles.scene.Scene;
 import particles.spec.JsonText;
 import particles.spec.Ordered;

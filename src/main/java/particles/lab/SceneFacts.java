@@ -6,20 +6,16 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import particles.effects.springs.SpringRates;
-import particles.law.Plane;
-import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.scene.Scene;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
 import particles.spec.Ordered;
-import particles.view.Camera;
 import particles.view.ParticleStyle;
 import particles.view.ParticleStyle.ParticleMark;
 import particles.view.RenderOptions;
 import particles.view.Scenery;
 import particles.view.Scenery.CurveView;
-import particles.view.Scenery.Surface;
 
 /** The facts of a scene that the page needs before its first frame. */
 final class SceneFacts {
@@ -44,12 +40,17 @@ final class SceneFacts {
                 "deltaT", description.deltaT(), "duration", description.duration(),
                 "energies", frames.getEnergyNames(), "uniform", frames.getUniform(),
                 "look", look(description.drawing().look()),
-                "planes", scenery.planes().stream().map(SceneFacts::plane).toList(),
-                "spheres", scenery.spheres().stream().map(SceneFacts::sphere).toList(),
+                "planes", scenery.planes().stream().map(plane -> Map.of("point", vector(plane.point()),
+                "normal", vector(plane.normal()))).toList(),
+                "spheres", scenery.spheres().stream().map(sphere -> Map.of("centre", vector(sphere.centre()),
+                "radius", sphere.radius(), "hollow", sphere.hollow())).toList(),
                 "wires", scenery.wires().stream().map(SceneFacts::wire).toList(),
-                "surfaces", scenery.surfaces().stream().map(SceneFacts::surface).toList(),
+                "surfaces", scenery.surfaces().stream().map(surface -> Map.of("triangles", surface.triangles(),
+                "ofSprings", surface.ofSprings())).toList(),
                 "limit", limit(description.solver(), rates), "omega", rates.omega(), "damping", rates.dampingRate());
-        description.drawing().camera().ifPresent(camera -> facts.put("camera", camera(camera)));
+        description.drawing().camera().ifPresent(camera -> facts.put("camera", Map.of(
+                "position", vector(camera.position()), "target", vector(camera.target()), "up", vector(camera.up()),
+                "perspective", camera.perspective(), "fieldOfView", camera.fieldOfView(), "height", camera.height())));
         description.output().phase().ifPresent(phase -> facts.put("phase", List.of(phase.particle(),
                 phase.about().isPresent() ? 0 : phase.axis())));       // the page plots positions only
         return facts;
@@ -59,12 +60,6 @@ final class SceneFacts {
     private static double limit(String name, SpringRates rates) {
         return SolverCatalog.find(name).filter(solver -> !solver.adaptive() && rates.omega() > 0)
                 .map(solver -> solver.limit(rates.dampingRate() > 0) / rates.fastest(0)).orElse(Double.NaN);
-    }
-
-    private static Map<String, Object> camera(Camera camera) {
-        return Map.of("position", vector(camera.position()), "target", vector(camera.target()), "up",
-                vector(camera.up()),
-                "perspective", camera.perspective(), "fieldOfView", camera.fieldOfView(), "height", camera.height());
     }
 
     private static Map<String, Object> look(RenderOptions look) {
@@ -89,14 +84,6 @@ final class SceneFacts {
         return constant.name().toLowerCase(Locale.ROOT);
     }
 
-    private static Map<String, Object> plane(Plane plane) {
-        return Map.of("point", vector(plane.point()), "normal", vector(plane.normal()));
-    }
-
-    private static Map<String, Object> sphere(Sphere sphere) {
-        return Map.of("centre", vector(sphere.centre()), "radius", sphere.radius(), "hollow", sphere.hollow());
-    }
-
     private static List<Double> wire(CurveView wire) {
         boolean endless = Double.isInfinite(wire.length());
         double from = endless ? -WIRE_REACH : 0;
@@ -106,10 +93,6 @@ final class SceneFacts {
             points.addAll(vector(wire.at(from + i * step)));
         }
         return points;
-    }
-
-    private static Map<String, Object> surface(Surface surface) {
-        return Map.of("triangles", surface.triangles(), "ofSprings", surface.ofSprings());
     }
 
     static List<Double> vector(Vector3 v) {

@@ -1,7 +1,6 @@
 package particles.lab;
 
 import deSolvers.catalog.SolverCatalog;
-import deSolvers.catalog.SolverInfo;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
@@ -9,15 +8,21 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Base64;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.teavm.jso.JSByRef;
+import org.teavm.jso.JSExport;
 import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.experiments.stability.Amplification;
+import particles.law.Effect;
+import particles.law.Particles;
+import particles.law.Reaction;
 import particles.law.Vector3;
 import particles.scene.BlowUpMessage;
 import particles.scene.Overrides;
@@ -30,10 +35,12 @@ import particles.scene.format.SolverDescription.Tolerances;
 import particles.spec.ClassNames;
 import particles.spec.JsonText;
 import particles.spec.Ordered;
-import particles.spec.Reading;
 import particles.spec.messages.InvalidInputException;
 
-/** The session of a page: opens a scene, runs it for a while, looks back at earlier times. One scene at a time. */
+/**
+ * The session of a page: opens a scene, runs it for a while, looks back at earlier times. One scene at a time. The
+ * page's scripts call the exported methods.
+ */
 public final class Session {
     private static final double ABSOLUTE_PART = 1e-3;
     private static final double NANOSECONDS = 1e6;
@@ -43,11 +50,6 @@ public final class Session {
     private Frame shown;
     private String failure = "";
     private long nanoseconds;
-
-    /** A session whose scenes name no classes of your own. */
-    public Session() {
-        this(ClassNames.none());
-    }
 
     /** @param classes finds the classes that scenes name */
     public Session(ClassNames classes) {
@@ -63,17 +65,13 @@ public final class Session {
      * @return the catalogue's solvers and, unless the scene has mistakes, what is told of its start, as JSON
      */
     public String opening(String file, String text, String solver) {
-        Map<String, Object> told = Ordered.map("solvers", SolverCatalog.all().stream().map(Session::solver).toList(),
-                "facts", open(file, text, solver, "", 0));
+        Map<String, Object> told = Ordered.map("solvers", SolverCatalog.all().stream().map(one -> Map.of(
+                "name", one.name(), "adaptive", one.adaptive(), "sentence", one.sentence(),
+                "evaluations", one.evaluations())).toList(), "facts", open(file, text, solver, "", 0));
         if (run != null) {
             told.put("start", List.of(status(), ids(), base64(List.of(state(), energies(-1), structure()))));
         }
         return JsonText.compact(told);
-    }
-
-    private static Map<String, Object> solver(SolverInfo solver) {
-        return Map.of("name", solver.name(), "adaptive", solver.adaptive(), "sentence", solver.sentence(),
-                "evaluations", solver.evaluations());
     }
 
     /**
@@ -86,6 +84,7 @@ public final class Session {
      * @param tolerance a relative tolerance other than the scene's or the solver's; 0 for these
      * @return the facts of the scene or, under {@code errors}, the lines about its mistakes, as JSON
      */
+    @JSExport
     public String open(String file, String text, String solver, String deltaT, double tolerance) {
         try {
             byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
@@ -102,16 +101,14 @@ public final class Session {
             failure = "";
             nanoseconds = 0;
             Map<String, Object> facts = SceneFacts.of(scene, run.getFrames());
-            facts.put("numbers", SceneReader.numbers(bytes, classes).stream().map(Session::number).toList());
+            facts.put("numbers", SceneReader.numbers(bytes, classes).stream().map(number -> Map.of(
+                    "key", number.what(), "value", number.value(), "line", number.place().line(),
+                    "column", number.place().column(), "least", number.least(), "most", number.most(),
+                    "unit", number.unit())).toList());
             return JsonText.compact(facts);
         } catch (InvalidInputException e) {
             return JsonText.compact(Map.of("errors", e.getLines()));
         }
-    }
-
-    private static Map<String, Object> number(Reading.NumberInText number) {
-        return Map.of("key", number.what(), "value", number.value(), "line", number.place().line(), "column",
-                number.place().column(), "least", number.least(), "most", number.most(), "unit", number.unit());
     }
 
     /**
@@ -120,12 +117,14 @@ public final class Session {
      * @param time         the time to reach (s)
      * @param milliseconds the longest time that it may take
      */
+    @JSExport
     public void advance(double time, double milliseconds) {
         long end = System.nanoTime() + (long) (milliseconds * NANOSECONDS);
         work(() -> run.advance(time, () -> System.nanoTime() > end));
     }
 
     /** Shows the state one step after the moment shown; the run makes that step if it has not yet. */
+    @JSExport
     public void step() {
         List<Frame> later = run.getHistory().after(shown.time());
         if (!later.isEmpty()) {
@@ -151,6 +150,7 @@ public final class Session {
      *
      * @param time that time (s)
      */
+    @JSExport
     public void look(double time) {
         shown = run.getHistory().at(time);
     }
@@ -163,6 +163,7 @@ public final class Session {
      * @param y  a coordinate of that point (m)
      * @param z  a coordinate of that point (m)
      */
+    @JSExport
     public void drag(String id, double x, double y, double z) {
         run.getPointer().drag(indexOf(id), new Vector3(x, y, z));
     }
@@ -179,13 +180,40 @@ public final class Session {
      * @param id a particle
      * @return its mass and the present forces on it, as JSON; empty if it is gone
      */
+    @JSExport
     public String particle(String id) {
         int i = indexOf(id);
-        return i < 0 ? "{}" : JsonText.compact(Map.of("mass", system().getParticles().mass(i), "forces",
-                ParticleForces.of(system(), i)));
+        return i < 0 ? "{}" : JsonText.compact(Map.of("mass", system().getParticles().mass(i), "forces", forces(i)));
+    }
+
+    /** The present forces on particle i by the names of what causes them, three components each (N). */
+    private Map<String, Object> forces(int i) {
+        Map<String, Object> forces = new LinkedHashMap<>();
+        double[] state = system().getOwnState();
+        double[] sum = new double[system().getStateSize()];
+        for (Effect effect : system().getEffects()) {
+            put(forces, effect.getName(), () -> effect.addForces(state, system().getTime(), sum), sum, i);
+        }
+        for (Reaction reaction : system().getReactions()) {
+            if (reaction.isActive()) {
+                put(forces, reaction.getName(), () -> reaction.addForces(state, system().getTime(), sum), sum, i);
+            }
+        }
+        return forces;
+    }
+
+    /** Puts what adds to the sum of forces, if it changes that on particle i. */
+    private static void put(Map<String, Object> forces, String name, Runnable adding, double[] sum, int i) {
+        Vector3 before = Vector3.at(sum, Particles.STRIDE * i + 3);
+        adding.run();
+        Vector3 force = Vector3.at(sum, Particles.STRIDE * i + 3).minus(before);
+        if (!force.isZero()) {
+            forces.put(name, SceneFacts.vector(force));
+        }
     }
 
     /** @return the time of the run, the time shown, the cost until then, and the time taken so far, as JSON */
+    @JSExport
     public String status() {
         Frame.Account account = shown.account();
         double reached = system().getTime();
@@ -195,6 +223,8 @@ public final class Session {
     }
 
     /** @return positions and velocities at the moment that is shown, six numbers per particle */
+    @JSExport
+    @JSByRef
     public float[] state() {
         return shown.state();
     }
@@ -203,6 +233,8 @@ public final class Session {
      * @param time a time (s)
      * @return the time and the energies, in the order of the scene's facts (J), after each step kept that ended later
      */
+    @JSExport
+    @JSByRef
     public float[] energies(double time) {
         return joined(run.getHistory().after(time).stream().flatMap(frame ->
                 Stream.of(new float[] {(float) frame.time()}, frame.energies())).toList());
@@ -218,6 +250,8 @@ public final class Session {
      * @return the factor by which a step multiplies the solution of s' = lambda s, in the middle of each square, row by
      *         row; of a spring, with a solver of your own
      */
+    @JSExport
+    @JSByRef
     public double[] region(String solver, double left, double bottom, double cell, int columns, int rows) {
         Amplification amplification = SolverCatalog.find(solver).map(Amplification::of)
                 .orElseGet(() -> Amplification.ofOwn(() -> SolverCatalog.create(solver)));
@@ -226,21 +260,27 @@ public final class Session {
     }
 
     /** @return the present state of the run in full precision */
+    @JSExport
+    @JSByRef
     public double[] exactState() {
         return Arrays.copyOf(system().getOwnState(), system().getStateSize());
     }
 
     /** @return a number that changes whenever particles or springs were added or removed between the moments shown */
+    @JSExport
     public int structureNumber() {
         return System.identityHashCode(shown.structure());
     }
 
     /** @return the names of the particles at the moment that is shown, as JSON */
+    @JSExport
     public String ids() {
         return JsonText.compact(List.of(shown.structure().ids()));
     }
 
     /** @return what is known of these particles, and the springs and rods: three and four numbers each */
+    @JSExport
+    @JSByRef
     public float[] structure() {
         return shown.structure().numbers();
     }
@@ -251,6 +291,8 @@ public final class Session {
      * @param time a time (s)
      * @return its time, position and velocity after each step kept that ended later, one after the other
      */
+    @JSExport
+    @JSByRef
     public float[] phase(String id, int axis, double time) {
         List<float[]> points = new ArrayList<>();
         for (Frame frame : run.getHistory().after(time)) {

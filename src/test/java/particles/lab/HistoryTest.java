@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import particles.lab.Frame.Structure;
 
 /** The memory of moments seen stays within its limit, from the first moment to the latest. */
 class HistoryTest {

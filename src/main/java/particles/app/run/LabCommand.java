@@ -13,7 +13,9 @@ import java.util.NoSuchElementException;
 import java.util.Set;
 import java.util.TreeSet;
 import particles.app.cli.ProgramCommand;
+import particles.app.student.PageClasses;
 import particles.app.student.StudentClasses;
+import particles.app.student.StudentProcess;
 import particles.lab.LabBuilder;
 import particles.output.animation.Shrinker;
 import particles.scene.SceneFiles;
@@ -69,10 +71,16 @@ public final class LabCommand extends ProgramCommand {
             description.values().get(SceneFormat.EFFECTS).stream().map(effect -> effect.kind().getName())
                     .filter(name -> name.contains(".")).forEach(effects::add);
         }
-        String page = builder().build(new LabBuilder.Contents(scenes, pictures(scenes), first,
-                solver, List.copyOf(solvers), List.copyOf(effects), exercises));
-        Files.createDirectories(PAGE.getParent());
-        Files.writeString(PAGE, page);
+        LabBuilder builder = builder();
+        Path own = Files.createTempDirectory("lab");
+        try {
+            String page = builder.build(new LabBuilder.Contents(scenes, pictures(scenes), first, solver, solvers,
+                    PageClasses.compile(solvers, effects, exercises, own)), own);
+            Files.createDirectories(PAGE.getParent());
+            Files.writeString(PAGE, page);
+        } finally {
+            StudentProcess.delete(own);
+        }
         out.println(PAGE + ": " + Math.round(Files.size(PAGE) / 1e4) / 100.0 + " MB; open it in a browser");
     }
 

@@ -22,8 +22,7 @@ import javax.tools.JavaFileManager;
 import javax.tools.JavaFileObject;
 import javax.tools.SimpleJavaFileObject;
 import javax.tools.StandardLocation;
-import particles.javac.Javac;
-import particles.javac.Source;
+import particles.app.student.Javac.Source;
 
 /**
  * Class loader that compiles students' classes in memory on demand, each by itself, so that a class that does not

@@ -1,5 +1,5 @@
-// Takes the place of the compiled classes in a page that shows a recorded run: functions of the same names, which read
-// what was recorded.
+// Takes the place of the compiled classes in a page that shows a recorded run: a session with functions of the same
+// names, which read what was recorded.
 const floats = new Float32Array(Uint8Array.from(atob(RECORDED.floats), letter => letter.charCodeAt(0)).buffer);
 const times = RECORDED.times, parts = RECORDED.facts.energies.length, last = times.length - 1;
 const moments = [];                     // the energies and the state of each
@@ -24,7 +24,7 @@ function find(time) {
 
 const particle = () => '{}', drag = () => {};
 
-function openScene() {
+function open() {
   look(times[0]);
   return JSON.stringify(RECORDED.facts);
 }
@@ -74,3 +74,6 @@ function phase(id, axis, time) {
     return i < 0 ? [] : [times[k], moments[k].state[6 * i + axis], moments[k].state[6 * i + axis + 3]];
   });
 }
+
+const session = () => ({open, advance, look, step, drag, particle, status, state, energies, structureNumber, ids,
+  structure, phase});

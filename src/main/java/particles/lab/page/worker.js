@@ -1,19 +1,20 @@
 
 // Runs in a worker, after the compiled classes: makes steps while the page wants them, and tells what there is to see.
+const engine = session();               // the lab's Session, or what was recorded of one
 const SLICE = 25;                       // milliseconds of steps between two messages, at most
 let playing = false, ticking = false, speed = 1, target = 0, lastTick = 0, catchUp = null, stops = false, pull = null;
 let followed = 0;                       // the moment of another run that this one has gone to
 let knownStructure = null, file = null, plotted = -1, chosen = null;
 
 function tell(more) {
-  const message = {type: 'frame', ...JSON.parse(status()), ...more};
-  message.state = state().slice();
-  message.energies = energies(plotted).slice();                 // after the steps since the last message
-  message.points = chosen ? phase(chosen.id, chosen.axis, plotted).slice() : new Float32Array();
+  const message = {type: 'frame', ...JSON.parse(engine.status()), ...more};
+  message.state = engine.state().slice();
+  message.energies = engine.energies(plotted).slice();          // after the steps since the last message
+  message.points = chosen ? engine.phase(chosen.id, chosen.axis, plotted).slice() : new Float32Array();
   plotted = Math.max(plotted, message.reached);
-  if (structureNumber() !== knownStructure) {
-    knownStructure = structureNumber();
-    message.structure = {ids: JSON.parse(ids()), numbers: structure().slice()};
+  if (engine.structureNumber() !== knownStructure) {
+    knownStructure = engine.structureNumber();
+    message.structure = {ids: JSON.parse(engine.ids()), numbers: engine.structure().slice()};
   }
   postMessage(message, [message.state.buffer, message.energies.buffer, message.points.buffer]);
   return message;
@@ -34,7 +35,7 @@ function guarded(work) {
 /** Puts a scene at its start, unless it has errors. */
 function start(message) {
   playing = false;
-  const facts = JSON.parse(openScene(message.file, message.text, message.solver, message.deltaT, message.tolerance));
+  const facts = JSON.parse(engine.open(message.file, message.text, message.solver, message.deltaT, message.tolerance));
   if (!facts.errors) {
     file = message;
     knownStructure = null;
@@ -55,7 +56,7 @@ function tick() {
   const now = performance.now();
   target = catchUp ?? target + speed * (now - lastTick) / 1000;
   lastTick = now;
-  advance(target, SLICE);
+  engine.advance(target, SLICE);
   const {time, over, failure} = tell();
   if (catchUp !== null && time >= catchUp) {
     catchUp = null;
@@ -72,7 +73,7 @@ function tick() {
 /** Hands the latest pull to the run; while it catches up with the moment it goes on from, the pull waits. */
 function dragged() {
   if (pull && catchUp === null) {
-    drag(pull.id, ...pull.point);
+    engine.drag(pull.id, ...pull.point);
   }
 }
 
@@ -94,20 +95,20 @@ function play() {
  * birth and after its death. The moment shown stays.
  */
 function tableOfRun(names) {
-  const rows = energies(-1).slice(), width = 1 + names.length, shown = JSON.parse(status()).time;
+  const rows = engine.energies(-1).slice(), width = 1 + names.length, shown = JSON.parse(engine.status()).time;
   const moments = [], columns = new Map();
   let present = null, known = null;
   for (let r = 0; r < rows.length; r += width) {
-    look(rows[r] + 1e-7 * Math.abs(rows[r]));           // its time is rounded to 7 digits
-    if (structureNumber() !== known) {
-      known = structureNumber();
-      present = JSON.parse(ids());
+    engine.look(rows[r] + 1e-7 * Math.abs(rows[r]));    // its time is rounded to 7 digits
+    if (engine.structureNumber() !== known) {
+      known = engine.structureNumber();
+      present = JSON.parse(engine.ids());
       present.forEach(id => columns.has(id) || columns.set(id, columns.size));
     }
-    moments.push({time: JSON.parse(status()).time, energies: rows.subarray(r + 1, r + width), ids: present,
-      state: state().slice()});
+    moments.push({time: JSON.parse(engine.status()).time, energies: rows.subarray(r + 1, r + width), ids: present,
+      state: engine.state().slice()});
   }
-  look(shown);
+  engine.look(shown);
   const ofParticle = id => [' (m)', ' (m/s)'].flatMap(
       (unit, k) => [...'xyz'].map(axis => ['', 'v'][k] + axis + ' of ' + id + unit));
   const head = ['time (s)', ...names.map(name => name + ' (J)'), ...[...columns.keys()].flatMap(ofParticle)]
@@ -124,7 +125,7 @@ const commands = {
     const facts = start(message);
     if (message.known) {                // the page was written with the answer
       plotted = 0;
-      knownStructure = structureNumber();
+      knownStructure = engine.structureNumber();
       return;
     }
     postMessage({type: 'opened', run: message.run, facts});
@@ -135,12 +136,12 @@ const commands = {
   play: message => { speed = message.speed; stops = false; play(); },
   pause: () => { playing = false; },
   step: () => {
-    step();
-    const {time, reached} = JSON.parse(status());
+    engine.step();
+    const {time, reached} = JSON.parse(engine.status());
     target = reached;
     tell({looking: time < reached});
   },
-  look: message => { playing = false; look(message.time); tell({looking: true}); },
+  look: message => { playing = false; engine.look(message.time); tell({looking: true}); },
   // What comes after a moment seen long ago is computed anew from the start.
   goOn: message => { start(file); speed = message.speed; catchUp = message.time; play(); },
   // Another run's moment.
@@ -149,30 +150,36 @@ const commands = {
       return;
     }
     followed = time;
-    if (time < JSON.parse(status()).reached) {
+    if (time < JSON.parse(engine.status()).reached) {
       playing = stops = false;
-      look(time);
+      engine.look(time);
       tell({looking: true});
     } else {
       commands.reach({time});
     }
   },
   reach: message => { catchUp = message.time; stops = true; play(); },
-  run: message => { advance(Infinity, message.milliseconds); postMessage({type: 'ran', ...JSON.parse(status())}); },
+  run: message => {
+    engine.advance(Infinity, message.milliseconds);
+    postMessage({type: 'ran', ...JSON.parse(engine.status())});
+  },
   phase: message => {
     chosen = message;
-    postMessage({...message, points: phase(message.id, message.axis, -1).slice()});
+    postMessage({...message, points: engine.phase(message.id, message.axis, -1).slice()});
   },
   table: ({energies}) => postMessage({type: 'table', table: tableOfRun(energies)}),
-  particle: ({id}) => postMessage({type: 'particle', id, ...JSON.parse(particle(id))}),
-  region: message => postMessage({...message, values: region(message.solver, message.left, message.bottom,
+  particle: ({id}) => postMessage({type: 'particle', id, ...JSON.parse(engine.particle(id))}),
+  region: message => postMessage({...message, values: engine.region(message.solver, message.left, message.bottom,
       message.cell, message.columns, message.rows).slice()}),
   drag: message => { pull = message; dragged(); },
   // The state at a time, also between two steps.
-  sample: ({time}) => { advance(time, 1e9); postMessage({type: 'sample', time, state: state().slice()}); },
+  sample: ({time}) => {
+    engine.advance(time, 1e9);
+    postMessage({type: 'sample', time, state: engine.state().slice()});
+  },
   state: message => {
-    advance(message.time, 1e9);
-    postMessage({type: 'state', ...JSON.parse(status()), state: exactState()});
+    engine.advance(message.time, 1e9);
+    postMessage({type: 'state', ...JSON.parse(engine.status()), state: engine.exactState()});
   }
 };
 const WITHOUT_SCENE = ['open', 'region'];

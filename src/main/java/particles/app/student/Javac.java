@@ -1,8 +1,9 @@
-package particles.javac;
+package particles.app.student;
 
 import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -13,11 +14,12 @@ import javax.tools.DiagnosticCollector;
 import javax.tools.JavaCompiler;
 import javax.tools.JavaFileManager;
 import javax.tools.JavaFileObject;
+import javax.tools.SimpleJavaFileObject;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
 
 /** Runs the compiler, and tells all errors, one line each. */
-public final class Javac {
+final class Javac {
     private static final int MOST_ERRORS = 8;
 
     private Javac() {
@@ -31,7 +33,7 @@ public final class Javac {
      * @param more    further options
      * @throws IllegalArgumentException with the errors, if it does not compile
      */
-    public static void compile(List<Source> sources, UnaryOperator<JavaFileManager> manager, String... more) {
+    static void compile(List<Source> sources, UnaryOperator<JavaFileManager> manager, String... more) {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         if (compiler == null) {                         // null on a Java that only runs programs
             throw new IllegalArgumentException("this Java has no compiler: your own classes need a JDK, not a JRE");
@@ -56,5 +58,24 @@ public final class Javac {
                 .replaceAll("\\s*location:[^\n]*", "").replaceAll("\\s+", " ");
         return message.getSource() == null ? text       // null for an error in no file
                 : new File(message.getSource().getName()).getName() + ":" + message.getLineNumber() + ": " + text;
+    }
+
+    /** The text of a class, for the compiler; the file itself is not read. */
+    static final class Source extends SimpleJavaFileObject {
+        private final String text;
+
+        /**
+         * @param file the file's name, for messages
+         * @param text its contents
+         */
+        Source(Path file, String text) {
+            super(file.toUri(), Kind.SOURCE);
+            this.text = text;
+        }
+
+        @Override
+        public CharSequence getCharContent(boolean ignoreEncodingErrors) {
+            return text;
+        }
     }
 }

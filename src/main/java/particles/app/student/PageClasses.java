@@ -1,4 +1,4 @@
-package particles.lab.compile;
+package particles.app.student;
 
 import java.io.IOException;
 import java.net.MalformedURLException;
@@ -6,46 +6,43 @@ import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.Enumeration;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
-import particles.javac.Javac;
-import particles.javac.Source;
-import particles.lab.LabBuilder.Contents;
+import particles.app.student.Javac.Source;
 
-/** Compiles students' classes, and the list of them that the page has. */
-final class StudentCompiler {
-    private static final String LIST = "particles/lab/browser/Students";
-
-    private StudentCompiler() {
+/** Compiles the students' classes of the lab's page, and the list of them. */
+public final class PageClasses {
+    private PageClasses() {
     }
 
     /**
-     * @param contents names the classes
-     * @param folder   receives the compiled classes
+     * @param solvers   the full names of students' solvers
+     * @param effects   the full names of students' effects
+     * @param exercises the folder of students' classes
+     * @param folder    receives the compiled classes
      * @return finds the classes of the page; the students' list takes the place of the empty one
      * @throws IllegalArgumentException if a class does not compile
+     * @throws IOException              if a file cannot be read or written
      */
-    static ClassLoader compile(Contents contents, Path folder) throws IOException {
+    public static ClassLoader compile(Collection<String> solvers, Collection<String> effects, Path exercises,
+            Path folder) throws IOException {
         Path sources = folder.resolve("sources");
-        Path list = sources.resolve(LIST + ".java");
-        Path exercises = Files.createDirectories(sources.resolve("exercises"));
-        if (Files.isDirectory(contents.exercises())) {
-            try (Stream<Path> files = Files.list(contents.exercises())) {
-                for (Path file : files.filter(file -> file.toString().endsWith(".java")).toList()) {
-                    Files.copy(file, exercises.resolve(file.getFileName()));
-                }
-            }
+        Path list = sources.resolve("particles/lab/browser/Students.java");
+        Path copies = Files.createDirectories(sources.resolve("exercises"));
+        for (Map.Entry<String, String> own : StudentLoader.sources(exercises).entrySet()) {
+            Files.writeString(copies.resolve(own.getKey() + ".java"), own.getValue());
         }
         Path classes = Files.createDirectories(folder.resolve("classes"));
-        Javac.compile(List.of(new Source(list, list(contents))), files -> files, "-sourcepath", sources.toString(),
-                "-d", classes.toString());
+        Javac.compile(List.of(new Source(list, list(solvers, effects))), files -> files, "-sourcepath",
+                sources.toString(), "-d", classes.toString());
         return new OwnFirst(classes);
     }
 
-    private static String list(Contents contents) {
+    private static String list(Collection<String> solvers, Collection<String> effects) {
         return """
                 package particles.lab.browser;
 
@@ -56,11 +53,11 @@ final class StudentCompiler {
                             java.util.function.Supplier<particles.effects.EffectKind>> EFFECTS
                             = java.util.Map.ofEntries(%s);
                 }
-                """.formatted(entries(contents.solvers(), ""), entries(contents.effects(), ".Keys"));
+                """.formatted(entries(solvers, ""), entries(effects, ".Keys"));
     }
 
-    private static String entries(List<String> names, String inner) {
-        return names.stream().map(name -> "java.util.Map.entry(\"" + name + "\", " + name + inner + "::new)")
+    private static String entries(Collection<String> names, String inner) {
+        return names.stream().map(name -> "java.util.Map.entry(\"%1$s\", %1$s%2$s::new)".formatted(name, inner))
                 .collect(Collectors.joining(", "));
     }
 

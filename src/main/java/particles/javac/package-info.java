@@ -1,2 +1,0 @@
-/** The JDK's compiler, for students' classes. */
-package particles.javac;
