@@ -62,11 +62,11 @@ record Assignment(Optional<OffsetDateTime> deadline, String shows, boolean sheet
             .withDefault("shows", COMMENTS, "What a student's own grade shows.");
     private static final Key<String> NUMBERS = NameType.of("choice", List.of("id", SHEET)).withDefault("numbers", "id",
             "Where the numbers of exercises come from.");
-    private static final List<Key<Double>> EXERCISES = IntStream.rangeClosed(1, Exercises.all().size())
+    private static final List<Key<Double>> EXERCISES = IntStream.rangeClosed(1, Exercises.ALL.size())
             .mapToObj(n -> POINTS.optional(Integer.toString(n), "The weight of this exercise.")).toList();
     private static final Key<Values> COUNTED = MappingType.of("exercises", EXERCISES.toArray(new Key<?>[0]))
             .optional("exercises", "The weight of each exercise that counts.");
-    private static final Key<String> METHOD = TextType.of("one of " + String.join(", ", AskedMethods.names()), "")
+    private static final Key<String> METHOD = TextType.of("one of " + String.join(", ", AskedMethods.NAMES), "")
             .withDefault("method", AskedMethods.ANY, "The method that it has to be.");
     private static final Key<Double> WEIGHT = POINTS.withDefault("weight", 1.0, "What it counts.");
     private static final Key<Map<String, Values>> SOLVERS = new MapType<>(CLASS,
@@ -105,7 +105,7 @@ record Assignment(Optional<OffsetDateTime> deadline, String shows, boolean sheet
             }
         }));
         values.flatMap(all -> all.find(SOLVERS)).stream().flatMap(asked -> asked.values().stream()).forEach(solver ->
-                solver.find(METHOD).filter(method -> !AskedMethods.names().contains(method)).ifPresent(method ->
+                solver.find(METHOD).filter(method -> !AskedMethods.NAMES.contains(method)).ifPresent(method ->
                 problems.add(solver.place(METHOD), AskedMethods.refusal(method))));
         problems.throwIfAny();
         Values all = values.orElseThrow();

@@ -16,7 +16,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
-import particles.app.cli.Failure;
+import particles.app.cli.ExitCode.Failure;
 import particles.app.cli.PrintedProgress;
 import particles.app.cli.ResultsCommand;
 import particles.app.student.StudentProcess;
@@ -71,7 +71,7 @@ public final class GradeClassCommand extends ResultsCommand {
         }
         Path copies = Files.createTempDirectory("desolver-class");
         try (OutputFolder files = OutputFolder.open(getFolder(), ClassTables.FILES.toArray(new String[0]))) {
-            Map<String, List<String>> words = students == null ? Map.of() : CourseList.read(students);
+            Map<String, List<String>> words = students == null ? Map.of() : CourseOptions.read(students);
             List<Result> results = new ArrayList<>();
             if (collect == null) {
                 results.addAll(marked(found(words), assignment, copies, out));

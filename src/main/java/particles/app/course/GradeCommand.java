@@ -21,10 +21,8 @@ import picocli.CommandLine.Option;
  * {@code gradle grade -Pstudent=ID}: marks all answers and all solvers of a student, as one report and for autograders.
  * With {@code -Phandin=FOLDER} it marks a hand-in as {@code gradeClass} does.
  */
-@Command(name = GradeCommand.NAME, description = "Marks all answers and solvers of a student.")
+@Command(name = Marking.PAGE, description = "Marks all answers and solvers of a student.")
 public final class GradeCommand extends ResultsCommand {
-    static final String NAME = Marking.PAGE;
-
     @Option(names = "--student", paramLabel = "ID", description = "The student's id.")
     private String student;
 
@@ -64,7 +62,7 @@ public final class GradeCommand extends ResultsCommand {
                 item.lines().forEach(line -> out.println("            " + line));
             }
         }
-        out.println(Marking.write(getFolder(), result) + "; report: " + getFolder().resolve(NAME + ".md"));
+        out.println(Marking.write(getFolder(), result) + "; report: " + getFolder().resolve(Marking.PAGE + ".md"));
         if (result.most() > 0) {                        // a script for VPL reads this line
             out.println("points: " + ClassTables.number(result.points()) + " of " + ClassTables.number(result.most()));
         }

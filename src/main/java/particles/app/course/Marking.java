@@ -9,11 +9,9 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
@@ -22,8 +20,8 @@ import particles.app.course.Result.HandIn;
 import particles.app.course.Result.Item;
 import particles.app.course.Result.Status;
 import particles.app.student.Check;
-import particles.app.student.CheckEffectCommand.CheckOfEffect;
-import particles.app.student.CheckSolverCommand.CheckOfSolver;
+import particles.app.student.CheckEffectCommand;
+import particles.app.student.CheckSolverCommand;
 import particles.app.student.StudentProcess;
 import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;
@@ -33,10 +31,10 @@ import particles.spec.messages.InvalidInputException;
 import particles.teaching.GuardedRun;
 import particles.teaching.GuardedRun.Outcome;
 import particles.teaching.exercises.AnswersFile;
+import particles.teaching.exercises.Draw;
+import particles.teaching.exercises.Exercise;
+import particles.teaching.exercises.Exercise.Mark;
 import particles.teaching.exercises.Exercises;
-import particles.teaching.marking.Draw;
-import particles.teaching.marking.Exercise;
-import particles.teaching.marking.Mark;
 import particles.view.DataTable;
 
 /**
@@ -54,11 +52,6 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
     static final String NO_ANSWER = "There is no answer.";
     private static final double SECONDS = 60;
 
-    /** @return a short text that no other text has */
-    static String digest(String text) {
-        return HexFormat.of().formatHex(Draw.hash(text));
-    }
-
     /**
      * Marks the answers. Where the same hand-in was marked before, it takes that result.
      *
@@ -73,7 +66,7 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
      */
     static Supplier<Result> begin(String student, Submission handIn, Assignment assignment, List<String> numbers,
             Path results, Path copy) throws IOException {
-        String digest = digest(Program.VERSION + '\0' + assignment + '\0' + numbers + handIn.digest());
+        String digest = Draw.digest(Program.VERSION + '\0' + assignment + '\0' + numbers + handIn.digest());
         Optional<Result> earlier = earlier(results.resolve(Result.FILE)).filter(result -> result.isDecided()
                 && result.digest().equals(digest) && result.student().equals(student));
         if (earlier.isPresent()) {
@@ -117,7 +110,7 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
     private List<Item> exercises(Map<Integer, String> given) {
         List<Item> items = new ArrayList<>();
         assignment.exercises().forEach((number, weight) -> {
-            Exercise exercise = Exercises.all().get(number - 1);
+            Exercise exercise = Exercises.ALL.get(number - 1);
             Optional<String> answer = Optional.ofNullable(given.get(number));      // null: no answer
             boolean undecided = answer.isPresent() && numbers.isEmpty();
             Mark mark = answer.isEmpty() ? Mark.wrong(NO_ANSWER) : undecided ? Mark.wrong(
@@ -138,7 +131,7 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
     /** A scene's path is relative to the folder of the answers, which it cannot leave; both are handed in together. */
     private Mark mark(Exercise exercise, int number, String answer) {
         Draw draw = new Draw(numbers.get(number), number);
-        if (number < Exercises.all().size() || answer.isBlank()) {
+        if (number < Exercises.ALL.size() || answer.isBlank()) {
             return exercise.mark(draw, answer);
         }
         try {
@@ -160,19 +153,19 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
     private List<Item> classes() {
         List<Item> items = new ArrayList<>();
         for (Map.Entry<String, Assignment.Asked> asked : assignment.solvers(sources.keySet()).entrySet()) {
-            items.add(check("solver", asked.getKey(), asked.getValue().weight(), own -> new CheckOfSolver(own,
-                    asked.getValue().method(), ChartFormat.PAGE)));
+            items.add(check("solver", CheckSolverCommand.NAME, asked.getKey(), asked.getValue().method(),
+                    asked.getValue().weight()));
         }
         for (Map.Entry<String, Double> effect : assignment.effects().entrySet()) {
-            items.add(check("effect", effect.getKey(), effect.getValue(), CheckOfEffect::new));
+            items.add(check("effect", CheckEffectCommand.NAME, effect.getKey(), "", effect.getValue()));
         }
         return items;
     }
 
-    private Item check(String kind, String name, double weight, Function<String, Check> check) {
+    private Item check(String kind, String command, String name, String method, double weight) {
         boolean there = sources.containsKey(name);
-        StudentProcess.Outcome outcome = there ? StudentProcess.run(check.apply("exercises." + name),
-                reports.resolve(name), sources) : new StudentProcess.Outcome(ExitCode.BAD_INPUT,
+        StudentProcess.Outcome outcome = there ? StudentProcess.run(new Check(command, "exercises." + name, method,
+                ChartFormat.PAGE), reports.resolve(name), sources) : new StudentProcess.Outcome(ExitCode.BAD_INPUT,
                 List.of("there is no file " + name + ".java"));
         return new Item(kind + " " + name, there, outcome.code() == ExitCode.DONE ? Status.PASS : outcome.code()
                 == ExitCode.STOPPED ? Status.ERROR : Status.FAIL, weight, new Mark(false, outcome.lines()).lines());

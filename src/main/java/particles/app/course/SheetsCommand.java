@@ -15,10 +15,10 @@ import java.util.stream.Stream;
 import particles.app.cli.ResultsCommand;
 import particles.output.files.OutputFolder;
 import particles.output.report.Html;
+import particles.teaching.exercises.Draw;
+import particles.teaching.exercises.Exercise;
 import particles.teaching.exercises.Exercises;
-import particles.teaching.marking.Draw;
-import particles.teaching.marking.Exercise;
-import particles.teaching.marking.NumericExercise;
+import particles.teaching.exercises.NumericExercise;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -56,22 +56,22 @@ public final class SheetsCommand extends ResultsCommand {
     public void run(PrintWriter out) throws Exception {
         Map<Integer, Double> wanted = course.assignment().exercises();
         Path key = course.key().orElseThrow(() -> wrong("key", "the file is missing that this makes, or adds to"));
-        Map<String, List<String>> keys = Files.exists(key) ? CourseList.key(key) : new TreeMap<>();
-        List<List<Double>> taken = IntStream.rangeClosed(0, Exercises.all().size())
+        Map<String, List<String>> keys = Files.exists(key) ? CourseOptions.key(key) : new TreeMap<>();
+        List<List<Double>> taken = IntStream.rangeClosed(0, Exercises.ALL.size())
                 .<List<Double>>mapToObj(number -> new ArrayList<>()).toList();
         keys.values().forEach(secrets -> wanted.keySet().forEach(number ->
                 answer(number, secrets.get(number)).forEach(taken.get(number)::add)));
         try (OutputFolder files = OutputFolder.open(getFolder())) {
             int sheet = 0;
-            for (String student : CourseList.read(students).keySet()) {
+            for (String student : CourseOptions.read(students).keySet()) {
                 List<String> secrets = keys.computeIfAbsent(student, id -> Stream.concat(Stream.of(id), IntStream
-                        .rangeClosed(1, Exercises.all().size()).mapToObj(number -> secret(number,
+                        .rangeClosed(1, Exercises.ALL.size()).mapToObj(number -> secret(number,
                         taken.get(number)))).toList());
                 sheet++;
                 files.write("sheet-" + sheet + "-" + student.replaceAll("[^\\w-]", "_") + ".html",
                         Html.fill(PAGE, Map.of("student", student, "parts", wanted.keySet().stream().map(number ->
-                        Map.of("number", number, "title", Exercises.all().get(number - 1).title(), "text",
-                        Exercises.all().get(number - 1).text(new Draw(secrets.get(number), number)))).toList())));
+                        Map.of("number", number, "title", Exercises.ALL.get(number - 1).title(), "text",
+                        Exercises.ALL.get(number - 1).text(new Draw(secrets.get(number), number)))).toList())));
             }
             List<String> lines = new ArrayList<>(List.of(HEAD));
             keys.values().forEach(cells -> lines.add(String.join(",", cells)));
@@ -83,7 +83,7 @@ public final class SheetsCommand extends ResultsCommand {
     }
 
     private static Stream<Double> answer(int number, String secret) {
-        Exercise exercise = Exercises.all().get(number - 1);
+        Exercise exercise = Exercises.ALL.get(number - 1);
         return exercise instanceof NumericExercise numeric
                 ? Stream.of(numeric.worked(new Draw(secret, number)).answer()) : Stream.empty();
     }

@@ -20,6 +20,7 @@ import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import particles.teaching.exercises.Draw;
 
 /**
  * A hand-in as Moodle and GitHub Classroom download it: a folder or a zip, or a folder with a zip. It is copied before
@@ -91,23 +92,19 @@ record Submission(String name, Map<String, byte[]> files, Instant newest) {
     /** @return a short text that changes with each file */
     String digest() {
         Map<String, String> digests = new TreeMap<>();
-        files.forEach((path, bytes) -> digests.put(path, Marking.digest(new String(bytes,
-                StandardCharsets.ISO_8859_1))));
-        return Marking.digest(digests.toString());
+        files.forEach((path, bytes) -> digests.put(path,
+                Draw.digest(new String(bytes, StandardCharsets.ISO_8859_1))));
+        return Draw.digest(digests.toString());
     }
 
     /** @return what was not read, in a line */
     List<String> problems() {
-        List<String> problems = new ArrayList<>(files.keySet().stream().filter(path -> !isJava(path) && !isPath(path))
-                .map(path -> "no file of this machine can have the name " + path).toList());
+        List<String> problems = new ArrayList<>(files.keySet().stream().filter(path -> !path.endsWith(".java")
+                && !isPath(path)).map(path -> "no file of this machine can have the name " + path).toList());
         if (files.size() > MOST_FILES) {
             problems.add("there are more than " + MOST_FILES + " YAML and Java files; the others were not read");
         }
         return problems;
-    }
-
-    private static boolean isJava(String path) {
-        return path.endsWith(".java");
     }
 
     /** Whether a file can have this path here; where the locale is C, only ASCII can be in it. */
@@ -169,7 +166,7 @@ record Submission(String name, Map<String, byte[]> files, Instant newest) {
         String base = answers.map(path -> path.substring(0, path.length() - ANSWERS.length())).orElse("/");
         for (Map.Entry<String, byte[]> file : files.entrySet()) {
             String path = file.getKey();
-            if (!path.startsWith(base) || isJava(path) || !isPath(path)) {
+            if (!path.startsWith(base) || path.endsWith(".java") || !isPath(path)) {
                 continue;
             }
             Path copy = folder.resolve(path.substring(base.length())).normalize();

@@ -37,12 +37,10 @@ public final class AskedMethods {
             """.split("\n")).map(line -> line.split(" = ")).collect(Collectors.toUnmodifiableMap(
             row -> row[0], row -> row[1]));
 
-    private AskedMethods() {
-    }
+    /** The names; the last one is {@link #ANY}. */
+    public static final List<String> NAMES = Stream.concat(METHODS.keySet().stream().sorted(), Stream.of(ANY)).toList();
 
-    /** @return the names; the last one is {@link #ANY} */
-    public static List<String> names() {
-        return Stream.concat(METHODS.keySet().stream().sorted(), Stream.of(ANY)).toList();
+    private AskedMethods() {
     }
 
     /** @return why another name cannot be asked for, in a line */
@@ -50,7 +48,7 @@ public final class AskedMethods {
         return SolverCatalog.find(name).map(solver -> "'" + name + "' cannot be asked for: the check sees whether"
                 + " such a method is right, but cannot tell it from others of its kind; write "
                 + (METHODS.containsKey(solver.family()) ? solver.family() : ANY))
-                .orElseGet(() -> Wording.unknown("method", name, names(), List.of()));
+                .orElseGet(() -> Wording.unknown("method", name, NAMES, List.of()));
     }
 
     /**

@@ -3,51 +3,41 @@ package particles.app.student;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import particles.app.student.CheckEffectCommand.CheckOfEffect;
-import particles.app.student.CheckSolverCommand.CheckOfSolver;
 import particles.output.charts.ChartFormat;
 import particles.output.report.Picture;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.view.DataTable;
 
-/** A check of a student's class, which can be sent to another process. */
-public interface Check {
-    /** @return the name of its command */
-    String command();
-
-    /** @return the name of the class, as typed */
-    String subject();
-
-    /** @return the method that the class promises; empty if only its name says so */
-    default String method() {
-        return "";
-    }
-
-    /** @return the format of its charts */
-    default ChartFormat format() {
-        return ChartFormat.PAGE;
-    }
-
+/**
+ * A check of a student's class, which can be sent to another process.
+ *
+ * @param command the name of its command
+ * @param subject the name of the class, as typed
+ * @param method  the method that a solver has to be; empty for an effect
+ * @param format  the format of its charts
+ */
+public record Check(String command, String subject, String method, ChartFormat format) {
     /** @return what {@link #of} needs to make it again in another process */
-    default List<String> words() {
-        return List.of(command(), subject(), method(), format().slide() + "", format().svg() + "",
-                format().dark() + "");
+    List<String> words() {
+        return List.of(command, subject, method, format.slide() + "", format.svg() + "", format.dark() + "");
     }
 
     /** @return the check of these {@link #words} */
     static Check of(List<String> words) {
-        return words.get(0).equals(CheckSolverCommand.NAME) ? new CheckOfSolver(words.get(1), words.get(2),
-                new ChartFormat(words.get(3).equals("true"), words.get(4).equals("true"), words.get(5).equals("true")))
-                : new CheckOfEffect(words.get(1));
+        return new Check(words.get(0), words.get(1), words.get(2),
+                new ChartFormat(words.get(3).equals("true"), words.get(4).equals("true"), words.get(5).equals("true")));
     }
 
     /** Makes it; runs the class's own code. */
-    Checked make();
+    Checked make() {
+        return command.equals(CheckSolverCommand.NAME) ? CheckSolverCommand.checked(subject, method)
+                : CheckEffectCommand.checked(subject);
+    }
 
     /** @return the file of its report in this folder */
-    default Path report(Path folder) {
-        return folder.resolve(command() + ".md");
+    Path report(Path folder) {
+        return folder.resolve(command + ".md");
     }
 
     /**

@@ -3,7 +3,7 @@ package particles.app.student;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import particles.app.cli.ExitCode;
-import particles.app.cli.Failure;
+import particles.app.cli.ExitCode.Failure;
 import particles.app.cli.ResultsCommand;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
@@ -19,9 +19,9 @@ abstract class CheckCommand extends ResultsCommand {
         Files.deleteIfExists(check.report(getFolder()));
         StudentProcess.Outcome outcome = StudentProcess.run(check, getFolder(), StudentLoader.installed());
         if (!Files.exists(check.report(getFolder()))) {         // its process was ended before it wrote one
-            CheckRun.writeUnfinished(check, getFolder(), new Finding(outcome.code() == ExitCode.STOPPED
+            CheckRun.write(check, CheckRun.unfinished(check, new Finding(outcome.code() == ExitCode.STOPPED
                     ? Kind.UNDECIDED : Kind.FAILURE, String.join(" ", outcome.lines()).replaceFirst(
-                    "^(wrong|not decided): ", "")));
+                    "^(wrong|not decided): ", ""))), getFolder());
         }
         outcome.lines().forEach(lines::println);
         if (outcome.code() != ExitCode.DONE) {

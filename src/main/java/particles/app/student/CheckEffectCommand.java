@@ -10,6 +10,7 @@ import java.util.stream.Collectors;
 import particles.app.student.Check.Checked;
 import particles.law.Effect;
 import particles.law.Particles;
+import particles.output.charts.ChartFormat;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.effects.EffectCheck;
@@ -34,52 +35,40 @@ public final class CheckEffectCommand extends CheckCommand {
 
     @Override
     Check check() {
-        return new CheckOfEffect(effect);
+        return new Check(NAME, effect, "", ChartFormat.PAGE);
     }
 
-    /**
-     * The check.
-     *
-     * @param subject the effect's name or class
-     */
-    public record CheckOfEffect(String subject) implements Check {
-        @Override
-        public String command() {
-            return NAME;
-        }
-
-        @Override
-        public Checked make() {
-            try {
-                Function<Particles, Effect> law = particles -> EffectSample.create(subject, particles,
-                        new StudentClasses());
-                Effect made = law.apply(EffectSample.system().getParticles());
-                List<Finding> findings = EffectCheck.check(law);
-                boolean right = findings.stream().noneMatch(Finding::isWrong);
-                if (right && PlainRuns.differ(run -> EffectCheck.check(particles -> {
-                    run.run();
-                    return law.apply(particles);
-                }), () -> PlainRuns.forces(law))) {
-                    findings = List.of(new Finding(Kind.FAILURE, "outside this check, or after many calls, its forces"
-                            + " differ from those in this check"));
-                }
-                Optional<String> other = EffectSample.checkedThrough(subject);
-                String identity = other.map(name -> "It acts through '" + name + "', which then")
-                        .orElse("The effect '" + made.getName() + "'") + " claims " + claims(made.getTraits()) + "."
-                        + (right ? ForceDirection.of(law) : "") + changed(EffectSample.actingThrough(subject));
-                return new Checked(other.isPresent() ? subject : made.getClass().getSimpleName(), identity, findings);
-            } catch (NoSuchElementException | IllegalArgumentException e) {
-                return new Checked(subject, e);
+    /** Checks the effect of this name or class; runs its code. */
+    static Checked checked(String subject) {
+        try {
+            Function<Particles, Effect> law = particles -> EffectSample.create(subject, particles,
+                    new StudentClasses());
+            Effect made = law.apply(EffectSample.system().getParticles());
+            List<Finding> findings = EffectCheck.check(law);
+            boolean right = findings.stream().noneMatch(Finding::isWrong);
+            if (right && PlainRuns.differ(run -> EffectCheck.check(particles -> {
+                run.run();
+                return law.apply(particles);
+            }), () -> PlainRuns.forces(law))) {
+                findings = List.of(new Finding(Kind.FAILURE, "outside this check, or after many calls, its forces"
+                        + " differ from those in this check"));
             }
+            Optional<String> other = EffectSample.checkedThrough(subject);
+            String identity = other.map(name -> "It acts through '" + name + "', which then")
+                    .orElse("The effect '" + made.getName() + "'") + " claims " + claims(made.getTraits()) + "."
+                    + (right ? ForceDirection.of(law) : "") + changed(EffectSample.actingThrough(subject));
+            return new Checked(other.isPresent() ? subject : made.getClass().getSimpleName(), identity, findings);
+        } catch (NoSuchElementException | IllegalArgumentException e) {
+            return new Checked(subject, e);
         }
+    }
 
-        private static String changed(List<String> others) {
-            return others.isEmpty() ? "" : " With " + String.join(" or ", others) + " it claims less.";
-        }
+    private static String changed(List<String> others) {
+        return others.isEmpty() ? "" : " With " + String.join(" or ", others) + " it claims less.";
+    }
 
-        private static String claims(Set<Effect.Trait> traits) {
-            return traits.isEmpty() ? "no property"
-                    : new TreeSet<>(traits).stream().map(Enum::name).collect(Collectors.joining(", "));
-        }
+    private static String claims(Set<Effect.Trait> traits) {
+        return traits.isEmpty() ? "no property"
+                : new TreeSet<>(traits).stream().map(Enum::name).collect(Collectors.joining(", "));
     }
 }

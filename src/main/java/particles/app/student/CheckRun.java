@@ -5,31 +5,35 @@ import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.BiConsumer;
 import particles.app.cli.ExitCode;
 import particles.app.student.Check.Checked;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.output.report.ResultPage;
+import particles.output.report.TableText;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.GuardedRun;
 import particles.teaching.GuardedRun.Outcome;
+import particles.view.DataTable;
 
 /**
  * Makes a check with a limit on its CPU time, and writes its report.
  *
  * @param check  the check
  * @param folder receives the report
- * @param screen shows the verdict
+ * @param screen shows the verdict and the check's own lines
  */
-record CheckRun(Check check, Path folder, Screen screen) {
+record CheckRun(Check check, Path folder, BiConsumer<ExitCode, List<String>> screen) {
     private static final double SECONDS = 7;
-
-    /** Where the verdict and the check's own lines go. */
-    interface Screen {
-        void show(ExitCode code, List<String> lines);
-    }
+    private static final int MOST_LINES = 12;
+    private static final int MOST_MISTAKES = 4;
+    private static final int MOST_NOTES = 2;
+    private static final int LONGEST = 100;
 
     /** @return the verdict */
     ExitCode run() {
@@ -61,32 +65,86 @@ record CheckRun(Check check, Path folder, Screen screen) {
                 !finding.isWrong() || finding.kind() == Kind.UNDECIDED) ? ExitCode.STOPPED : ExitCode.BAD_INPUT;
         List<String> lines;
         try {
-            lines = CheckReport.lines(checked, printed, write(check, checked, folder));
+            lines = lines(checked, printed, write(check, checked, folder));
         } catch (OutputException e) {
             lines = List.of(e.getMessage());
             code = ExitCode.TROUBLE;
         }
-        screen.show(code, lines);
+        screen.accept(code, lines);
         return code;
     }
 
-    /** Reports a check whose process was ended before it wrote a report. */
-    static void writeUnfinished(Check check, Path folder, Finding failure) {
-        write(check, unfinished(check, failure), folder);
-    }
-
-    private static Checked unfinished(Check check, Finding failure) {
+    /** The result of a check that was ended before it wrote a report. */
+    static Checked unfinished(Check check, Finding failure) {
         return new Checked(check.subject(), "The check did not finish.", List.of(failure));
     }
 
-    /** @return the report's file */
-    private static Path write(Check check, Checked checked, Path folder) {
+    /** Writes the report. @return its file */
+    static Path write(Check check, Checked checked, Path folder) {
         Path report = check.report(folder);
         try (OutputFolder files = OutputFolder.open(folder, report.getFileName().toString())) {
             new ResultPage(check.command(), checked.subject() + ": " + checked.identity(), checked.paragraphs(),
                     checked.pictures(), checked.tables()).write(files, check.format().quick());
         }
         return report;
+    }
+
+    /**
+     * The output on the screen: the verdict, then mistakes, notes and numbers, in at most twelve lines.
+     *
+     * @param checked the result of the check
+     * @param printed the text that the class printed
+     * @param report  the file of the whole report
+     * @return the lines
+     */
+    private static List<String> lines(Checked checked, String printed, Path report) {
+        Optional<Finding> unwritten = checked.findings().stream().filter(finding -> finding.kind() == Kind.UNWRITTEN)
+                .findFirst();
+        if (unwritten.isPresent()) {
+            return List.of(checked.subject() + ": " + unwritten.get().text());
+        }
+        List<String> lines = new ArrayList<>(List.of(checked.subject() + ": " + (checked.identity().equals(
+                Checked.NOT_CHECKED) ? "" : verdict(checked.findings())) + checked.identity()));
+        add(lines, checked.findings().stream().filter(Finding::isWrong).toList(), MOST_MISTAKES);
+        add(lines, checked.findings().stream().filter(finding -> !finding.isWrong()).toList(), MOST_NOTES);
+        List<String> last = new ArrayList<>();
+        if (!printed.isBlank()) {
+            List<String> text = printed.strip().lines().toList();
+            String first = text.get(0).length() > LONGEST ? text.get(0).substring(0, LONGEST) + "..." : text.get(0);
+            last.add("the class printed: " + first + (text.size() > 1 ? " (and more lines)" : ""));
+        }
+        last.add("report: " + report);
+        List<DataTable> tables = checked.tables();
+        int room = MOST_LINES - lines.size() - last.size();
+        if (!tables.isEmpty() && room > 1) {
+            lines.addAll(TableText.plain(tables.get(0)).stream().limit(room).toList());
+        }
+        lines.addAll(last);
+        return lines;
+    }
+
+    private static String verdict(List<Finding> findings) {
+        return findings.stream().filter(Finding::isWrong).map(finding -> switch (finding.kind()) {
+            case NAME -> "not what its name says. ";
+            case UNDECIDED -> "not decided. ";
+            default -> "wrong. ";
+        }).findFirst().orElse("right. ");
+    }
+
+    /** Capitals for what costs the mark. */
+    private static String line(Finding finding) {
+        return switch (finding.kind()) {
+            case STYLE, UNDECIDED -> "";
+            case NAME -> "PROMISE, ";
+            default -> "WRONG, ";
+        } + finding;
+    }
+
+    private static void add(List<String> lines, List<Finding> findings, int most) {
+        findings.stream().limit(most).map(CheckRun::line).forEach(lines::add);
+        if (findings.size() > most) {
+            lines.add(lines.remove(lines.size() - 1) + " (" + (findings.size() - most) + " more in the report)");
+        }
     }
 
     /** Keeps only the beginning of a class's output. */

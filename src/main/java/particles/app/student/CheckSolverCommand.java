@@ -10,7 +10,6 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.app.cli.ChartOptions;
 import particles.app.student.Check.Checked;
-import particles.output.charts.ChartFormat;
 import particles.output.charts.Panel;
 import particles.output.report.Picture;
 import particles.teaching.Finding;
@@ -45,82 +44,68 @@ public final class CheckSolverCommand extends CheckCommand {
     protected void read(Mistakes mistakes) {
         super.read(mistakes);
         mistakes.check(() -> {
-            if (!AskedMethods.names().contains(method)) {
+            if (!AskedMethods.NAMES.contains(method)) {
                 throw wrong("method", SolverCatalog.names().contains(method) ? AskedMethods.refusal(method)
                         : "no method that can be asked for is called '" + method + "'; known: "
-                        + String.join(", ", AskedMethods.names()));
+                        + String.join(", ", AskedMethods.NAMES));
             }
         });
     }
 
     @Override
     Check check() {
-        return new CheckOfSolver(solver, method, charts.format());
+        return new Check(NAME, solver, method, charts.format());
     }
 
-    /**
-     * The check.
-     *
-     * @param subject the solver's name or class
-     * @param method  the method that it has to be
-     * @param format  the format of its charts
-     */
-    public record CheckOfSolver(String subject, String method, ChartFormat format) implements Check {
-        @Override
-        public String command() {
-            return NAME;
+    /** Checks the solver of this name or class, which has to be a method; runs its code. */
+    static Checked checked(String subject, String method) {
+        String full = SolverCatalog.names().contains(subject) || subject.contains(".") ? subject
+                : "exercises." + subject;
+        Supplier<DESolver> maker = () -> SolverCatalog.create(full);
+        String name;
+        try {
+            name = maker.get().getClass().getSimpleName();
+        } catch (NoSuchElementException | IllegalArgumentException e) {
+            return new Checked(subject, e);
         }
-
-        @Override
-        public Checked make() {
-            String full = SolverCatalog.names().contains(subject) || subject.contains(".") ? subject
-                    : "exercises." + subject;
-            Supplier<DESolver> maker = () -> SolverCatalog.create(full);
-            String name;
-            try {
-                name = maker.get().getClass().getSimpleName();
-            } catch (NoSuchElementException | IllegalArgumentException e) {
-                return new Checked(subject, e);
-            }
-            SolverVerdict verdict = AskedMethods.check(maker, name, method);
-            if (verdict.wrong().isEmpty() && PlainRuns.differ(run -> SolverCheck.check(() -> {
-                run.run();
-                throw new IllegalStateException("the check itself is not wanted");
-            }, name), () -> PlainRuns.ends(full))) {
-                verdict = new SolverVerdict(verdict.identity(), List.of(new Finding(Kind.FAILURE,
-                        "outside this check, or after many calls, its steps differ from those in this check")),
-                        verdict.multistep());
-            }
-            List<Finding> findings = new ArrayList<>(verdict.findings());
-            Optional<Kind> wrong = verdict.wrong().stream().map(Finding::kind).findFirst();
-            if (wrong.equals(Optional.of(Kind.FAILURE)) || wrong.equals(Optional.of(Kind.UNWRITTEN))) {
-                return new Checked(name, verdict.identity(), findings);
-            }
-            SolverFigures figures;
-            try {
-                figures = SolverFigures.of(SolverCatalog.names().contains(subject) ? subject : name, maker, verdict);
-            } catch (RuntimeException e) {                  // of the class itself; still report the findings
-                if (wrong.isEmpty()) {                      // otherwise it follows from a mistake already reported
-                    findings.add(new Finding(Kind.FAILURE, "while it was measured on springs: "
-                            + StudentFailure.describe(e)));
-                }
-                return new Checked(name, verdict.identity(), findings);
-            }
-            List<Picture> pictures = new ArrayList<>();
-            pictures.add(Picture.of("order",
-                    "The error after two seconds of x'' = -4x + 3 cos t; the slope is the order.",
-                    Panel.chart(figures.order())));
-            figures.region().ifPresent(region -> pictures.add(Picture.of("region",
-                    "Where a step makes nothing larger, measured on its own steps. Every mode of a system has to lie"
-                            + " there: deltaT times its eigenvalue lambda."
-                            + " Pale: the built-in solver that is nearest.", Panel.map(region))));
-            pictures.add(Picture.of("energy", "The energy of an undamped spring, which should stay constant.",
-                    Panel.chart(figures.energy())));
-            pictures.add(Picture.of("work-precision",
-                    "The error after eight seconds against the work: lower left is better.",
-                    Panel.chart(figures.workPrecision())));
-            return new Checked(name, verdict.identity(), findings, pictures, Stream.concat(Stream.of(figures.facts()),
-                    figures.growth().stream()).toList());
+        SolverVerdict verdict = AskedMethods.check(maker, name, method);
+        if (verdict.wrong().isEmpty() && PlainRuns.differ(run -> SolverCheck.check(() -> {
+            run.run();
+            throw new IllegalStateException("the check itself is not wanted");
+        }, name), () -> PlainRuns.ends(full))) {
+            verdict = new SolverVerdict(verdict.identity(), List.of(new Finding(Kind.FAILURE,
+                    "outside this check, or after many calls, its steps differ from those in this check")),
+                    verdict.multistep());
         }
+        List<Finding> findings = new ArrayList<>(verdict.findings());
+        Optional<Kind> wrong = verdict.wrong().stream().map(Finding::kind).findFirst();
+        if (wrong.equals(Optional.of(Kind.FAILURE)) || wrong.equals(Optional.of(Kind.UNWRITTEN))) {
+            return new Checked(name, verdict.identity(), findings);
+        }
+        SolverFigures figures;
+        try {
+            figures = SolverFigures.of(SolverCatalog.names().contains(subject) ? subject : name, maker, verdict);
+        } catch (RuntimeException e) {                  // of the class itself; still report the findings
+            if (wrong.isEmpty()) {                      // otherwise it follows from a mistake already reported
+                findings.add(new Finding(Kind.FAILURE, "while it was measured on springs: "
+                        + StudentFailure.describe(e)));
+            }
+            return new Checked(name, verdict.identity(), findings);
+        }
+        List<Picture> pictures = new ArrayList<>();
+        pictures.add(Picture.of("order",
+                "The error after two seconds of x'' = -4x + 3 cos t; the slope is the order.",
+                Panel.chart(figures.order())));
+        figures.region().ifPresent(region -> pictures.add(Picture.of("region",
+                "Where a step makes nothing larger, measured on its own steps. Every mode of a system has to lie"
+                        + " there: deltaT times its eigenvalue lambda."
+                        + " Pale: the built-in solver that is nearest.", Panel.map(region))));
+        pictures.add(Picture.of("energy", "The energy of an undamped spring, which should stay constant.",
+                Panel.chart(figures.energy())));
+        pictures.add(Picture.of("work-precision",
+                "The error after eight seconds against the work: lower left is better.",
+                Panel.chart(figures.workPrecision())));
+        return new Checked(name, verdict.identity(), findings, pictures, Stream.concat(Stream.of(figures.facts()),
+                figures.growth().stream()).toList());
     }
 }

@@ -1,12 +1,13 @@
 package particles.app.student;
 
 import java.io.PrintWriter;
+import java.util.List;
 import particles.app.cli.ProgramCommand;
 import particles.spec.messages.InvalidInputException;
+import particles.teaching.exercises.Draw;
+import particles.teaching.exercises.Exercise;
+import particles.teaching.exercises.Exercise.Mark;
 import particles.teaching.exercises.Exercises;
-import particles.teaching.marking.Draw;
-import particles.teaching.marking.Exercise;
-import particles.teaching.marking.Mark;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -29,27 +30,23 @@ public final class ExerciseCommand extends ProgramCommand {
 
     @Override
     protected void read(Mistakes mistakes) {
-        mistakes.check(this::checkNumber);
-        mistakes.check(this::checkStudent);
-    }
-
-    private void checkNumber() {
-        int count = Exercises.all().size();             // picocli leaves an option null that is missing
-        if (number != null && (!number.matches("\\d{1,3}") || Integer.parseInt(number) < 1
-                || Integer.parseInt(number) > count)) {
-            throw wrong("number", "'" + number + "' is not an exercise; they are numbered 1 to " + count);
-        }
-    }
-
-    private void checkStudent() {
-        if (student != null && student.isBlank()) {
-            throw wrong("student", "the id is empty");
-        }
+        mistakes.check(() -> {
+            int count = Exercises.ALL.size();           // picocli leaves an option null that is missing
+            if (number != null && (!number.matches("\\d{1,3}") || Integer.parseInt(number) < 1
+                    || Integer.parseInt(number) > count)) {
+                throw wrong("number", "'" + number + "' is not an exercise; they are numbered 1 to " + count);
+            }
+        });
+        mistakes.check(() -> {
+            if (student != null && student.isBlank()) {
+                throw wrong("student", "the id is empty");
+            }
+        });
     }
 
     @Override
     public void run(PrintWriter out) {
-        Exercise exercise = Exercises.all().get(Integer.parseInt(number) - 1);
+        Exercise exercise = Exercises.ALL.get(Integer.parseInt(number) - 1);
         Draw draw = new Draw(student, Integer.parseInt(number));
         if (answer == null) {                           // picocli leaves an option null that was not given
             out.println(number + ". " + exercise.title());
@@ -61,5 +58,19 @@ public final class ExerciseCommand extends ProgramCommand {
             throw new InvalidInputException(mark.lines());
         }
         mark.lines().forEach(out::println);
+    }
+
+    /** {@code gradle exercises}: lists the exercises, one line each. */
+    @Command(name = "exercises", description = "Lists the exercises.")
+    public static final class ExercisesCommand extends ProgramCommand {
+        @Override
+        public void run(PrintWriter out) {
+            List<Exercise> all = Exercises.ALL;
+            for (int number = 1; number <= all.size(); number++) {
+                out.printf("%2d  %s%n", number, all.get(number - 1).title());
+            }
+            out.println("the text with your own numbers: " + getStyle().task("exercise") + " "
+                    + getStyle().option("number") + "=1 " + getStyle().option("student") + "=YOUR-ID");
+        }
     }
 }

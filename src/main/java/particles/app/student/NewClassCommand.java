@@ -53,7 +53,7 @@ public abstract class NewClassCommand extends ProgramCommand {
             throw new InvalidInputException("option " + getStyle().option("class") + " needs a value: "
                     + getStyle().option("class") + "=NAME");
         }
-        if (!SolverSkeleton.isClassName(name)) {
+        if (!name.matches("[A-Z]\\w*")) {
             throw wrong("class", "'" + className + "' is not a class name; use a capital, then letters and digits");
         }
         Path file = folder.resolve(name + ".java");

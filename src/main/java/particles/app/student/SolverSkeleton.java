@@ -136,15 +136,6 @@ public final class SolverSkeleton {
     }
 
     /**
-     * @param name a name for a class
-     * @return whether that is a class's name: a capital, then letters and digits;
-     *         no word of the language begins with a capital
-     */
-    static boolean isClassName(String name) {
-        return name.matches("[A-Z]\\w*");
-    }
-
-    /**
      * @param name the class's name; one that promises a method of the slides, as MyRK4Solver does, brings its outline
      * @param base the class that it extends, one of {@link #SOLVER_BASES}
      * @return the text of a solver

@@ -9,7 +9,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.security.GeneralSecurityException;
 import java.security.MessageDigest;
 import java.security.SecureRandom;
 import java.time.Duration;
@@ -24,6 +23,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
+import particles.teaching.exercises.Draw;
 
 /** Runs code that calls a student's class in a child process, so that the class cannot stop the program. */
 public final class StudentProcess {
@@ -60,15 +60,9 @@ public final class StudentProcess {
     record Secret(String key) {
         /** @return the text with a signature that only a holder of the secret can make, on a line before it */
         private byte[] signed(String text) {
-            try {
-                MessageDigest sha = MessageDigest.getInstance("SHA-256");   // javax.crypto takes 40 ms to load
-                sha.update(key.getBytes(StandardCharsets.UTF_8));
-                byte[] inner = sha.digest(text.getBytes(StandardCharsets.UTF_8));
-                sha.update(key.getBytes(StandardCharsets.UTF_8));      // twice, as in HMAC: none can be extended
-                return (HexFormat.of().formatHex(sha.digest(inner)) + "\n" + text).getBytes(StandardCharsets.UTF_8);
-            } catch (GeneralSecurityException e) {
-                throw new AssertionError("every Java has SHA-256", e);
-            }
+            String inner = Draw.digest(key + text);
+            String signature = Draw.digest(key + inner);        // twice, as in HMAC: none can be extended
+            return (signature + "\n" + text).getBytes(StandardCharsets.UTF_8);
         }
 
         /** @return the outcome as a signed text */
@@ -188,25 +182,25 @@ public final class StudentProcess {
             }
             for (int second = 0; second < SECONDS; second++) {
                 if (process.waitFor(1, TimeUnit.SECONDS)) {
-                    return stopped(ExitCode.STOPPED, "not decided: the check was ended from outside; run it again")
+                    return undecided("not decided: the check was ended from outside; run it again")
                             .filter(outcome -> process.exitValue() > SIGNAL);
                 }
                 if (process.info().totalCpuDuration().filter(time -> time.compareTo(MOST_CPU_TIME) > 0).isPresent()) {
-                    return stopped(ExitCode.STOPPED, "not decided: the check did not end within "
+                    return undecided("not decided: the check did not end within "
                             + MOST_CPU_TIME.toSeconds() + " s of CPU time and was stopped");
                 }
             }
-            return stopped(ExitCode.STOPPED, "not decided on this machine, which is too busy: run it again");
+            return undecided("not decided on this machine, which is too busy: run it again");
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-            return stopped(ExitCode.STOPPED, "the check was interrupted");
+            return undecided("the check was interrupted");
         } finally {
             process.descendants().forEach(ProcessHandle::destroyForcibly);
             process.destroyForcibly();
         }
     }
 
-    private static Optional<Outcome> stopped(ExitCode code, String line) {
-        return Optional.of(new Outcome(code, List.of(line)));
+    private static Optional<Outcome> undecided(String line) {
+        return Optional.of(new Outcome(ExitCode.STOPPED, List.of(line)));
     }
 }

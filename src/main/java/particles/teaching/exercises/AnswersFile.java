@@ -23,7 +23,7 @@ import particles.spec.messages.Problems;
  */
 public record AnswersFile(Map<Integer, String> answers, List<String> problems) {
     private static final int MOST_LINES = 1000;
-    private static final List<Key<String>> KEYS = IntStream.rangeClosed(1, Exercises.all().size()).mapToObj(number ->
+    private static final List<Key<String>> KEYS = IntStream.rangeClosed(1, Exercises.ALL.size()).mapToObj(number ->
             TextType.typed("the answer, a number or a path").optional(Integer.toString(number),
             "The answer to this exercise.")).toList();
     private static final MappingType FORMAT = MappingType.of("the file of answers", KEYS.toArray(new Key<?>[0]));

@@ -5,7 +5,7 @@ import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.ReferenceProblem;
 import deSolvers.rungeKutta.ButcherTableau;
 import java.util.stream.IntStream;
-import particles.teaching.marking.Draw.Picks;
+import particles.teaching.exercises.Draw.Picks;
 
 /**
  * A leaf carried by a wind that freshens: v' = -(c/m)(v - b t). The state is the one number v. Its derivative depends

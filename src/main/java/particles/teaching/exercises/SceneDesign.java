@@ -22,10 +22,8 @@ import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 import particles.spec.messages.InvalidInputException;
-import particles.teaching.marking.Draw;
-import particles.teaching.marking.Draw.Picks;
-import particles.teaching.marking.Exercise;
-import particles.teaching.marking.Mark;
+import particles.teaching.exercises.Draw.Picks;
+import particles.teaching.exercises.Exercise.Mark;
 
 /** The exercise to design a scene: it runs a student's scene file and checks the conditions of the task. */
 final class SceneDesign implements Exercise {

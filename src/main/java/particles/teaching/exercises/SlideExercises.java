@@ -1,9 +1,7 @@
 package particles.teaching.exercises;
 
 import java.util.List;
-import particles.teaching.marking.Draw;
-import particles.teaching.marking.NumericExercise;
-import particles.teaching.marking.NumericExercise.Worked;
+import particles.teaching.exercises.NumericExercise.Worked;
 
 /** The exercises on the methods of the slides: Euler, midpoint and RK4. */
 final class SlideExercises {

@@ -3,7 +3,7 @@ package particles.teaching.exercises;
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.SecondOrderProblem;
-import particles.teaching.marking.Draw.Picks;
+import particles.teaching.exercises.Draw.Picks;
 
 /** A particle on a spring and a damper, m x'' = -k x - c x', with its exact motion and that of solvers. */
 final class Spring extends SecondOrderProblem {

@@ -3,8 +3,7 @@ package particles.teaching.exercises;
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import java.util.List;
-import particles.teaching.marking.NumericExercise;
-import particles.teaching.marking.NumericExercise.Worked;
+import particles.teaching.exercises.NumericExercise.Worked;
 
 /** The exercises on the length of a step: stability, energy, damping, adaptive steps. */
 final class StepExercises {

@@ -2,6 +2,7 @@ package particles.teaching.sources;
 
 import java.util.ArrayList;
 import java.util.List;
+import particles.teaching.sources.StudentSource.SecondOrderSource;
 
 /**
  * A source that records all calls of a solver, and answers evaluations with given derivatives. It copies every array

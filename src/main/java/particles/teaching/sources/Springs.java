@@ -1,6 +1,7 @@
 package particles.teaching.sources;
 
 import deSolvers.problems.StepMatrix;
+import particles.teaching.sources.StudentSource.SecondOrderSource;
 
 /** One particle on a spring, x'' = -x in each of three coordinates: the slides' example. */
 public final class Springs extends StudentSource implements SecondOrderSource {

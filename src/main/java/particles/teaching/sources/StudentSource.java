@@ -1,6 +1,7 @@
 package particles.teaching.sources;
 
 import deSolvers.DESolver;
+import deSolvers.SecondOrderStateSource;
 import deSolvers.problems.ReferenceProblem;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -8,8 +9,8 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import particles.teaching.EndlessLoop;
 import particles.teaching.GuardedRun;
+import particles.teaching.GuardedRun.EndlessLoop;
 import particles.teaching.StudentFailure;
 
 /** A source for a student's solver: it records arrays of a wrong length, and uses the part of them that fits. */
@@ -167,5 +168,18 @@ public abstract class StudentSource extends ReferenceProblem {
             evaluatedAt.add(getState());
         }
         super.getStateDerivative(dSdt);
+    }
+
+    /** A source of positions and velocities in space, whose accelerations do not depend on velocities. */
+    interface SecondOrderSource extends SecondOrderStateSource {
+        @Override
+        default int getDimension() {
+            return 3;
+        }
+
+        @Override
+        default boolean accelerationDependsOnVelocity() {
+            return false;
+        }
     }
 }

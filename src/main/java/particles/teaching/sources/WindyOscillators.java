@@ -1,6 +1,7 @@
 package particles.teaching.sources;
 
 import java.util.Arrays;
+import particles.teaching.sources.StudentSource.SecondOrderSource;
 
 /**
  * Particles on springs in a field that changes with time: in each coordinate x'' = -4 x + f(t), so that a clock that is

@@ -25,9 +25,9 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
 import particles.app.student.SolverSkeleton;
+import particles.teaching.exercises.Draw;
 import particles.teaching.exercises.Exercises;
-import particles.teaching.marking.Draw;
-import particles.teaching.marking.NumericExercise;
+import particles.teaching.exercises.NumericExercise;
 
 /** A class is marked as each student is alone, and one bad hand-in spoils only itself. */
 class GradeClassCommandTest {
@@ -79,7 +79,7 @@ class GradeClassCommandTest {
     }
 
     private static String answer(String student) {
-        NumericExercise second = (NumericExercise) Exercises.all().get(1);
+        NumericExercise second = (NumericExercise) Exercises.ALL.get(1);
         return "2: " + second.worked(new Draw(student, 2)).answer() + "\n";
     }
 

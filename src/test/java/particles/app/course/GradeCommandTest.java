@@ -23,7 +23,7 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
 import particles.app.student.ExerciseCommand;
-import particles.app.student.ExercisesCommand;
+import particles.app.student.ExerciseCommand.ExercisesCommand;
 import particles.teaching.effects.EffectSkeleton;
 import particles.teaching.exercises.Exercises;
 
@@ -154,7 +154,7 @@ class GradeCommandTest {
                 "| solver BrokenSolver | 0 | 1 | exercises.BrokenSolver: it cannot be checked. WRONG, f",
                 "WRONG, failure: it does not compile: BrokenSolver.java:11: cannot find symbol: variable dSdx",
                 "| solver WrongSolver | 0 | 1 | WrongSolver: ");
-        assertEquals(Exercises.all().size() + 3,
+        assertEquals(Exercises.ALL.size() + 3,
                 report.lines().filter(line -> line.matches("\\| .* \\| [01] \\| .*")).count());
 
         Xml suite = Xml.of(Files.readString(folder.resolve("report/TEST-grade.xml")));

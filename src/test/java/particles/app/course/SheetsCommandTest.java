@@ -16,9 +16,9 @@ import org.junit.jupiter.api.io.TempDir;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
+import particles.teaching.exercises.Draw;
 import particles.teaching.exercises.Exercises;
-import particles.teaching.marking.Draw;
-import particles.teaching.marking.NumericExercise;
+import particles.teaching.exercises.NumericExercise;
 
 /** Handouts with numbers from a key file, and marking with it. */
 class SheetsCommandTest {
@@ -35,11 +35,11 @@ class SheetsCommandTest {
                 .collect(Collectors.joining("", "id,name\n", "")));
         run(ExitCode.DONE, "sheets", "--students=" + folder.resolve("list.csv"), "--key=" + folder.resolve("key.csv"),
                 "--out=" + folder.resolve("out"));
-        return CourseList.key(folder.resolve("key.csv"));
+        return CourseOptions.key(folder.resolve("key.csv"));
     }
 
     private static double answer(List<String> secrets, int number) {
-        return ((NumericExercise) Exercises.all().get(number - 1)).worked(new Draw(secrets.get(number), number))
+        return ((NumericExercise) Exercises.ALL.get(number - 1)).worked(new Draw(secrets.get(number), number))
                 .answer();
     }
 
@@ -48,7 +48,7 @@ class SheetsCommandTest {
     @Test
     void aHundredStudentsShareNoAnswer() throws Exception {
         Map<String, List<String>> keys = sheets(100);
-        for (int number = 1; number < Exercises.all().size(); number++) {
+        for (int number = 1; number < Exercises.ALL.size(); number++) {
             int exercise = number;
             List<Double> all = keys.values().stream().map(secrets -> answer(secrets, exercise)).toList();
             assertEquals(0, all.stream().filter(mine -> all.stream().filter(other ->
@@ -62,7 +62,7 @@ class SheetsCommandTest {
         List<String> mine = keys.get("s1");
         assertEquals(mine, sheets(3).get("s1"), "who has a sheet keeps its numbers");
         String sheet = Files.readString(folder.resolve("out/sheet-2-s1.html"));
-        String text = Exercises.all().get(1).text(new Draw(mine.get(2), 2));
+        String text = Exercises.ALL.get(1).text(new Draw(mine.get(2), 2));
         assertHas(sheet, "<h1>Exercises for s1</h1>", text);
         assertTrue(mine.stream().skip(1).noneMatch(sheet::contains), "no secret is on the sheet");
         Files.writeString(folder.resolve("answers.yaml"), "2: " + answer(mine, 2));

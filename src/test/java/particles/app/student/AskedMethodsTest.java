@@ -23,7 +23,7 @@ class AskedMethodsTest {
     }
 
     private static void passes(String solver, List<String> expected) {
-        assertEquals(expected.stream().sorted().toList(), AskedMethods.names().stream().filter(method -> AskedMethods
+        assertEquals(expected.stream().sorted().toList(), AskedMethods.NAMES.stream().filter(method -> AskedMethods
                 .check(() -> SolverCatalog.create(solver), "X", method).wrong().isEmpty()).sorted().toList(), solver);
     }
 }

@@ -14,13 +14,13 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.app.cli.ExitCode;
-import particles.app.student.CheckEffectCommand.CheckOfEffect;
 import particles.effects.EffectContext;
 import particles.effects.EffectKind;
 import particles.law.Effect;
 import particles.law.ParticleForce;
 import particles.law.Particles;
 import particles.law.Vector3;
+import particles.output.charts.ChartFormat;
 import particles.spec.Values;
 
 /** The check of a force law through the program: its screen, its report, and classes that do not come back. */
@@ -82,7 +82,7 @@ class CheckEffectCommandTest {
     }
 
     private static String here(ExitCode expected, String effect, Path folder) {
-        return Checks.here(expected, new CheckOfEffect(effect), folder);
+        return Checks.here(expected, new Check(CheckEffectCommand.NAME, effect, "", ChartFormat.PAGE), folder);
     }
 
     @Test
@@ -107,7 +107,8 @@ class CheckEffectCommandTest {
     @ParameterizedTest
     @ValueSource(classes = {Exits.class, ExitsAtOnce.class})
     void aClassThatEndsTheProgramIsFoundOut(Class<?> planted, @TempDir Path folder) throws Exception {
-        String found = Checks.failureOf(new CheckOfEffect(planted.getName()), planted, folder);
+        String found = Checks.failureOf(new Check(CheckEffectCommand.NAME, planted.getName(), "", ChartFormat.PAGE),
+                planted, folder);
         assertMatches(found, "failure: the class ends the whole program .System.exit., in "
                 + planted.getSimpleName() + "[.](getForce|<init>), line \\d+ of CheckEffectCommandTest.java");
     }

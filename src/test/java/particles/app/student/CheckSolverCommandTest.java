@@ -154,7 +154,7 @@ class CheckSolverCommandTest {
     }
 
     private static Check check(String solver) {
-        return new CheckSolverCommand.CheckOfSolver(solver, AskedMethods.ANY, ChartFormat.PAGE);
+        return new Check(CheckSolverCommand.NAME, solver, AskedMethods.ANY, ChartFormat.PAGE);
     }
 
     private static String here(ExitCode expected, String solver, Path folder) {

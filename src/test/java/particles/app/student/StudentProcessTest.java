@@ -27,10 +27,8 @@ class StudentProcessTest {
         List<ChartFormat> formats = List.of(ChartFormat.PAGE, new ChartFormat(true, false, false),
                 new ChartFormat(false, true, false), new ChartFormat(false, false, true));
         for (ChartFormat format : formats) {
-            Check check = new CheckSolverCommand.CheckOfSolver("My", "", format);
+            Check check = new Check(CheckSolverCommand.NAME, "My", "", format);
             assertEquals(check, Check.of(check.words()));
         }
-        Check check = new CheckEffectCommand.CheckOfEffect("My");
-        assertEquals(check, Check.of(check.words()));
     }
 }

@@ -22,8 +22,6 @@ import particles.law.Vector3;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
-import particles.teaching.marking.Draw;
-import particles.teaching.marking.NumericExercise;
 
 /** The right answers against closed forms, which read the numbers from the task's own text as a student does. */
 class ClosedFormsTest {
@@ -37,7 +35,7 @@ class ClosedFormsTest {
     }
 
     private static void hold(int number, double bound, ToDoubleFunction<String> closedForm) {
-        NumericExercise exercise = (NumericExercise) Exercises.all().get(number - 1);
+        NumericExercise exercise = (NumericExercise) Exercises.ALL.get(number - 1);
         for (int s = 0; s < STUDENTS; s++) {
             Draw draw = new Draw("student " + s, number);
             double expected = closedForm.applyAsDouble(exercise.text(draw));
@@ -101,7 +99,7 @@ class ClosedFormsTest {
     @Test
     void mistakesWithTheLeafBeginAtItsStart() {
         for (int number : new int[] {3, 4}) {
-            NumericExercise exercise = (NumericExercise) Exercises.all().get(number - 1);
+            NumericExercise exercise = (NumericExercise) Exercises.ALL.get(number - 1);
             Draw draw = new Draw("ann", number);
             double euler = DoubleStream.of(exercise.worked(draw).mistakes()).filter(slip -> exercise.mark(draw,
                     Double.toString(slip)).lines().get(0).contains("is the Euler method")).findFirst().orElseThrow();
@@ -156,7 +154,7 @@ class ClosedFormsTest {
     @Test
     void theChainsFastestMotionSetsTheStep() {
         for (int s = 0; s < STUDENTS; s++) {
-            NumericExercise exercise = (NumericExercise) Exercises.all().get(5);
+            NumericExercise exercise = (NumericExercise) Exercises.ALL.get(5);
             Draw draw = new Draw("student " + s, 6);
             String text = exercise.text(draw);
             double answer = exercise.worked(draw).answer();
@@ -270,13 +268,13 @@ class ClosedFormsTest {
     /** Nobody can copy from a neighbour, and capitals or spaces in an id do no harm. */
     @Test
     void neighboursHaveOtherNumbers() {
-        for (int number = 1; number <= Exercises.all().size(); number++) {
+        for (int number = 1; number <= Exercises.ALL.size(); number++) {
             List<String> texts = new ArrayList<>();
             for (String student : List.of("ann", "bob", "cy")) {
-                texts.add(Exercises.all().get(number - 1).text(new Draw(student, number)));
+                texts.add(Exercises.ALL.get(number - 1).text(new Draw(student, number)));
             }
             assertEquals(3, texts.stream().distinct().count(), texts.toString());
-            assertEquals(texts.get(0), Exercises.all().get(number - 1).text(new Draw(" ANN ", number)),
+            assertEquals(texts.get(0), Exercises.ALL.get(number - 1).text(new Draw(" ANN ", number)),
                     "the same at every call");
         }
     }

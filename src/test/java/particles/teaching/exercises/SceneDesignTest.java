@@ -13,8 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import particles.teaching.marking.Draw;
-import particles.teaching.marking.Mark;
+import particles.teaching.exercises.Exercise.Mark;
 
 /** A scene of the student's own is run, and each requirement holds or does not. */
 class SceneDesignTest {

@@ -17,10 +17,8 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
-import particles.teaching.marking.Draw;
-import particles.teaching.marking.Mark;
-import particles.teaching.marking.NumericExercise;
-import particles.teaching.marking.NumericExercise.Worked;
+import particles.teaching.exercises.Exercise.Mark;
+import particles.teaching.exercises.NumericExercise.Worked;
 
 /** A thousand students get numbers of their own, and none gets numbers with which two answers look alike. */
 class ThousandStudentsTest {
@@ -32,7 +30,7 @@ class ThousandStudentsTest {
 
     private static Stream<Integer> numeric() {
         return IntStream.rangeClosed(1,
-                Exercises.all().size()).boxed().filter(n -> Exercises.all().get(n - 1) instanceof NumericExercise);
+                Exercises.ALL.size()).boxed().filter(n -> Exercises.ALL.get(n - 1) instanceof NumericExercise);
     }
 
     /** @return what is said to each of a student's typical mistakes */
@@ -45,7 +43,7 @@ class ThousandStudentsTest {
     }
 
     private static void hold(int number) {
-        NumericExercise exercise = (NumericExercise) Exercises.all().get(number - 1);
+        NumericExercise exercise = (NumericExercise) Exercises.ALL.get(number - 1);
         List<Worked> questions = new ArrayList<>();
         String text = exercise.text(new Draw("id-0", number));
         List<String> hints = hints(exercise, exercise.worked(new Draw("id-0", number)));
@@ -92,14 +90,14 @@ class ThousandStudentsTest {
     @Tag("slow")
     @TestFactory
     Stream<DynamicTest> aThousandStudents() {
-        return numeric().map(n -> DynamicTest.dynamicTest(n + ". " + Exercises.all().get(n - 1).title(), () ->
+        return numeric().map(n -> DynamicTest.dynamicTest(n + ". " + Exercises.ALL.get(n - 1).title(), () ->
                 hold(n)));
     }
 
     @Test
     void hintsNameDifferentMistakes() {
         numeric().forEach(n -> {
-            NumericExercise exercise = (NumericExercise) Exercises.all().get(n - 1);
+            NumericExercise exercise = (NumericExercise) Exercises.ALL.get(n - 1);
             List<String> hints = hints(exercise, exercise.worked(new Draw("a", n)));
             assertEquals(hints.size(), new HashSet<>(hints).size(), hints.toString());
             assertFalse(hints.toString().contains("This is not right yet."), hints.toString());
@@ -111,7 +109,7 @@ class ThousandStudentsTest {
     @Test
     void hintsGiveNoFormulaAway() {
         for (int n : new int[] {6, 7, 8}) {
-            NumericExercise exercise = (NumericExercise) Exercises.all().get(n - 1);
+            NumericExercise exercise = (NumericExercise) Exercises.ALL.get(n - 1);
             String hint = String.join(" ", exercise.mark(new Draw("a", n), "123456").lines());
             assertStarts(hint, "This is not right yet. ");
             assertFalse(hint.matches(".*[=^/*].*|.*(sqrt|omega).*"), hint);

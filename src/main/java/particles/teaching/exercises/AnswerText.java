@@ -1,19 +1,14 @@
-package particles.teaching.marking;
+package particles.teaching.exercises;
 
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import particles.spec.messages.InvalidInputException;
 
-/**
- * A number as a student types it: with a decimal point or comma, as a fraction, with or without its unit.
- *
- * @param value   the number, if it is one
- * @param problem the mistake in one line if it is not
- */
-public record AnswerText(Optional<Double> value, String problem) {
+/** A number as a student types it: with a decimal point or comma, as a fraction, with or without its unit. */
+final class AnswerText {
     private static final int LONGEST = 60;
     private static final String NUMBER = "[+-]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:\\s*[eE][+-]?\\d+)?";
     /** The text before a number: x = or an equals sign alone. */
@@ -23,46 +18,50 @@ public record AnswerText(Optional<Double> value, String problem) {
             "ms-1"));
     private static final Pattern FORM = Pattern.compile("(" + NUMBER + ")(?:\\s*/\\s*(" + NUMBER + "))?\\s*(.*)");
 
+    private AnswerText() {
+    }
+
     /**
      * @param typed the text as typed
      * @param unit  the unit in which the number is wanted; empty for a pure number
-     * @return the number, or the mistake
+     * @return the number
+     * @throws InvalidInputException with the mistake in one line, if it is none
      */
-    public static AnswerText read(String typed, String unit) {
+    static double read(String typed, String unit) {
         String text = typed.strip().replaceFirst(NAME, "").replace('\u2212',
                 '-').replaceAll("\\s*[x*\u00d7\u00b7]\\s*10\\s*\\^\\s*", "e");
         if (text.isEmpty()) {
-            return noNumber("The answer is empty");
+            throw noNumber("The answer is empty");
         }
         String shown = text.length() > LONGEST ? text.substring(0, LONGEST) + "..." : text;
         if (text.toLowerCase(Locale.ROOT).matches("[+-]?(nan|inf|infinity|\u221e).*")) {
-            return noNumber("'" + shown + "' is no finite number: a calculation has divided by 0 or blown up");
+            throw noNumber("'" + shown + "' is no finite number: a calculation has divided by 0 or blown up");
         }
         if (text.matches("[+-]?[\\d ']*\\d[.,]\\d+[.,]\\d+.*")) {
-            return noNumber("'" + shown + "' has two points or commas; write no separators of thousands");
+            throw noNumber("'" + shown + "' has two points or commas; write no separators of thousands");
         }
         Matcher matcher = FORM.matcher(text);
         if (!matcher.matches()) {
-            return noNumber("'" + shown + "' is not a number");
+            throw noNumber("'" + shown + "' is not a number");
         }
         double value = number(matcher.group(1));
         if (matcher.group(2) != null) {                 // null where there is no fraction
             value /= number(matcher.group(2));
         }
         if (!Double.isFinite(value)) {
-            return noNumber("'" + shown + "' is no finite number");
+            throw noNumber("'" + shown + "' is no finite number");
         }
         String rest = packed(matcher.group(3));
         if (unit.isEmpty() && rest.equals("%")) {
-            return new AnswerText(Optional.of(value / 100), "");
+            return value / 100;
         }
         if (!rest.isEmpty() && !rest.equals(packed(unit)) && !SAME_UNITS.getOrDefault(packed(unit), List.of())
                 .contains(rest)) {
-            return refused("'" + matcher.group(3).strip() + "' after the number is not"
+            throw new InvalidInputException("'" + matcher.group(3).strip() + "' after the number is not"
                     + " understood: the answer is wanted "
                     + (unit.isEmpty() ? "as a pure number" : "in " + unit) + ", with or without the unit.");
         }
-        return new AnswerText(Optional.of(value), "");
+        return value;
     }
 
     private static String packed(String unit) {
@@ -73,11 +72,7 @@ public record AnswerText(Optional<Double> value, String problem) {
         return Double.parseDouble(text.replace(',', '.').replaceAll("\\s", ""));
     }
 
-    private static AnswerText noNumber(String problem) {
-        return refused(problem + "; a number is wanted, such as 0.1234, 0,1234, 1.234e-3 or 3/8.");
-    }
-
-    private static AnswerText refused(String problem) {
-        return new AnswerText(Optional.empty(), problem);
+    private static InvalidInputException noNumber(String problem) {
+        return new InvalidInputException(problem + "; a number is wanted, such as 0.1234, 0,1234, 1.234e-3 or 3/8.");
     }
 }

@@ -1,15 +1,27 @@
-package particles.teaching.marking;
+package particles.teaching.exercises;
 
 import java.util.List;
 import java.util.function.Function;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
-import particles.teaching.marking.Draw.Picks;
+import particles.spec.messages.InvalidInputException;
+import particles.teaching.exercises.Draw.Picks;
+import particles.teaching.exercises.Exercise.Mark;
 
 /**
  * An exercise with a number as its answer. Numbers with which two answers look alike are not used: others are drawn.
+ *
+ * @param title   its subject
+ * @param unit    the unit of the answer; empty for a pure number
+ * @param lowest  the lowest right answer of all students, which the text states
+ * @param highest the highest one
+ * @param page    the task, with %s for each of the student's numbers; after a line of --- the hint for a wrong answer
+ *                that no typical mistake explains, how to begin, without the formula; then a line with the hint for
+ *                each typical mistake
+ * @param work    draws the student's numbers and works the exercise out with them
  */
-public final class NumericExercise implements Exercise {
+public record NumericExercise(String title, String unit, double lowest, double highest, String page,
+        Function<Picks, Worked> work) implements Exercise {
     private static final int MOST_DRAWS = 1000;
     private static final double CLOSE = 0.02;
     /**
@@ -22,36 +34,7 @@ public final class NumericExercise implements Exercise {
      * another.
      */
     private static final double APART = 25;
-
-    private final String title;
-    private final double lowest;
-    private final double highest;
-    private final String unit;
-    private final String task;
-    private final List<String> hints;
-    private final Function<Picks, Worked> work;
-
-    /**
-     * @param title   its subject
-     * @param unit    the unit of the answer; empty for a pure number
-     * @param lowest  the lowest right answer of all students, which the text states
-     * @param highest the highest one
-     * @param page    the task, with %s for each of the student's numbers; after a line of --- the hint for a wrong
-     *                answer that no typical mistake explains, how to begin, without the formula; then a line with the
-     *                hint for each typical mistake
-     * @param work    draws the student's numbers and works the exercise out with them
-     */
-    public NumericExercise(String title, String unit, double lowest, double highest, String page,
-            Function<Picks, Worked> work) {
-        this.title = title;
-        this.unit = unit;
-        this.lowest = lowest;
-        this.highest = highest;
-        this.work = work;
-        String[] parts = page.split("\n---\n");
-        task = parts[0];
-        hints = parts[1].lines().toList();
-    }
+    private static final String END_OF_TASK = "\n---\n";
 
     /**
      * An exercise worked out with one student's numbers.
@@ -80,9 +63,8 @@ public final class NumericExercise implements Exercise {
         return Math.abs(typed - value) <= TOLERANCE * Math.abs(value);
     }
 
-    @Override
-    public String title() {
-        return title;
+    private List<String> hints() {
+        return page.split(END_OF_TASK)[1].lines().toList();
     }
 
     /**
@@ -91,9 +73,10 @@ public final class NumericExercise implements Exercise {
      */
     public Worked worked(Draw draw) {
         Picks picks = draw.picks();
+        int mistakes = hints().size() - 1;
         for (int attempt = 0; attempt < MOST_DRAWS; attempt++) {
             Worked worked = work.apply(picks);
-            if (worked.mistakes.length != hints.size() - 1) {
+            if (worked.mistakes.length != mistakes) {
                 throw new IllegalStateException("'" + title + "' needs a hint for each mistake");
             }
             if (worked.isClear() && worked.answer >= lowest && worked.answer <= highest) {
@@ -105,10 +88,10 @@ public final class NumericExercise implements Exercise {
 
     @Override
     public String text(Draw draw) {
-        return task.formatted(worked(draw).numbers.stream().map(x -> x instanceof Double d ? Draw.text(d) : x)
-                .toArray()) + "\nGive five significant digits; accepted within " + Draw.text(100 * TOLERANCE)
-                + " %. The answer is " + (unit.isEmpty() ? "a pure number" : "in " + unit) + " and lies between "
-                + Draw.text(lowest) + " and " + Draw.text(highest) + ".";
+        return page.split(END_OF_TASK)[0].formatted(worked(draw).numbers.stream().map(x -> x instanceof Double d
+                ? Draw.text(d) : x).toArray()) + "\nGive five significant digits; accepted within "
+                + Draw.text(100 * TOLERANCE) + " %. The answer is " + (unit.isEmpty() ? "a pure number" : "in " + unit)
+                + " and lies between " + Draw.text(lowest) + " and " + Draw.text(highest) + ".";
     }
 
     @Override
@@ -122,16 +105,17 @@ public final class NumericExercise implements Exercise {
      * @return the mark
      */
     public Mark mark(Worked worked, String answer) {
-        AnswerText typed = AnswerText.read(answer, unit);
-        if (typed.value().isEmpty()) {
-            return Mark.wrong(typed.problem());
+        try {
+            double value = AnswerText.read(answer, unit);
+            return isNear(value, worked.answer) ? new Mark(true, List.of("This is right."))
+                    : Mark.wrong(reason(worked, value));
+        } catch (InvalidInputException e) {
+            return Mark.wrong(e.getMessage());
         }
-        double value = typed.value().get();
-        return isNear(value, worked.answer) ? new Mark(true, List.of("This is right."))
-                : Mark.wrong(reason(worked, value));
     }
 
     private String reason(Worked worked, double value) {
+        List<String> hints = hints();
         for (int i = 1; i < hints.size(); i++) {
             if (isNear(value, worked.mistakes[i - 1])) {
                 return hints.get(i);

@@ -1,13 +1,14 @@
-package particles.teaching.marking;
+package particles.teaching.exercises;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static particles.Texts.assertHas;
 
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import particles.spec.messages.InvalidInputException;
 
 /** What students type as a number. */
 class AnswerTextTest {
@@ -39,8 +40,7 @@ class AnswerTextTest {
             0.125 m\u00b7s^-1 | 0.125
             """)
     void numbersAreRead(String typed, double value) {
-        assertEquals(Optional.of(value), AnswerText.read(typed, "m/s").value(), AnswerText.read(typed, "m/s")
-                .problem());
+        assertEquals(value, AnswerText.read(typed, "m/s"));
     }
 
     @ParameterizedTest
@@ -61,23 +61,26 @@ class AnswerTextTest {
             12 %       | not understood
             """)
     void everythingElseGetsOneClearLine(String typed, String problem) {
-        AnswerText read = AnswerText.read(typed, "m/s");
-        assertEquals(Optional.empty(), read.value());
-        assertHas(read.problem(), problem);
-        assertEquals(1, read.problem().lines().count());
+        String found = problem(typed, "m/s");
+        assertHas(found, problem);
+        assertEquals(1, found.lines().count());
+    }
+
+    private static String problem(String typed, String unit) {
+        return assertThrows(InvalidInputException.class, () -> AnswerText.read(typed, unit)).getMessage();
     }
 
     @Test
     void aUnitMayBeWrittenOtherwise() {
         for (String unit : List.of("N s/m", "Ns/m", "N*s/m", "N\u00b7s/m", "kg/s")) {
-            assertEquals(Optional.of(0.5), AnswerText.read("0.5 " + unit, "N s/m").value(), unit);
+            assertEquals(0.5, AnswerText.read("0.5 " + unit, "N s/m"), unit);
         }
-        assertEquals(Optional.empty(), AnswerText.read("0.5 kg", "N s/m").value());
+        assertHas(problem("0.5 kg", "N s/m"), "not understood");
     }
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {"112.5 %|1.125", "112,5%|1.125", "1.125|1.125"})
     void pureNumbersMayBePercentages(String typed, double value) {
-        assertEquals(Optional.of(value), AnswerText.read(typed, "").value());
+        assertEquals(value, AnswerText.read(typed, ""));
     }
 }

@@ -1,43 +1,36 @@
-package particles.teaching.marking;
+package particles.teaching.exercises;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
-import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
 import java.util.Locale;
 import particles.law.SeededRandom;
 
 /**
  * A student's numbers in one exercise. They are the same on every machine and at every call, because they are derived
  * from the SHA-256 of the exercise's number and the student's id. Capitals and spaces around the id do not matter.
+ *
+ * @param student  an id with something in it
+ * @param exercise the exercise's number
  */
-public final class Draw {
-    private final String student;
-    private final int exercise;
-
-    /**
-     * @param student  an id with something in it
-     * @param exercise the exercise's number
-     * @throws IllegalArgumentException if the id is empty
-     */
-    public Draw(String student, int exercise) {
-        this.student = student.strip().toLowerCase(Locale.ROOT);
-        this.exercise = exercise;
-        if (this.student.isEmpty()) {
+public record Draw(String student, int exercise) {
+    /** @throws IllegalArgumentException if the id is empty */
+    public Draw {
+        student = student.strip().toLowerCase(Locale.ROOT);
+        if (student.isEmpty()) {
             throw new IllegalArgumentException("a student's id has to have something in it");
         }
     }
 
-    /** The sequence from which numbers are picked, one after the other. */
-    public static final class Picks {
-        private final SeededRandom random;
-
-        private Picks(long seed) {
-            random = new SeededRandom(seed);
-        }
-
+    /**
+     * The sequence from which numbers are picked, one after the other.
+     *
+     * @param random the source of the numbers
+     */
+    public record Picks(SeededRandom random) {
         /** @return one of the numbers low, low + 1, ... high, each equally likely */
         public int whole(int low, int high) {
             return low + (int) (random.nextDouble() * (high - low + 1));
@@ -64,13 +57,15 @@ public final class Draw {
 
     /** @return the sequence, from its beginning */
     public Picks picks() {
-        return new Picks(ByteBuffer.wrap(hash("exercise " + exercise + " of " + student)).getLong());
+        String digest = digest("exercise " + exercise + " of " + student);
+        return new Picks(new SeededRandom(Long.parseUnsignedLong(digest, 0, 16, 16)));
     }
 
-    /** @return the SHA-256 of a text */
-    public static byte[] hash(String text) {
+    /** @return the SHA-256 of a text, in hexadecimal: a short text that no other text has */
+    public static String digest(String text) {
         try {
-            return MessageDigest.getInstance("SHA-256").digest(text.getBytes(StandardCharsets.UTF_8));
+            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(
+                    text.getBytes(StandardCharsets.UTF_8)));
         } catch (NoSuchAlgorithmException e) {
             throw new AssertionError("every Java has SHA-256", e);
         }

@@ -1,0 +1,48 @@
+package particles.teaching.exercises;
+
+import java.util.List;
+
+/** An exercise: one task with the student's own numbers. */
+public interface Exercise {
+
+    /** @return its subject, in a few words */
+    String title();
+
+    /**
+     * @param draw the student's numbers
+     * @return the task
+     */
+    String text(Draw draw);
+
+    /**
+     * @param draw   the student's numbers
+     * @param answer the answer as the student typed it
+     * @return whether the answer is right, and if not, the likely mistake
+     */
+    Mark mark(Draw draw, String answer);
+
+    /**
+     * The mark of an answer.
+     *
+     * @param right whether it is right
+     * @param lines the comments: the likely mistake, or the conditions that hold and that do not
+     */
+    record Mark(boolean right, List<String> lines) {
+
+        private static final int MOST = 60;
+        private static final int LONGEST = 1000;
+
+        /**
+         * Copies the list, cut short and with control characters made visible: lines hold what a student's class said.
+         */
+        public Mark {
+            lines = lines.stream().limit(MOST).map(line -> line.substring(0, Math.min(LONGEST, line.length()))
+                    .replaceAll("[\\p{Cc}\\p{Cf}\\p{Cs}]", "\ufffd")).toList();
+        }
+
+        /** @return an answer that is not right, for this reason */
+        public static Mark wrong(String line) {
+            return new Mark(false, List.of(line));
+        }
+    }
+}
