@@ -54,8 +54,7 @@ class ArchitectureTest {
             particles.app.course:          deSolvers.catalog particles.app.cli particles.app.student
                                            particles.output.charts particles.output.files particles.output.frames
                                            particles.output.report particles.spec particles.spec.messages
-                                           particles.teaching particles.teaching.exercises particles.teaching.marking
-                                           particles.view picocli
+                                           particles.teaching particles.teaching.exercises particles.view picocli
             particles.app.experiments:     deSolvers.catalog deSolvers.text particles particles.app.cli
                                            particles.app.student particles.experiments.energy
                                            particles.experiments.lecture particles.experiments.phase
@@ -73,12 +72,12 @@ class ArchitectureTest {
                                            particles.scene particles.scene.format particles.spec
                                            particles.spec.messages particles.view picocli
             particles.app.student:         deSolvers deSolvers.catalog particles particles.app.cli
-                                           particles.effects.springs particles.javac particles.law
+                                           particles.effects.springs particles.law
                                            particles.output.charts particles.output.files particles.output.report
                                            particles.spec particles.spec.messages particles.teaching
                                            particles.teaching.effects particles.teaching.exercises
-                                           particles.teaching.figures particles.teaching.marking
-                                           particles.teaching.solvers particles.view javax.tools picocli
+                                           particles.teaching.figures particles.teaching.solvers particles.view
+                                           javax.tools picocli
             particles.effects:             deSolvers particles.law particles.spec
             particles.effects.springs:     deSolvers particles.law particles.view
             particles.energy:              deSolvers.text particles particles.law particles.view
@@ -103,13 +102,12 @@ class ArchitectureTest {
                                            deSolvers.text particles particles.effects.springs
                                            particles.experiments.runs particles.experiments.spectrum particles.law
                                            particles.scene particles.view
-            particles.javac:               javax.tools
             particles.lab:                 deSolvers deSolvers.catalog deSolvers.text particles
                                            particles.effects.springs particles.energy particles.experiments.stability
                                            particles.law particles.scene particles.scene.format particles.spec
-                                           particles.spec.messages particles.view
+                                           particles.spec.messages particles.view org.teavm
             particles.lab.browser:         deSolvers particles.effects particles.lab particles.spec org.teavm
-            particles.lab.compile:         particles.javac particles.lab org.teavm
+            particles.lab.compile:         particles.lab particles.spec org.teavm
             particles.law:                 deSolvers
             particles.output.animation:    particles.output.files particles.output.frames java.awt javax.imageio
                                            org.jcodec
@@ -146,13 +144,11 @@ class ArchitectureTest {
                                            particles.effects.springs particles.law particles.spec particles.teaching
             particles.teaching.exercises:  deSolvers deSolvers.catalog deSolvers.problems deSolvers.rungeKutta
                                            particles particles.energy particles.experiments.runs particles.law
-                                           particles.scene particles.scene.format particles.spec
-                                           particles.spec.messages particles.teaching.marking
+                                           particles.scene particles.scene.format particles.spec particles.spec.messages
             particles.teaching.figures:    deSolvers deSolvers.catalog deSolvers.problems deSolvers.text
                                            particles.experiments.stability particles.teaching
                                            particles.teaching.contract particles.teaching.solvers
                                            particles.teaching.sources particles.view
-            particles.teaching.marking:    particles.law
             particles.teaching.solvers:    deSolvers particles.teaching particles.teaching.contract
                                            particles.teaching.sources
             particles.teaching.sources:    deSolvers deSolvers.problems particles.teaching

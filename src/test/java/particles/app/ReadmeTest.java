@@ -127,7 +127,7 @@ class ReadmeTest {
     @Test
     void theExercisesAreThoseOfTheProgram() {
         List<String> titles = new ArrayList<>();
-        Exercises.all().forEach(exercise -> titles.add("(" + (titles.size() + 1) + ") " + exercise.title()));
+        Exercises.ALL.forEach(exercise -> titles.add("(" + (titles.size() + 1) + ") " + exercise.title()));
         assertEquals(12, titles.size());
         String list = ": " + String.join("; ", titles) + ".";
         assertTrue(README.replaceAll("\\s+", " ").contains(list), "README lacks" + list);

@@ -1,27 +1,26 @@
 package particles.app.cli;
 
 import deSolvers.DESolverException;
+import deSolvers.text.Digits;
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
-import java.util.Locale;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import particles.SimulationException;
+import particles.app.cli.ExitCode.Failure;
 import particles.output.files.OutputException;
 import particles.spec.messages.InvalidInputException;
 
-/**
- * Prints exceptions: expected failures as clear lines, anything else with a stack trace.
- *
- * @param err the error stream
- */
-public record Failures(PrintWriter err) {
+/** Turns exceptions into lines and exit codes: expected failures into clear lines, others with a stack trace. */
+public final class Failures {
     /** Failures that need no stack trace. */
     private static final Set<Class<?>> EXPECTED = Set.of(Failure.class, InvalidInputException.class,
             SimulationException.class, DESolverException.class, OutputException.class);
@@ -29,33 +28,36 @@ public record Failures(PrintWriter err) {
             NoSuchFileException.class, "no such file or folder", NotDirectoryException.class, "not a folder",
             FileAlreadyExistsException.class, "exists already and is not a folder");
 
-    /**
-     * Prints an exception.
-     *
-     * @param thrown the exception of a command
-     * @return the exit code
-     */
-    public ExitCode print(Throwable thrown) {
-        if (thrown instanceof UncheckedIOException unchecked) {
-            return print(unchecked.getCause());
-        }
-        if (thrown instanceof IOException io) {
-            err.println(line(io));
-        } else if (thrown instanceof OutOfMemoryError) {
-            err.printf(Locale.ROOT,
-                    "out of memory: Java may use %d MiB; use fewer particles, frames or runs, or give Java more:"
-                    + " JAVA_TOOL_OPTIONS=-Xmx%dg%n", Runtime.getRuntime().maxMemory() >> 20,
-                    (Runtime.getRuntime().maxMemory() >> 30) + 1);
-        } else if (EXPECTED.stream().anyMatch(type -> type.isInstance(thrown))) {
-            message(thrown).lines().forEach(err::println);
-        } else {
-            err.println("internal error; please report it:");
-            thrown.printStackTrace(err);
-        }
+    private Failures() {
+    }
+
+    /** @return the exit code for the exception of a command */
+    static ExitCode code(Throwable thrown) {
         return thrown instanceof Failure failure ? failure.getExitCode()
                 : thrown instanceof InvalidInputException ? ExitCode.BAD_INPUT
                 : thrown instanceof SimulationException || thrown instanceof DESolverException ? ExitCode.STOPPED
                 : ExitCode.TROUBLE;
+    }
+
+    /** @return the lines that tell of the exception of a command */
+    public static List<String> lines(Throwable thrown) {
+        if (thrown instanceof UncheckedIOException unchecked) {
+            return lines(unchecked.getCause());
+        }
+        if (thrown instanceof IOException io) {
+            return List.of(line(io));
+        }
+        if (thrown instanceof OutOfMemoryError) {
+            return List.of(Digits.format("out of memory: Java may use %d MiB; use fewer particles, frames or runs, or"
+                    + " give Java more: JAVA_TOOL_OPTIONS=-Xmx%dg", Runtime.getRuntime().maxMemory() >> 20,
+                    (Runtime.getRuntime().maxMemory() >> 30) + 1));
+        }
+        if (EXPECTED.stream().anyMatch(type -> type.isInstance(thrown))) {
+            return message(thrown).lines().toList();
+        }
+        StringWriter trace = new StringWriter();
+        thrown.printStackTrace(new PrintWriter(trace));
+        return ("internal error; please report it:\n" + trace).lines().toList();
     }
 
     /**

@@ -17,11 +17,6 @@ public abstract class ProgramCommand {
 
     private OptionStyle style = OptionStyle.current();
 
-    /** @param style the way in which options are typed, for messages */
-    public final void typedIn(OptionStyle style) {
-        this.style = style;
-    }
-
     /** @return the way in which options are typed, for messages */
     public final OptionStyle getStyle() {
         return style;
@@ -45,8 +40,12 @@ public abstract class ProgramCommand {
     protected void read(Mistakes mistakes) {
     }
 
-    /** @return a line for each wrong option */
-    public final List<String> mistakes() {
+    /**
+     * @param style the way in which options are typed, for messages
+     * @return a line for each wrong option
+     */
+    public final List<String> mistakes(OptionStyle style) {
+        this.style = style;
         Mistakes mistakes = new Mistakes();
         read(mistakes);
         return mistakes.lines();

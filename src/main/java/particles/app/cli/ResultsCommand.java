@@ -83,12 +83,4 @@ public abstract class ResultsCommand extends ProgramCommand {
                     : "from " + least + " to " + most));
         }
     }
-
-    /** @return the number, if it is finite and over 0 */
-    protected final double positive(String option, double value) {
-        if (!(value > 0) || !(value <= Double.MAX_VALUE)) {
-            throw wrong(option, value + " has to be finite and more than 0");
-        }
-        return value;
-    }
 }

@@ -39,7 +39,9 @@ public final class LectureFiguresCommand extends ExperimentCommand {
     protected void read(Mistakes mistakes) {
         if (deltaT != null) {                           // picocli leaves an option null that was not given
             mistakes.check(() -> {
-                positive("deltaT", deltaT);
+                if (!(deltaT > 0 && Double.isFinite(deltaT))) {
+                    throw wrong("deltaT", deltaT + " has to be finite and more than 0");
+                }
                 requireSolver("deltaT");
             });
         }

@@ -6,22 +6,32 @@ import java.math.MathContext;
 import java.math.RoundingMode;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.DoubleConsumer;
 import java.util.function.Supplier;
+import particles.Observer;
 import particles.experiments.race.Race;
 import particles.experiments.race.Race.Lane;
 import particles.experiments.race.Race.Result;
 import particles.experiments.race.RaceCharts;
 import particles.experiments.runs.CpuClock;
+import particles.experiments.runs.Extent;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SceneRun.Outcome;
 import particles.experiments.runs.SolverChoice;
+import particles.law.Vector3;
 import particles.output.animation.GifAnimation;
 import particles.output.charts.ChartPage;
 import particles.output.files.OutputFolder;
+import particles.output.frames.FrameRenderer.FrameSetup;
+import particles.output.race.RaceFilm;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
+import particles.scene.Scene;
 import particles.scene.SceneBuilder;
+import particles.scene.format.OutputDescription.Frames;
 import particles.scene.format.SceneDescription;
+import particles.view.Camera;
+import particles.view.ChartData;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -58,8 +68,16 @@ public final class RaceCommand extends ExperimentCommand {
     protected void read(Mistakes mistakes) {
         options.read(mistakes, this, "soft-chain", SOLVERS);
         scene = mistakes.value(this::readScene);
-        mistakes.check(this::checkFrames);
-        mistakes.check(this::checkSolvers);
+        mistakes.check(() -> {
+            if (frames != null) {                       // picocli leaves an option null that was not given
+                requireWithin("frames", frames, 1, FRAMES_POSSIBLE);
+            }
+        });
+        mistakes.check(() -> {
+            if (options.solvers().size() > MOST_SOLVERS) {
+                throw wrong("solvers", options.solvers().size() + " solvers are too many; at most " + MOST_SOLVERS);
+            }
+        });
         super.read(mistakes);
     }
 
@@ -69,18 +87,6 @@ public final class RaceCommand extends ExperimentCommand {
             throw wrong("duration", "a race has to last longer than " + Digits.few(whole.duration()) + " s");
         }
         return options.haveDuration() ? whole : whole.withDuration(affordable(whole));
-    }
-
-    private void checkFrames() {
-        if (frames != null) {                           // picocli leaves an option null that was not given
-            requireWithin("frames", frames, 1, FRAMES_POSSIBLE);
-        }
-    }
-
-    private void checkSolvers() {
-        if (options.solvers().size() > MOST_SOLVERS) {
-            throw wrong("solvers", options.solvers().size() + " solvers are too many; at most " + MOST_SOLVERS);
-        }
     }
 
     /** @return the scene's duration, or a round part of it that is not too much work (s) */
@@ -120,7 +126,7 @@ public final class RaceCommand extends ExperimentCommand {
         int count = frameCount(scene.get());
         double drawing = FRAME * count;
         double begin = CpuClock.ofAllThreads();
-        try (RacePictures pictures = new RacePictures(solvers.size(), count / scene.get().duration(), PLAYBACK)) {
+        try (RacePictures pictures = new RacePictures(solvers.size(), count / scene.get().duration())) {
             Result race = new Race(scene.get(), solvers, count, Outcome::seconds).run(pictures,
                     (part, what) -> {
                         double ran = CpuClock.ofAllThreads() - begin;
@@ -158,5 +164,86 @@ public final class RaceCommand extends ExperimentCommand {
                                 race.lanes(), Lane::label, some -> List.of(
                                 RaceCharts.distance(race.of(some)), RaceCharts.energy(race.of(some))))),
                 List.of(RaceCharts.table(race)));
+    }
+
+    /** Watches a race, and makes its film. The panels have the shape of the scene's own frames, or fill the page. */
+    private static final class RacePictures implements Race.ObserverFactory, AutoCloseable {
+        /**
+         * The margin around the reference's box, as a part of its largest extent; a solver that leaves the box is still
+         * visible for a while.
+         */
+        private static final double ROOM = 0.06;
+
+        private final int panels;
+        private final double rate;
+        private Optional<RaceFilm> film = Optional.empty();
+        private Optional<Camera> camera = Optional.empty();
+
+        /**
+         * @param panels the number of solvers
+         * @param rate   the number of frames per second of simulated time (1/s)
+         */
+        RacePictures(int panels, double rate) {
+            this.panels = panels;
+            this.rate = rate;
+        }
+
+        @Override
+        public List<Observer> of(Scene scene, Optional<SolverChoice> solver, Extent extent) {
+            if (solver.isEmpty()) {
+                begin(scene.description(), extent);
+            }
+            FrameSetup stage = new FrameSetup(camera.orElseThrow(), scene.description().drawing().look(),
+                    scene.scenery(), "", "");
+            RaceFilm made = film.orElseThrow();
+            return List.of(solver.isPresent() ? made.watch(solver.get().label(), stage) : made.watchReference(stage));
+        }
+
+        /** A scene's own camera shows what it does in pictures of the scene; otherwise one is placed here. */
+        private void begin(SceneDescription scene, Extent extent) {
+            double room = ROOM * (extent.longest() > 0 ? extent.longest() : 1); // where nothing moves, 1 m around it
+            Vector3 around = new Vector3(room, room, extent.high().z() > extent.low().z() ? room : 0);
+            Vector3 low = extent.low().minus(around);
+            Vector3 high = extent.high().plus(around);
+            Optional<Camera> own = scene.drawing().camera();
+            Frames frames = scene.output().frames();
+            double aspect = own.isPresent() ? (double) frames.width() / frames.height() : RaceFilm.aspect(panels);
+            camera = Optional.of(own.orElseGet(() -> Camera.around(low, high, aspect)));
+            film = Optional.of(new RaceFilm(panels, aspect, rate, PLAYBACK));
+        }
+
+        /**
+         * Writes the film.
+         *
+         * @param folder   the output folder
+         * @param race     the result of the race
+         * @param progress receives the progress
+         * @return the page with its end
+         */
+        ChartPage write(OutputFolder folder, Result race, DoubleConsumer progress) {
+            List<RaceFilm.Words> words = race.lanes().stream().map(lane -> new RaceFilm.Words(
+                    lane.label(), step(lane) + ", " + cost(lane, race.equalTime()), lane.left())).toList();
+            RaceFilm.Head head = new RaceFilm.Head(race.scene() + ": " + RaceCharts.work(race),
+                    RaceCharts.finding(race), "Grey ghost: the reference, " + Race.REFERENCE + ".", words);
+            ChartData strip = RaceCharts.energy(race);
+            film.orElseThrow().write(folder, head, strip, progress);
+            return film.get().sheet(head, strip);
+        }
+
+        /** Two digits, as there is little room; the table has the others. */
+        private static String step(Lane lane) {
+            return lane.match().setting().tolerance().map(t -> "tolerance " + Digits.few(t, 2)).orElseGet(() ->
+                    "deltaT = " + Digits.few(lane.match().setting().deltaT(), 2) + " s");
+        }
+
+        private static String cost(Lane lane, boolean equalTime) {
+            return equalTime ? Digits.few(1000 * lane.match().seconds()) + " ms"
+                    : lane.match().evaluations() + " evaluations";
+        }
+
+        @Override
+        public void close() {
+            film.ifPresent(RaceFilm::close);
+        }
     }
 }

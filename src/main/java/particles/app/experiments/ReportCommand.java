@@ -2,7 +2,6 @@ package particles.app.experiments;
 
 import deSolvers.text.Digits;
 import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -168,9 +167,8 @@ public final class ReportCommand extends ResultsCommand {
     private void prepare(ExperimentCommand experiment) {
         CommandLine line = new CommandLine(experiment);
         try {
-            experiment.typedIn(getStyle());
             line.setExpandAtFiles(false).parseArgs(options(line.getCommandSpec()));
-            List<String> mistakes = experiment.mistakes();
+            List<String> mistakes = experiment.mistakes(getStyle());
             if (!mistakes.isEmpty()) {
                 throw new InvalidInputException(mistakes);
             }
@@ -223,11 +221,7 @@ public final class ReportCommand extends ResultsCommand {
     }
 
     private static String reason(RuntimeException thrown) {
-        StringWriter lines = new StringWriter();
-        PrintWriter out = new PrintWriter(lines);
-        new Failures(out).print(thrown);
-        out.flush();
-        return lines.toString().lines().limit(MOST_LINES).map(String::strip).collect(Collectors.joining("\n"));
+        return Failures.lines(thrown).stream().limit(MOST_LINES).map(String::strip).collect(Collectors.joining("\n"));
     }
 
     private String title() {

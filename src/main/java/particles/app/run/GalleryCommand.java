@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import java.util.List;
 import particles.app.cli.ProgramCommand;
 import particles.app.student.StudentClasses;
-import particles.law.Particles;
 import particles.output.files.OutputFile;
 import particles.output.files.PngEncoder;
 import particles.output.frames.FrameObserver;
@@ -124,9 +123,8 @@ public final class GalleryCommand extends ProgramCommand {
     private static RenderOptions withTrails(Scene scene, double duration) {
         RenderOptions look = scene.description().drawing().look();
         ParticleStyle style = look.style();
-        Particles particles = scene.system().getParticles();
-        long free = particles.free().count();
-        if (free > MOST_TRAILS || style.kind() != ParticleStyle.Kind.BALLS || style.trail() > 0) {
+        if (scene.system().getParticles().free().count() > MOST_TRAILS || style.kind() != ParticleStyle.Kind.BALLS
+                || style.trail() > 0) {
             return look;
         }
         return look.withStyle(style.withTrail(duration));

@@ -14,8 +14,7 @@ import java.util.stream.IntStream;
 import particles.SimulationException;
 import particles.app.cli.ChartOptions;
 import particles.app.cli.ExitCode;
-import particles.app.cli.Failure;
-import particles.app.cli.FolderSize;
+import particles.app.cli.ExitCode.Failure;
 import particles.app.cli.ResultsCommand;
 import particles.app.student.StudentClasses;
 import particles.engine.ParallelForces;
@@ -110,7 +109,11 @@ public final class RunCommand extends ResultsCommand {
         mistakes.check(() -> readScene(overrides));
         super.read(mistakes);
         mistakes.check(this::checkPictures);
-        mistakes.check(this::checkReplay);
+        mistakes.check(() -> {
+            if (replay && !PageParts.areHere()) {
+                throw wrong("replay", "the page's libraries are not in this program; type: gradle run -Preplay=true");
+            }
+        });
     }
 
     private Overrides overrides() {
@@ -166,12 +169,6 @@ public final class RunCommand extends ResultsCommand {
         }
     }
 
-    private void checkReplay() {
-        if (replay && !PageParts.areHere()) {
-            throw wrong("replay", "the page's libraries are not in this program; type: gradle run -Preplay=true");
-        }
-    }
-
     @Override
     public void run(PrintWriter out) {
         Scene scene = SceneBuilder.build(description);
@@ -194,7 +191,7 @@ public final class RunCommand extends ResultsCommand {
             if (description.output().phase().isEmpty()) {
                 out.println("no phase.png: under 'output', the scene names no particle for it");
             }
-            FolderSize.notice(getFolder(), getStyle().option("frames")).ifPresent(out::println);
+            Summary.sizeNotice(getFolder(), getStyle().option("frames")).ifPresent(out::println);
             early.ifPresent(why -> {
                 throw new Failure(ExitCode.STOPPED, why);
             });

@@ -3,16 +3,22 @@ package particles.app.run;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import deSolvers.text.Digits;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import particles.Simulation;
 import particles.app.cli.Program;
 import particles.energy.EnergyHistory;
 import particles.energy.EnergyLedgerRecorder;
 import particles.energy.EnergyRecorder;
 import particles.law.Violation;
+import particles.output.files.OutputException;
+import particles.output.files.OutputFolder;
 import particles.scene.Scene;
 import particles.spec.JsonText;
 import particles.spec.Ordered;
@@ -35,6 +41,10 @@ record Summary(String name, String hash, Scene scene, EnergyRecorder recorder, d
     private static final double MANY_EVENTS = 3000;
     /** Energies below this part of the energy scale are round-off. */
     private static final double ROUND_OFF = 1e-15;
+
+    /** A smaller folder is not reported (bytes). */
+    static final long LARGE = 50_000_000;
+    private static final long MEGABYTE = 1_000_000;
 
     /** The file's name. */
     static final String FILE = "run.json";
@@ -145,5 +155,30 @@ record Summary(String name, String hash, Scene scene, EnergyRecorder recorder, d
 
     private static String counted(long count, String thing) {
         return count + " " + thing + (count == 1 ? "" : "s");
+    }
+
+    /**
+     * Measures the disk space of a run's results.
+     *
+     * @param folder the folder of the results
+     * @param option the option that draws frames, as typed
+     * @return a line if they are large
+     * @throws OutputException if the folder cannot be read
+     */
+    static Optional<String> sizeNotice(Path folder, String option) {
+        long all = bytes(folder);
+        Path frames = folder.resolve(OutputFolder.FRAMES);
+        long pictures = Files.isDirectory(frames) ? bytes(frames) : 0;
+        return all < LARGE ? Optional.empty() : Optional.of("this run wrote " + all / MEGABYTE + " MB"
+                + (pictures == 0 ? "" : ", " + pictures / MEGABYTE + " MB of it frames; " + option
+                + "=false writes none"));
+    }
+
+    private static long bytes(Path folder) {
+        try (Stream<Path> files = Files.walk(folder)) {
+            return files.filter(Files::isRegularFile).mapToLong(file -> file.toFile().length()).sum();
+        } catch (IOException e) {
+            throw new OutputException(folder, "read", e);
+        }
     }
 }

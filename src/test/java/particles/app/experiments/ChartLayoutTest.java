@@ -53,9 +53,8 @@ class ChartLayoutTest {
         List<String> words = List.of(task.split(" "));
         ExperimentCommand command = (ExperimentCommand) Main.commands(new StopRequest()).stream().filter(one ->
                 new CommandLine(one).getCommandName().equals(words.get(0))).findFirst().orElseThrow();
-        command.typedIn(OptionStyle.GRADLE);
         new CommandLine(command).parseArgs(words.subList(1, words.size()).toArray(String[]::new));
-        assertEquals(List.of(), command.mistakes());
+        assertEquals(List.of(), command.mistakes(OptionStyle.GRADLE));
         return command.measure(folder, (part, what) -> { });
     }
 

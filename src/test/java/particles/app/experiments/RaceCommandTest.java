@@ -33,9 +33,8 @@ class RaceCommandTest {
 
     private static RaceCommand race(String... options) {
         RaceCommand race = new RaceCommand();
-        race.typedIn(OptionStyle.GRADLE);
         new CommandLine(race).parseArgs(options);
-        assertEquals(List.of(), race.mistakes());
+        assertEquals(List.of(), race.mistakes(OptionStyle.GRADLE));
         return race;
     }
 }

@@ -5,8 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Texts.assertMatches;
 import static particles.Texts.assertStarts;
 
+import java.io.IOException;
+import java.io.RandomAccessFile;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.energy.EnergyRecorder;
@@ -174,5 +180,22 @@ class SummaryTest {
     void aShortenedOnlyStepIsNamed() {
         assertEquals("the run is shorter than deltaT: its only step was 0.2 s long", lines("rk4", 0.5, 0.2).get(2));
         assertEquals(4, lines("rk4", 0.2, 0.2).size(), "it is as long as deltaT");
+    }
+
+    /** Files with holes take no room on the disk of the test, but have their length. */
+    private static void write(Path file, long bytes) throws IOException {
+        try (RandomAccessFile sparse = new RandomAccessFile(file.toFile(), "rw")) {
+            sparse.setLength(bytes);
+        }
+    }
+
+    @Test
+    void runsOfMoreThanFiftyMegabytesSaySo(@TempDir Path folder) throws IOException {
+        write(folder.resolve("trajectory.csv"), Summary.LARGE - 1);
+        assertEquals(Optional.empty(), Summary.sizeNotice(folder, "-Pframes"));
+        Files.createDirectories(folder.resolve("frames"));
+        write(folder.resolve("frames/frame-00000.png"), 23_500_000);
+        assertEquals(Optional.of("this run wrote 73 MB, 23 MB of it frames; -Pframes=false writes none"),
+                Summary.sizeNotice(folder, "-Pframes"));
     }
 }
