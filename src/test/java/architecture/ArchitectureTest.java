@@ -59,10 +59,9 @@ class ArchitectureTest {
                                            particles.app.student particles.experiments.energy
                                            particles.experiments.lecture particles.experiments.phase
                                            particles.experiments.race particles.experiments.runs
-                                           particles.experiments.spectrum particles.experiments.stability
-                                           particles.experiments.work particles.law particles.output.animation
-                                           particles.output.charts particles.output.files particles.output.frames
-                                           particles.output.race particles.output.report particles.scene
+                                           particles.experiments.stability particles.experiments.work particles.law
+                                           particles.output.animation particles.output.charts particles.output.files
+                                           particles.output.frames particles.output.report particles.scene
                                            particles.scene.format particles.spec.messages particles.view picocli
             particles.app.run:             deSolvers.catalog deSolvers.text particles particles.app.cli
                                            particles.app.student particles.energy particles.engine
@@ -93,15 +92,13 @@ class ArchitectureTest {
                                            particles.scene.format particles.view
             particles.experiments.runs:    deSolvers deSolvers.catalog particles particles.law particles.scene
                                            particles.scene.format
-            particles.experiments.spectrum: deSolvers.implicit deSolvers.linear particles particles.law org.ejml
+            particles.experiments.stability: deSolvers deSolvers.catalog deSolvers.implicit deSolvers.linear
+                                           deSolvers.problems deSolvers.text particles particles.experiments.runs
+                                           particles.law particles.scene particles.scene.format particles.view org.ejml
                                            org.hipparchus
-            particles.experiments.stability: deSolvers deSolvers.catalog deSolvers.problems deSolvers.text particles
-                                           particles.experiments.runs particles.experiments.spectrum particles.law
-                                           particles.scene particles.scene.format particles.view org.hipparchus
             particles.experiments.work:    deSolvers deSolvers.catalog deSolvers.implicit deSolvers.problems
-                                           deSolvers.text particles particles.effects.springs
-                                           particles.experiments.runs particles.experiments.spectrum particles.law
-                                           particles.scene particles.view
+                                           deSolvers.text particles particles.effects.springs particles.experiments.runs
+                                           particles.experiments.stability particles.law particles.scene particles.view
             particles.lab:                 deSolvers deSolvers.catalog deSolvers.text particles
                                            particles.effects.springs particles.energy particles.experiments.stability
                                            particles.law particles.scene particles.scene.format particles.spec
@@ -109,8 +106,8 @@ class ArchitectureTest {
             particles.lab.browser:         deSolvers particles.effects particles.lab particles.spec org.teavm
             particles.lab.compile:         particles.lab particles.spec org.teavm
             particles.law:                 deSolvers
-            particles.output.animation:    particles.output.files particles.output.frames java.awt javax.imageio
-                                           org.jcodec
+            particles.output.animation:    particles particles.output.charts particles.output.files
+                                           particles.output.frames particles.view java.awt javax.imageio org.jcodec
             particles.output.charts:       deSolvers.text particles.output.files particles.view java.awt javax.xml
                                            com.lowagie org.apache.batik org.jfree org.w3c.dom
             particles.output.files:        particles particles.law java.awt ar.com.hjg.pngj com.fasterxml.jackson
@@ -118,8 +115,6 @@ class ArchitectureTest {
                                            particles.output.painters particles.output.raster particles.view java.awt
             particles.output.painters:     particles particles.law particles.output.raster particles.view
                                            com.carrotsearch.hppc
-            particles.output.race:         particles particles.output.animation particles.output.charts
-                                           particles.output.files particles.output.frames particles.view java.awt
             particles.output.raster:       deSolvers.text particles.law particles.view java.awt
             particles.output.report:       deSolvers.text particles.output.charts particles.output.files
                                            particles.view java.awt javax.imageio com.samskivert

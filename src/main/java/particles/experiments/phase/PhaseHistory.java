@@ -119,7 +119,7 @@ public final class PhaseHistory implements Observer {
     }
 
     /** @return the axis along which the particle went farthest; x if it did not move */
-    public Axis widestAxis() {
+    Axis widestAxis() {
         return Axis.DIRECTIONS.stream().reduce((widest, axis) -> range(axis) > range(widest) ? axis : widest)
                 .orElseThrow();
     }

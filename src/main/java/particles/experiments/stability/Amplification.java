@@ -77,7 +77,7 @@ public record Amplification(Supplier<DESolver> maker, boolean ofSprings, boolean
      * @param damping   deltaT c
      * @return the larger modulus of the two eigenvalues of a step on x'' = -omega&sup2; x - c x'
      */
-    public double ofSpring(double stiffness, double damping) {
+    double ofSpring(double stiffness, double damping) {
         return of(LinearPair.spring(stiffness, damping));
     }
 

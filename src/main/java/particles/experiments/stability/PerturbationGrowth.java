@@ -11,7 +11,7 @@ import particles.Observer;
 import particles.ParticleSystem;
 import particles.experiments.runs.SceneRun;
 import particles.experiments.runs.SceneRun.Setting;
-import particles.experiments.spectrum.Spectrum.Mode;
+import particles.experiments.stability.Spectrum.Mode;
 import particles.law.Particles;
 import particles.scene.Scene;
 import particles.scene.format.SceneDescription;

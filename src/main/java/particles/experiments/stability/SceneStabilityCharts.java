@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import particles.experiments.spectrum.Spectrum;
 import particles.experiments.stability.SceneStability.Limit;
 import particles.experiments.stability.StabilityRegion.Window;
 import particles.view.ChartData;

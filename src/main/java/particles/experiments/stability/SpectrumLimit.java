@@ -5,8 +5,7 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import particles.experiments.spectrum.Spectrum;
-import particles.experiments.spectrum.Spectrum.Mode;
+import particles.experiments.stability.Spectrum.Mode;
 
 /**
  * Predicts the longest stable step of a solver from a spectrum: the longest step at which no mode grows that would not

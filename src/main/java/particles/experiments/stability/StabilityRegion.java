@@ -37,7 +37,7 @@ public final class StabilityRegion {
      * @return a line for each solver, broken where the outline is in pieces, and the imaginary axis, with what they
      *         show in the title
      */
-    public static ChartData outlines(List<String> solvers, Window window) {
+    static ChartData outlines(List<String> solvers, Window window) {
         return chart(finding(solvers, window), solvers.stream().map(solver -> map(solver, window).outline(solver))
                 .toList(), window);
     }

@@ -13,7 +13,7 @@ import particles.ParticleSystem;
 import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SceneRun;
-import particles.experiments.spectrum.Spectrum;
+import particles.experiments.stability.Spectrum;
 import particles.law.Particles;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;

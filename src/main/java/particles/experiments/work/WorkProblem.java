@@ -101,7 +101,7 @@ public record WorkProblem(String name, String title, double duration, Supplier<?
     }
 
     /** @return the kind of error, with its unit */
-    public String errorLabel() {
+    String errorLabel() {
         return onlyPositions ? "largest position error at the end (m)" : "error of the state at the end (1)";
     }
 

@@ -45,17 +45,15 @@ public final class Shrinker {
         int n = factor * factor;
         for (int p = 0; p < small.length; p++) {
             int first = factor * (p / width * fullWidth + p % width);
-            int red = n / 2;
-            int green = n / 2;
-            int blue = n / 2;
-            for (int row = first; row < first + factor * fullWidth; row += fullWidth) {
-                for (int q = row; q < row + factor; q++) {
-                    red += rgb[q] >> 16 & 255;
-                    green += rgb[q] >> 8 & 255;
-                    blue += rgb[q] & 255;
+            for (int shift = 0; shift < 24; shift += 8) {
+                int sum = n / 2;
+                for (int row = first; row < first + factor * fullWidth; row += fullWidth) {
+                    for (int q = row; q < row + factor; q++) {
+                        sum += rgb[q] >> shift & 255;
+                    }
                 }
+                small[p] |= sum / n << shift;
             }
-            small[p] = red / n << 16 | green / n << 8 | blue / n;
         }
         return small;
     }

@@ -47,7 +47,7 @@ public record ChartFormat(boolean slide, boolean svg, boolean dark, int scale) {
         int lighter = LIGHTEST - most - least;
         double dim = BRIGHT - (0.299 * red + 0.587 * green + 0.114 * blue + lighter);      // weights of ITU-R BT.601
         lighter += (int) Math.max(0, Math.min(Math.min(most - least, least), dim));
-        return red + lighter << 16 | green + lighter << 8 | blue + lighter;
+        return rgb + lighter * 0x010101;
     }
 
     /** @return the largest number of solvers in one panel */

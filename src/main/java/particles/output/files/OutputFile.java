@@ -58,7 +58,12 @@ public final class OutputFile extends OutputStream {
     }
 
     static void write(Path file, Opener opener, byte[] bytes) {
-        try (OutputFile whole = new OutputFile(file, opener, done -> { })) {
+        new OutputFile(file, opener, done -> { }).writeWhole(bytes);
+    }
+
+    /** Writes all bytes of the file, and completes it. */
+    public void writeWhole(byte[] bytes) {
+        try (OutputFile whole = this) {
             whole.write(bytes, 0, bytes.length);
             whole.commit();
         }

@@ -119,10 +119,7 @@ public final class OutputFolder implements AutoCloseable {
 
     /** The same, with the bytes of the file. */
     public void write(String name, byte[] bytes) {
-        try (OutputFile file = create(name)) {
-            file.write(bytes, 0, bytes.length);
-            file.commit();
-        }
+        create(name).writeWhole(bytes);
     }
 
     /**

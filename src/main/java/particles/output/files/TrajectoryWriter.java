@@ -1,9 +1,6 @@
 package particles.output.files;
 
-import java.io.IOException;
-import java.io.OutputStreamWriter;
-import java.io.UncheckedIOException;
-import java.io.Writer;
+import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.util.function.IntToLongFunction;
 import particles.Motion;
@@ -28,7 +25,7 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
 
     private final IntToLongFunction stride;
     private final OutputFile file;
-    private final Writer out;
+    private final PrintWriter out;          // the file below it throws its errors itself
     private long step;
     private long written = -1;              // the last step of which the beginning was written; -1 before the first
     private boolean open = true;
@@ -44,8 +41,8 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
     public TrajectoryWriter(OutputFolder folder, IntToLongFunction stride) {
         this.stride = stride;
         file = folder.create(FILE);
-        out = new OutputStreamWriter(file, StandardCharsets.UTF_8);
-        attempt(() -> out.write(HEADER));
+        out = new PrintWriter(file, false, StandardCharsets.UTF_8);
+        out.write(HEADER);
     }
 
     /**
@@ -91,14 +88,15 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
             write(unwritten, unwritten.getOwnState(), unwritten.getTime());
         }
         open = false;
-        attempt(out::flush);
+        out.flush();
         file.commit();
     }
 
+    /** Writes a state; a broken file is not committed. */
     private void write(ParticleSystem system, double[] state, double time) {
         Particles particles = system.getParticles();
         String t = Numbers.shortest(time);
-        attempt(() -> {
+        try {
             for (int i = 0, x = 0; i < particles.count(); i++, x += Particles.STRIDE) {
                 out.write(t);
                 out.write(',');
@@ -109,7 +107,10 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
                 }
                 out.write('\n');
             }
-        });
+        } catch (OutputException e) {
+            open = false;
+            throw e;
+        }
     }
 
     /** @return a field as RFC 4180 says: quoted, with doubled quotes, if it has a comma, quote or line break */
@@ -121,22 +122,5 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
             }
         }
         return field;
-    }
-
-    @FunctionalInterface
-    private interface Action {
-        void run() throws IOException;
-    }
-
-    /** Runs an action on the file, which reports its own errors; a broken file is not committed. */
-    private void attempt(Action action) {
-        try {
-            action.run();
-        } catch (OutputException e) {
-            open = false;
-            throw e;
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
     }
 }

@@ -189,7 +189,7 @@ public final class FrameRenderer {
     }
 
     private OpaquePainter painter(RoundShapes camera) {
-        return OpaquePainter.of(camera, stage.look(), stage.scenery(), stage.camera().target(), sizes);
+        return OpaquePainter.of(camera, stage.look(), stage.scenery(), stage.camera().target(), sizes, shown);
     }
 
     /**

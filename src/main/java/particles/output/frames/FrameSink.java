@@ -1,7 +1,6 @@
 package particles.output.frames;
 
 import particles.output.files.OutputException;
-import particles.output.files.OutputFile;
 import particles.output.files.OutputFolder;
 import particles.output.files.PngEncoder;
 
@@ -36,12 +35,7 @@ public interface FrameSink extends AutoCloseable {
     static FrameSink png(OutputFolder folder, int width, int height) {
         return (index, rgb) -> {
             byte[] png = PngEncoder.file(width, height, rgb);
-            return () -> {
-                try (OutputFile file = folder.createFrame(index)) {
-                    file.write(png, 0, png.length);
-                    file.commit();
-                }
-            };
+            return () -> folder.createFrame(index).writeWhole(png);
         };
     }
 }

@@ -67,7 +67,7 @@ public record DrawnSizes(double ball, double coilBelow, double point) {
     }
 
     /** @return the radius of the wire that a bead slides along (m) */
-    public double railing() {
+    double railing() {
         return 0.2 * ball;
     }
 

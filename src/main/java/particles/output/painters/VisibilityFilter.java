@@ -1,6 +1,7 @@
 package particles.output.painters;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import java.util.stream.IntStream;
 import particles.view.RenderOptions;
@@ -13,25 +14,16 @@ import particles.view.Scenery.Surface;
  */
 public final class VisibilityFilter {
     private final RenderOptions look;
-    private final boolean[] inSurface;
-    private final boolean[] onClosed;
+    private final BitSet inSurface = new BitSet();
+    private final BitSet onClosed = new BitSet();
 
     /** Creates a filter for these options and surfaces. */
     public VisibilityFilter(RenderOptions look, List<Surface> surfaces) {
         this.look = look;
-        int largest = -1;
         for (Surface surface : surfaces) {
-            for (int corner : surface.triangles()) {
-                largest = Math.max(largest, corner);
-            }
-        }
-        inSurface = new boolean[largest + 1];
-        onClosed = new boolean[largest + 1];
-        for (Surface surface : surfaces) {
-            boolean closed = isClosed(surface);
-            for (int corner : surface.triangles()) {
-                inSurface[corner] = true;
-                onClosed[corner] |= closed;
+            Arrays.stream(surface.triangles()).forEach(inSurface::set);
+            if (isClosed(surface)) {
+                Arrays.stream(surface.triangles()).forEach(onClosed::set);
             }
         }
     }
@@ -52,20 +44,16 @@ public final class VisibilityFilter {
         }).sorted().toArray();
     }
 
-    private static boolean isIn(boolean[] set, int particle) {
-        return particle < set.length && set[particle];
-    }
-
     /** @return whether particle i is drawn */
     public boolean particle(int i) {
         return look.particles() == Visibility.ALWAYS
-                || look.particles() == Visibility.BESIDE_SURFACES && !isIn(inSurface, i);
+                || look.particles() == Visibility.BESIDE_SURFACES && !inSurface.get(i);
     }
 
     /** @return whether a spring between these particles is drawn */
     public boolean spring(int from, int to) {
         return look.springs() == Visibility.ALWAYS
-                || look.springs() == Visibility.BESIDE_SURFACES && !(isIn(inSurface, from) && isIn(inSurface, to))
-                && !isIn(onClosed, from) && !isIn(onClosed, to);
+                || look.springs() == Visibility.BESIDE_SURFACES && !(inSurface.get(from) && inSurface.get(to))
+                && !onClosed.get(from) && !onClosed.get(to);
     }
 }

@@ -47,7 +47,7 @@ public final class Raster {
     }
 
     /** @return the nearness at a pixel; negative infinity if nothing was drawn */
-    public float nearAt(int x, int y) {
+    float nearAt(int x, int y) {
         return near[SAMPLES * (y * width + x)];
     }
 

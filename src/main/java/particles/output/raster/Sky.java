@@ -11,7 +11,7 @@ public enum Sky {
 
     final int top;
     /** The colour of the sky at the horizon. */
-    public final int horizon;
+    final int horizon;
     final int bottom;
     /** The colour of the ground. */
     public final int ground;

@@ -13,7 +13,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.experiments.runs.SolverChoice;
-import particles.experiments.spectrum.Spectrum;
 import particles.experiments.stability.SceneStability.Limit;
 import particles.scene.TestScenes;
 import particles.scene.format.SceneDescription;

@@ -1,4 +1,4 @@
-package particles.experiments.spectrum;
+package particles.experiments.stability;
 
 import deSolvers.linear.Gmres;
 import java.util.ArrayList;

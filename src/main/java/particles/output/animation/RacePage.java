@@ -1,4 +1,4 @@
-package particles.output.race;
+package particles.output.animation;
 
 import java.awt.BasicStroke;
 import java.awt.Color;

@@ -1,19 +1,30 @@
-package particles.output.race;
+package particles.output.animation;
 
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.DoubleConsumer;
+import java.util.zip.Deflater;
+import java.util.zip.DeflaterOutputStream;
+import java.util.zip.InflaterInputStream;
 import particles.Observer;
-import particles.output.animation.GifAnimation;
 import particles.output.charts.ChartPage;
 import particles.output.charts.SolverStyle;
 import particles.output.charts.StripChart;
 import particles.output.files.OutputFolder;
+import particles.output.frames.FrameObserver;
+import particles.output.frames.FrameRenderer;
 import particles.output.frames.FrameRenderer.FrameSetup;
+import particles.output.frames.FrameSink;
 import particles.output.frames.Pipeline;
 import particles.view.ChartData;
 
@@ -24,6 +35,9 @@ import particles.view.ChartData;
 public final class RaceFilm implements AutoCloseable {
     /** The grey of the ghost. */
     private static final int GREY = 0x6f747c;
+    private static final int OPACITY = 150;         // of 256
+    /** A pixel this far from the backdrop, in steps of 1/256, is covered by what moves; a shadow is not. */
+    private static final int COVERED = 96;
     /** Pixels of the film for one of the page. */
     static final double SCALE = 4.0 / 3;
     private static final int WIDTH = scaled(RacePage.WIDTH);
@@ -105,7 +119,7 @@ public final class RaceFilm implements AutoCloseable {
     private Observer film(FrameSetup stage, int colour) {
         FrameSetup coloured = new FrameSetup(stage.camera(), stage.look().inOneColour(colour), stage.scenery(), "", "");
         films.add(new PanelFilm(coloured, scaled(page.panelWidth()), scaled(page.panelHeight()), rate));
-        return films.get(films.size() - 1).getObserver();
+        return films.get(films.size() - 1).observer;
     }
 
     /**
@@ -119,11 +133,11 @@ public final class RaceFilm implements AutoCloseable {
     public void write(OutputFolder folder, Head head, ChartData strip, DoubleConsumer progress) {
         close();
         PanelFilm ghost = films.get(0);
-        int[] backdrop = ghost.getRenderer().renderBackdrop();
+        int[] backdrop = ghost.renderer.renderBackdrop();
         try (GifAnimation gif = new GifAnimation(folder, WIDTH, HEIGHT, WIDTH, playback);
                 Pipeline<Canvas> pipeline = new Pipeline<>(Pipeline.threads(BYTES_PER_PIXEL * WIDTH * HEIGHT), () ->
                         new Canvas(strip))) {
-            for (int k = 0; k < ghost.count(); k++) {
+            for (int k = 0; k < ghost.packed.size(); k++) {
                 int index = k;
                 pipeline.add(canvas -> {
                     Graphics2D g = canvas.image.createGraphics();
@@ -133,7 +147,7 @@ public final class RaceFilm implements AutoCloseable {
                     Runnable rest = gif.prepare(index, pixels(canvas.image));
                     return () -> {
                         rest.run();
-                        progress.accept((index + 1.0) / ghost.count());
+                        progress.accept((index + 1.0) / ghost.packed.size());
                     };
                 });
             }
@@ -147,8 +161,8 @@ public final class RaceFilm implements AutoCloseable {
      */
     public ChartPage sheet(Head head, ChartData strip) {
         PanelFilm ghost = films.get(0);
-        int last = ghost.count() - 1;
-        List<BufferedImage> panels = panels(last, ghost.getRenderer().renderBackdrop());
+        int last = ghost.packed.size() - 1;
+        List<BufferedImage> panels = panels(last, ghost.renderer.renderBackdrop());
         return new ChartPage(RacePage.WIDTH, RacePage.HEIGHT, true, g ->
                 page.draw(g, head, last / rate, panels, new StripChart(strip)));
     }
@@ -162,10 +176,40 @@ public final class RaceFilm implements AutoCloseable {
             BufferedImage panel = new BufferedImage(scaled(page.panelWidth()), scaled(page.panelHeight()),
                     BufferedImage.TYPE_INT_RGB);
             film.get(index, pixels(panel));
-            GhostLayer.add(pixels(panel), shape, backdrop);
+            addGhost(pixels(panel), shape, backdrop);
             panels.add(panel);
         }
         return panels;
+    }
+
+    /**
+     * Adds a translucent ghost to a picture, behind everything that moves: in the pixels where the ghost's own picture
+     * differs from the empty backdrop and the picture does not.
+     *
+     * @param rgb      the picture; the ghost is added to it
+     * @param ghost    the ghost's picture, of the same size
+     * @param backdrop the same without anything that moves
+     */
+    static void addGhost(int[] rgb, int[] ghost, int[] backdrop) {
+        for (int p = 0; p < rgb.length; p++) {
+            if (ghost[p] != backdrop[p]) {
+                rgb[p] = withGhost(rgb[p], ghost[p], backdrop[p]);
+            }
+        }
+    }
+
+    private static int withGhost(int rgb, int ghost, int empty) {
+        int difference = 0;
+        for (int shift = 0; shift < 24; shift += 8) {
+            difference = Math.max(difference, Math.abs((rgb >> shift & 255) - (empty >> shift & 255)));
+        }
+        int weight = OPACITY * Math.max(0, COVERED - difference) / COVERED;
+        int mixed = 0;
+        for (int shift = 0; shift < 24; shift += 8) {
+            int value = (rgb >> shift & 255) + weight * ((ghost >> shift & 255) - (empty >> shift & 255)) / 256;
+            mixed |= Math.max(0, Math.min(255, value)) << shift;
+        }
+        return mixed;
     }
 
     /** @return a length of the page in pixels of the film */
@@ -180,6 +224,55 @@ public final class RaceFilm implements AutoCloseable {
     /** Ends the drawing threads. */
     @Override
     public void close() {
-        films.forEach(film -> film.getObserver().close());
+        films.forEach(film -> film.observer.close());
+    }
+
+    /** The frames of one run, compressed in memory until those of all other runs are there too. */
+    static final class PanelFilm implements FrameSink {
+        final FrameRenderer renderer;
+        /** Draws the run; closed, it waits for the frames of a run that ended early. */
+        final FrameObserver observer;
+        final List<byte[]> packed = new ArrayList<>();
+
+        /**
+         * @param stage  the settings of the frames
+         * @param width  the width of the frames (pixels)
+         * @param height the height of the frames (pixels)
+         * @param rate   the number of frames per second of simulated time (1/s)
+         */
+        PanelFilm(FrameSetup stage, int width, int height, double rate) {
+            renderer = new FrameRenderer(stage, width, height, Optional.empty());
+            observer = new FrameObserver(renderer, rate, List.of(this));
+        }
+
+        /**
+         * @param index the index of a frame; after the last frame, the last one counts
+         * @param rgb   receives its pixels
+         */
+        void get(int index, int[] rgb) {
+            byte[] frame = packed.get(Math.min(index, packed.size() - 1));
+            try (InflaterInputStream in = new InflaterInputStream(new ByteArrayInputStream(frame))) {
+                ByteBuffer.wrap(in.readAllBytes()).asIntBuffer().get(rgb);
+            } catch (IOException e) {
+                throw new UncheckedIOException("a frame that was packed here cannot be unpacked", e);
+            }
+        }
+
+        /** The frames are read when the drawing threads have ended. */
+        @Override
+        public Runnable prepare(int index, int[] rgb) {
+            ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES * rgb.length);
+            bytes.asIntBuffer().put(rgb);
+            ByteArrayOutputStream frame = new ByteArrayOutputStream();
+            Deflater fast = new Deflater(Deflater.BEST_SPEED);
+            try (DeflaterOutputStream out = new DeflaterOutputStream(frame, fast)) {
+                out.write(bytes.array());
+            } catch (IOException e) {
+                throw new UncheckedIOException("memory takes all that is written", e);
+            } finally {
+                fast.end();
+            }
+            return () -> packed.add(frame.toByteArray());
+        }
     }
 }

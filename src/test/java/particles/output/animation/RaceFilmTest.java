@@ -1,4 +1,4 @@
-package particles.output.race;
+package particles.output.animation;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -33,6 +33,7 @@ import particles.SimulationException;
 import particles.Systems;
 import particles.law.Vector3;
 import particles.output.TestEffects;
+import particles.output.animation.RaceFilm.PanelFilm;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartWriter;
 import particles.output.charts.StripChart;
@@ -63,7 +64,7 @@ class RaceFilmTest {
     @Test
     void ghostIsSeenWhereThePictureIsFree() {
         int[] rgb = {EMPTY, 0xff0000, EMPTY, EMPTY};
-        GhostLayer.add(rgb, new int[] {BALL, BALL, EMPTY, 0x000000}, new int[] {EMPTY, EMPTY, EMPTY, EMPTY});
+        RaceFilm.addGhost(rgb, new int[] {BALL, BALL, EMPTY, 0x000000}, new int[] {EMPTY, EMPTY, EMPTY, EMPTY});
         assertEquals(0xe0 + 150 * (0x40 - 0xe0) / 256, rgb[0] >> 16,
                 "150/256 of the way from the empty picture to the ghost");
         assertEquals(0xff0000, rgb[1], "what stands in front hides it");
@@ -74,15 +75,15 @@ class RaceFilmTest {
     @Test
     void framesAreKeptAsTheyWereDrawnAndTheLastOneStays() {
         PanelFilm film = new PanelFilm(stage(), 48, 64, 5);
-        falling(0.25, film.getObserver()).run();
-        film.getObserver().close();
-        assertEquals(6, film.count());
+        falling(0.25, film.observer).run();
+        film.observer.close();
+        assertEquals(6, film.packed.size());
         int[][] at = new int[100][48 * 64];
         for (int k : new int[] {0, 5, 99}) {
             film.get(k, at[k]);
         }
         assertArrayEquals(at[5], at[99]);
-        int[] backdrop = film.getRenderer().renderBackdrop();
+        int[] backdrop = film.renderer.renderBackdrop();
         assertTrue(middle(at[0], backdrop) < 32 && middle(at[5], backdrop) > 32, "it falls");
     }
 
