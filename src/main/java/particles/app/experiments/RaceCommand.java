@@ -166,7 +166,7 @@ public final class RaceCommand extends ExperimentCommand {
                 List.of(RaceCharts.table(race)));
     }
 
-    /** Watches a race, and makes its film. The panels have the shape of the scene's own frames, or fill the page. */
+    /** Watches a race, and makes its film. Panels fill the page; a scene with a camera may have wider ones. */
     private static final class RacePictures implements Race.ObserverFactory, AutoCloseable {
         /**
          * The margin around the reference's box, as a part of its largest extent; a solver that leaves the box is still
@@ -207,7 +207,8 @@ public final class RaceCommand extends ExperimentCommand {
             Vector3 high = extent.high().plus(around);
             Optional<Camera> own = scene.drawing().camera();
             Frames frames = scene.output().frames();
-            double aspect = own.isPresent() ? (double) frames.width() / frames.height() : RaceFilm.aspect(panels);
+            double fills = RaceFilm.aspect(panels);
+            double aspect = own.isPresent() ? Math.max(fills, (double) frames.width() / frames.height()) : fills;
             camera = Optional.of(own.orElseGet(() -> Camera.around(low, high, aspect)));
             film = Optional.of(new RaceFilm(panels, aspect, rate, PLAYBACK));
         }

@@ -35,7 +35,8 @@ record RacePage(int columns, int panelWidth, int panelHeight, Rectangle2D strip)
     private static final int MOST_COLUMNS = 6;
     /** A frame has at least 16 pixels in each direction. */
     private static final int LEAST = 4;
-    private static final double WIDEST = 16.0 / 9;
+    /** Two panels fill a row above the chart. */
+    private static final double WIDEST = 2.1;
     private static final int STRIP = 200;
     private static final int GAP = 9;
     private static final int HEAD = 72;
