@@ -89,12 +89,10 @@ public final class LectureFiguresCommand extends ExperimentCommand {
             panels.add(panel);
             pictures.add(Picture.of(fileName(result.figure()), panel.title() + ".", panel).again());
         }
-        pictures.add(0, Picture.panels("all-figures", "All figures beside each other; each has its own scale.",
-                "Euler and midpoint spiral outwards, RK4 inwards: how fast depends on the step", panels)
-                .onSlides(List.of()));
-        return new ResultPage(name(),
-                LectureFigures.finding(results.subList(0, LectureFigures.ON_SLIDES.size())),
-                List.of("""
+        String finding = LectureFigures.finding(results);
+        pictures.add(0, Picture.panels("all-figures", "All figures beside each other; each has its own scale.", finding,
+                panels).onSlides(List.of()));
+        return new ResultPage(name(), finding, List.of("""
                         The oscillator x'' = -x from (1, 0), in state space. The exact solution is the dashed \
                         circle; it takes 2 pi seconds to go round, clockwise. The arrows are the vector field that a \
                         solver sees.""",
