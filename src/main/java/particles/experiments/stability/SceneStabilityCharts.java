@@ -2,9 +2,11 @@ package particles.experiments.stability;
 
 import deSolvers.text.Digits;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import particles.experiments.runs.SolverChoice;
 import particles.experiments.stability.SceneStability.Limit;
 import particles.experiments.stability.StabilityRegion.Window;
 import particles.view.ChartData;
@@ -18,6 +20,8 @@ import particles.view.ChartData.Series;
 public final class SceneStabilityCharts {
     private static final int POINTS = 400;
     private static final double CELLS = 90;
+    /** An outline lower than this part of the chart would be hidden by a mode at 0. */
+    private static final double SEEN = 0.05;
     /** Beyond this factor per step is far from safe, and all lines look alike. */
     private static final double TOP = 2;
 
@@ -29,8 +33,8 @@ public final class SceneStabilityCharts {
      * @param spectrum the spectrum of its start
      * @param deltaT   the scene's step (s)
      * @param solvers  catalogue names whose outlines are drawn
-     * @return the chart of deltaT times each eigenvalue, with the outlines of the regions, and its upper half, which is
-     *         the same as the lower one, for a wide page
+     * @return the chart of deltaT times each eigenvalue, with the outlines of the regions that are large enough to be
+     *         seen, and its upper half, which is the same as the lower one, for a wide page
      */
     public static List<ChartData> plane(String title, Spectrum spectrum, double deltaT, List<String> solvers) {
         List<double[]> points = spectrum.modes().stream().map(mode ->
@@ -41,13 +45,16 @@ public final class SceneStabilityCharts {
                 new double[] {point[0], -point[1]})).toList());
         ChartData half = StabilityRegion.outlines(solvers, new Window(-1.2 * far, 0.4 * far, 0, far, far / CELLS));
         ChartData whole = StabilityRegion.outlines(solvers, new Window(-far, far / 3, -far, far, far / CELLS));
-        return List.of(add(whole, both).titled(title), add(half, upper).titled(title));
+        return List.of(add(title, whole, both, far), add(title, half, upper, far));
     }
 
-    private static ChartData add(ChartData chart, Series points) {
+    private static ChartData add(String title, ChartData chart, Series points, double far) {
         List<Series> series = new ArrayList<>(chart.series());
+        List<String> small = new ArrayList<>();
+        series.removeIf(line -> Arrays.stream(line.y()).noneMatch(y -> y > SEEN * far) && small.add(line.name()));
         series.add(points);
-        return chart.with(List.of(), series);
+        return chart.with(List.of(), series).titled(title + (small.isEmpty() ? ""
+                : "; outlines of " + SolverChoice.few(small) + " are too small to be seen"));
     }
 
     /**

@@ -16,6 +16,7 @@ import particles.experiments.runs.SolverChoice;
 import particles.experiments.stability.SceneStability.Limit;
 import particles.scene.TestScenes;
 import particles.scene.format.SceneDescription;
+import particles.view.ChartData;
 import particles.view.ChartData.Series;
 
 /** On chains of n unit masses between two walls, whose largest omega is 2 sin(n pi / (2 (n + 1))). */
@@ -176,5 +177,19 @@ class SceneStabilityTest {
     @Test
     void modesTooSlowToSeeAreNone() {
         assertEquals(List.of(), SceneStability.spectrum(TestScenes.named("22")).modes());
+    }
+
+    /** At deltaT = 100, modes reach to 141, rk4's region to 2.8 and radau's unstable one to 7.5. */
+    @Test
+    void chartNamesInItsTitleWhatWouldBeTooSmallToBeSeen() {
+        Spectrum spectrum = SceneStability.spectrum(chain(1, ""));
+        for (ChartData chart : SceneStabilityCharts.plane("A chain", spectrum, 100, List.of("rk4", "radau"))) {
+            assertEquals("A chain; outlines of rk4 and radau are too small to be seen", chart.title());
+            assertEquals(List.of("imaginary axis", "modes of the scene"), chart.series().stream().map(Series::name)
+                    .toList());
+        }
+        ChartData chart = SceneStabilityCharts.plane("A chain", spectrum, 1, List.of("rk4", "radau")).get(0);
+        assertEquals(List.of("rk4", "radau", "imaginary axis", "modes of the scene"),
+                chart.series().stream().map(Series::name).toList());
     }
 }
