@@ -105,7 +105,7 @@ public record SolverContract(Supplier<DESolver> maker) {
     /** A source after a step from these numbers, which are the derivatives, too, and never change. */
     private Probe stepWith(double[] numbers) {
         return StudentSource.after(new Probe.OfParticles(numbers, START, (evaluation, dSdt) -> System.arraycopy(numbers,
-                0, dSdt, 0, SIZE), LARGEST, false), maker.get(), 1, H);
+                0, dSdt, 0, SIZE), LARGEST, false, false), maker.get(), 1, H);
     }
 
     private static Probe alike(int size) {

@@ -141,8 +141,8 @@ final class Comparison {
         }
         return n > 0 && Combination.same(weights, new double[n]) && Combination.sum(expected) != 0
                 ? nothing(end || row.isPosition() ? "was left out" : "was not added to the state that is set", right)
-                : change(weights, expected, stage == 0 || known.isOfParticles() ? new double[n]
-                : found.stages().get(stage - 1).slopes(n));
+                : change(weights, expected, stage == 0 || known.isOfParticles() || found.stages().get(0).increment()
+                != 0 ? new double[n] : found.stages().get(stage - 1).slopes(n));
     }
 
     /**

@@ -11,6 +11,7 @@ import particles.teaching.Finding;
 import particles.teaching.Formula;
 import particles.teaching.contract.Phrase;
 import particles.teaching.contract.SolverContract;
+import particles.teaching.sources.OrderMeasurement;
 import particles.teaching.sources.Springs;
 import particles.teaching.sources.StiffDecay;
 import particles.teaching.sources.StudentSource;
@@ -124,7 +125,11 @@ record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<Or
                 Search.first(() -> nearest.first().filter(finding -> near), () -> IntStream.range(0,
                 particles ? 0 : scheme.size()).mapToObj(i -> offTime(scheme.stages().get(i), scheme.times()[i]))
                 .flatMap(Optional::stream).findFirst(), () -> Phrase.WEIGHTS_SUM.when(!particles && !Formula.same(
-                row.increment(), 1), row.increment()), () -> Optional.of(Phrase.LOW_ORDER.of(full.digits(), count(
+                row.increment(), 1), row.increment()), () ->
+                IntStream.range(1, particles ? 0 : wanted).filter(power -> !Formula.same(scheme.moment(power), 1.0
+                / (power + 1))).mapToObj(power -> Phrase.MOMENT.of(full.digits(),
+                promise.saysWithOrder(), row.formula(), power, 1.0 / (power + 1), scheme.moment(power))).findFirst(),
+                () -> Optional.of(Phrase.LOW_ORDER.of(full.digits(), count(
                 scheme), promise.isGiven() ? "; " + promise.saysWithOrder() : "", row.what(), row.formula()))));
     }
 

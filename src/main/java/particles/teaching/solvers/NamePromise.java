@@ -118,7 +118,7 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
             a Rosenbrock method of order 4 | 4 | ros4 rosenbrock4 rodas kapsrentrop grk4 | | implicit
             an exponential method of order 2 | 2 | etd2 etdrk2 exponentialmidpoint exponential-rosenbrock | |
             an exponential method of order 4 | 4 | etd4 etdrk4 lawson4 | |
-            TR-BDF2 | 2 | trbdf2 | | implicit
+            TR-BDF2 | 2 | trbdf2 | TR-BDF2 | implicit
             a Nystrom method | 3 | nystrom nystroem rkn | |
             a Nystrom method of order 4 | 4 | nystrom4 nystroem4 rkn4 | |
             a Nystrom method of order 5 | 5 | nystrom5 nystroem5 rkn5 | |
@@ -128,22 +128,29 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
             a BDF method of order 6 | 6 | bdf6 | | earlier
             Beeman's method | 2 | beeman | |
             Newmark's method | 2 | newmark averageacceleration meanacceleration \
-            | the implicit trapezoidal rule; velocity Verlet (leapfrog: kick, drift, kick) |
+            | the implicit trapezoidal rule; velocity Verlet (leapfrog: kick, drift, kick); Newmark's method |
             Gragg's method | 2 | gragg modifiedmidpoint | |
             an extrapolation method | 3 | bulirsch stoer bulirsch-stoer gragg-bulirsch \
             gragg-extrapol gragg-bulirsch-stoer bulirsch-stoer-extrapol gbs | |
             an extrapolation method | 2 | romberg romberg-extrapol | |
             a predictor-corrector method | 2 | pec pece predictor-corrector | |
-            a Gauss method | 2 | gauss gausslegendre | the implicit midpoint method | implicit
-            a Gauss method of order 4 | 4 | gauss4 gausslegendre4 | | implicit
-            a Gauss method of order 6 | 6 | gauss6 gausslegendre6 | | implicit
-            a Lobatto method of order 4 | 4 | lobatto4 | | implicit
-            a Lobatto method | 2 | lobatto | | implicit
-            a Radau method | 3 | radau | | implicit
-            a Radau method of order 3 | 3 | radau3 radauiia3 | | implicit
-            Radau IIA of order 5 | 5 | radau5 radauiia5 | | implicit
-            a diagonally implicit method of order 2 | 2 | sdirk2 dirk2 | the implicit midpoint method | implicit
-            a diagonally implicit method of order 3 | 3 | sdirk3 dirk3 | | implicit
+            a Gauss method | 2 | gauss gausslegendre | the implicit midpoint method; Gauss's method of order 4; \
+            Gauss's method of order 6 | implicit
+            a Gauss method of order 4 | 4 | gauss4 gausslegendre4 | Gauss's method of order 4; \
+            Gauss's method of order 6 | implicit
+            a Gauss method of order 6 | 6 | gauss6 gausslegendre6 | Gauss's method of order 6 | implicit
+            a Lobatto method of order 4 | 4 | lobatto4 | Lobatto IIIA of order 4; Lobatto IIIB of order 4; \
+            Lobatto IIIC of order 4 | implicit
+            a Lobatto method | 2 | lobatto | the implicit trapezoidal rule; Lobatto IIIC of order 2; \
+            Lobatto IIIA of order 4; Lobatto IIIB of order 4; Lobatto IIIC of order 4 | implicit
+            a Radau method | 3 | radau | Radau IIA of order 3; Radau IA of order 3; Radau IIA of order 5 | implicit
+            a Radau method of order 3 | 3 | radau3 radauiia3 | Radau IIA of order 3; Radau IA of order 3; \
+            Radau IIA of order 5 | implicit
+            Radau IIA of order 5 | 5 | radau5 radauiia5 | Radau IIA of order 5 | implicit
+            a diagonally implicit method of order 2 | 2 | sdirk2 dirk2 | the implicit midpoint method; \
+            Alexander's method of order 2 | implicit
+            a diagonally implicit method of order 3 | 3 | sdirk3 dirk3 | Alexander's method of order 3; \
+            Norsett's method of order 3 | implicit
             a diagonally implicit method of order 4 | 4 | sdirk4 dirk4 | | implicit
             """;
 
@@ -202,7 +209,7 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
 
     /** @return whether a method of this name and order may be called so */
     boolean allows(String method, int itsOrder) {
-        boolean high = itsOrder >= order;
+        boolean high = itsOrder >= order || order <= 2 && IMPLICIT.indexOf(method) > 0;     // those are of order 2
         return methods.contains(method) && (high || itsOrder == 0 && order <= 2)
                 || high && (methods.isEmpty() || changed);
     }

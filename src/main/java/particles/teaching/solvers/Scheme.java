@@ -120,10 +120,26 @@ record Scheme(String name, int order, List<double[]> rows, double[] times, boole
 
     /** @return the same without evaluations at the end, or at the next one's place, that enter nothing */
     Scheme withoutUnused() {
-        int[] kept = IntStream.range(0, size()).filter(this::isUsed).toArray();
+        return only(IntStream.range(0, size()).filter(this::isUsed).toArray());
+    }
+
+    /** @return the same with the evaluations alone that enter the new state, without those of a first guess */
+    Scheme ofTheEnd() {
+        return only(IntStream.range(0, size()).filter(j -> rows.stream().skip(size()).anyMatch(row ->
+                row[first() + j] != 0)).toArray());
+    }
+
+    /** @return the same with these evaluations alone */
+    Scheme only(int... kept) {
         List<double[]> left = IntStream.concat(Arrays.stream(kept), IntStream.range(size(), rows.size())).mapToObj(r ->
                 DoubleStream.concat(Arrays.stream(rows.get(r)).limit(first()), Arrays.stream(kept).mapToDouble(j ->
                 rows.get(r)[first() + j])).toArray()).toList();
         return new Scheme(name, order, left, Arrays.stream(kept).mapToDouble(i -> times[i]).toArray(), isOfParticles);
+    }
+
+    /** @return the weights of the new state, each multiplied by its evaluation's time to this power */
+    double moment(int power) {
+        return IntStream.range(0, size()).mapToDouble(i -> rows.get(size())[1 + i] * StrictMath.pow(times[i], power))
+                .sum();
     }
 }

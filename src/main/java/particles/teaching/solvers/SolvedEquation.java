@@ -16,6 +16,7 @@ import particles.teaching.Finding;
 import particles.teaching.Formula;
 import particles.teaching.contract.Phrase;
 import particles.teaching.contract.SolverContract;
+import particles.teaching.sources.OrderMeasurement;
 import particles.teaching.sources.WindyOscillators;
 
 /**
@@ -77,7 +78,7 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
      */
     static Optional<String> near(Supplier<DESolver> maker) {
         Optional<Scheme> round = StepReading.of(maker, NEAR_STEP, SolverContract.TINY, 1).map(StepReading::scheme)
-                .filter(scheme -> !scheme.isOfParticles());
+                .filter(scheme -> !scheme.isOfParticles()).map(Scheme::ofTheEnd);
         return ALL.stream().filter(known -> known.isOneStep() && (known.residual(maker, NEAR_STEP, 1) < NEAR
                 || round.filter(scheme -> Arrays.equals(scheme.times(), known.times) && Combination.same(scheme.rows()
                 .get(scheme.size()), known.weights)).isPresent())).map(SolvedEquation::name).findFirst();

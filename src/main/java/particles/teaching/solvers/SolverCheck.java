@@ -16,6 +16,7 @@ import particles.teaching.contract.ClockCheck;
 import particles.teaching.contract.Phrase;
 import particles.teaching.contract.SolverContract;
 import particles.teaching.contract.SolverMemory;
+import particles.teaching.sources.OrderMeasurement;
 import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 
@@ -180,7 +181,8 @@ public final class SolverCheck {
     private Diagnosis measured() {
         return new Diagnosis(UNREAD, clock.or(() -> Search.first(unread::entryByEntry, () -> firstSubStep(finding ->
                 finding.kind() != Finding.Kind.METHOD), unread::asymmetric, this::stageClocks, unread::uncut, () ->
-                poorOrder(this::unstable), unread::elsewhere, unread::uncontrolled, () ->
+                unread.stages(promise, measurement().order()), () -> poorOrder(this::unstable), unread::elsewhere,
+                unread::uncontrolled, () ->
                 promise.kind().equals("implicit") || measurement().order() < UnreadMethod.SECOND ? unstable()
                 : Optional.empty(), explicit::dragged)));
     }
@@ -229,7 +231,7 @@ public final class SolverCheck {
         boolean far = order.isFar();
         return !far && !(order.order() >= OrderMeasurement.LOWEST && order.order() <= wanted() - 0.5) ? Optional.empty()
                 : Search.first(() -> far ? unread.elsewhere() : Optional.empty(), () -> firstSubStep(finding ->
-                true), cause, this::stageClocks, () ->
+                true), cause, () ->
                 Phrase.NO_CONVERGENCE.when(far, order.smallest()[1], order.smallest()[0]), () ->
                 Optional.of(Phrase.NAME_ORDER.of(order.digits(), promise.isGiven() ? promise.saysWithOrder()
                 : "a method that uses derivatives of earlier steps has at least order 2")));

@@ -78,9 +78,22 @@ record StepReading(Scheme scheme, double h, int steps, Probe calls, double[] bef
      * @return the reading; empty if a step is not a combination with fixed weights
      */
     static Optional<StepReading> of(Supplier<DESolver> maker, double h, double size, int steps) {
+        return of(maker, h, size, steps, false);
+    }
+
+    /**
+     * @return the reading where the derivative depends on the clock alone, so that iterations for stages end; the last
+     *         evaluation at each clock is read, in the order in which the clocks are first seen; empty likewise
+     */
+    static Optional<StepReading> byClock(Supplier<DESolver> maker, double h) {
+        return of(maker, h, 1, 1, true);
+    }
+
+    private static Optional<StepReading> of(Supplier<DESolver> maker, double h, double size, int steps,
+            boolean byClock) {
         for (boolean particles : new boolean[] {false, true}) {
             try {
-                return Optional.of(new Reader(maker, h, size, steps, particles, new ArrayList<>()).read());
+                return Optional.of(new Reader(maker, h, size, steps, particles, byClock, new ArrayList<>()).read());
             } catch (RuntimeException e) {
                 continue;                               // with velocities, adaptive or implicit
             }
@@ -90,7 +103,7 @@ record StepReading(Scheme scheme, double h, int steps, Probe calls, double[] bef
 
     /** Reads a step, of all entries alike or of positions and velocities; throws an exception if that is not all. */
     private record Reader(Supplier<DESolver> maker, double h, double size, int steps, boolean particles,
-            List<Finding> findings) {
+            boolean byClock, List<Finding> findings) {
         private int first() {
             return particles ? 2 : 1;
         }
@@ -110,7 +123,7 @@ record StepReading(Scheme scheme, double h, int steps, Probe calls, double[] bef
             double[] before = numbers[0].clone();
             Arrays.setAll(before, k -> numbers[particles && k % 6 > 2 ? 1 : 0][k]);
             Probe probe = new Probe.OfParticles(before, START, (j, dSdt) -> System.arraycopy(numbers[first() + j], 0,
-                    dSdt, 0, SIZE), numbers.length - first(), particles);
+                    dSdt, 0, SIZE), numbers.length - first(), particles, byClock);
             DESolver solver = maker.get();
             for (int step = 0; step < steps; step++) {
                 before = probe.getState();
@@ -143,7 +156,8 @@ record StepReading(Scheme scheme, double h, int steps, Probe calls, double[] bef
                 }
             }
             double[] off = Stream.concat(Stream.generate(() -> size).limit(MORE), Stream.of(LARGE, SMALL).filter(one ->
-                    size == 1)).mapToDouble(one -> again(run, numbers(random, one)).misfit(weights, one)).toArray();
+                    size == 1 && !byClock)).mapToDouble(one -> again(run, numbers(random, one)).misfit(weights, one))
+                    .toArray();
             double rounded = Arrays.stream(off).limit(MORE).reduce(0, Math::max);       // NaN stays
             if (!(rounded <= ROUNDED)) {
                 throw new IllegalStateException("the weights do not describe the step");
@@ -165,8 +179,9 @@ record StepReading(Scheme scheme, double h, int steps, Probe calls, double[] bef
             Phrase.DIGITS.when(rounded > DOUBLE_ROUNDING, rounded).ifPresent(findings::add);
             IntStream.range(MORE, off.length).filter(j -> !(off[j] <= ROUNDED)).limit(1).forEach(j -> findings.add(
                     Phrase.CUT_OFF.of(j == MORE ? LARGE : SMALL)));
-            return new StepReading(new Scheme("", 0, rows, run.probe.recorded().stream().mapToDouble(at -> (at.time()
-                    - START) / h - (steps - 1)).toArray(), particles), h, steps, run.probe, before, findings);
+            double[] times = run.probe.recorded().stream().mapToDouble(at -> (at.time() - START) / h - (steps - 1))
+                    .map(at -> byClock ? Math.rint(at * 1e9) / 1e9 : at).toArray();
+            return new StepReading(new Scheme("", 0, rows, times, particles), h, steps, run.probe, before, findings);
         }
 
         /** The weights that most entries have, in units of powers of deltaT. */
@@ -175,8 +190,8 @@ record StepReading(Scheme scheme, double h, int steps, Probe calls, double[] bef
                 Arrays.setAll(entry, c -> Math.abs(entry[c]) < DOUBLE_ROUNDING + MORE * rounded ? 0 : entry[c]);
             }
             List<Integer> same = entries(kind);
-            double[] row = same.stream().map(k -> weights[k]).max(Comparator.comparingDouble(one -> sum(one, 1)))
-                    .orElseThrow();
+            double[] row = same.stream().map(k -> weights[k]).sorted(Comparator.comparingDouble(one -> sum(one, 1)))
+                    .skip(byClock ? same.size() / 2 : same.size() - 1).findFirst().orElseThrow();    // but differences
             if (same.stream().anyMatch(k -> !stays(weights[k], row) && !(SolverContract.distance(weights[k], row)
                     <= ROUNDED + MORE * MORE * rounded))) {
                 throw new IllegalStateException("each entry has other weights");

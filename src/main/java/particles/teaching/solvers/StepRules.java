@@ -20,9 +20,12 @@ record StepRules(StepReading step, StepReading twice, Optional<StepReading> back
     /** @return the mistake of a new state that is not set */
     Optional<Finding> notSet() {
         Scheme scheme = step.scheme();
+        Combination end = scheme.ends().get(0);
         return Phrase.NEVER_SET.when(!step.calls().isSet()).or(() -> (scheme.size() > 1 ? Phrase.LEFT_AT_TRIAL
                 : Phrase.SET_TOO_EARLY).when(!step.calls().setAfterLast() && !evaluatesTheNewState(scheme),
-                scheme.ends().get(scheme.ends().size() - 1).formula()));
+                scheme.ends().get(scheme.ends().size() - 1).formula())).or(() -> IntStream.range(1, scheme.size())
+                .filter(i -> Combination.same(scheme.rows().get(i), end.weights()) && !Formula.same(end.increment(), 1))
+                .mapToObj(i -> Phrase.OLDER_STATE.of(end.formula(), scheme.slope(i))).findFirst());
     }
 
     /** @return the mistake of a state without the old one, or with a part of it */

@@ -113,6 +113,22 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
                 Optional.of(Phrase.UNCONTROLLED.of(error, LONG, often, SHORT_STEPS)));
     }
 
+    /**
+     * @param order its measured order
+     * @return the difference of an implicit method whose order is too low from the nearest one with as many stages of
+     *         those that its name stands for; without a name, from a near one of higher order
+     */
+    Optional<Finding> stages(NamePromise promise, double order) {
+        return StepReading.byClock(maker, H).flatMap(step -> {
+            Scheme found = step.scheme().ofTheEnd();
+            Comparison nearest = Comparison.nearest(KnownMethods.STAGES.stream().filter(known -> known.size()
+                    == found.size() && known.isOfParticles() == found.isOfParticles() && (!promise.isGiven()
+                    || promise.methods().contains(known.name()))).toList(), found, step);
+            return nearest.first().filter(difference -> order < (promise.isGiven() ? promise.order()
+                    : nearest.known().order()) - 0.5 && (promise.isGiven() || nearest.isNear()));
+        });
+    }
+
     /** @return whether a longer step has many more parts, as with step-size control */
     boolean makesSubSteps() {
         return times(LONG) > SHORT_STEPS / 2 * times(LONG / SHORT_STEPS);
@@ -132,8 +148,9 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
 
     /** @return the mistake if the state after a very short or a longer step is that of another time than t + deltaT */
     Optional<Finding> elsewhere() {
-        return Stream.of(BRIEF, H).flatMap(deltaT -> otherTime(deltaT, MUCH_BETTER).stream().map(place ->
-                Phrase.ELSEWHERE.of(deltaT, Formula.time(place), place))).findFirst();
+        return Stream.of(BRIEF, H).flatMap(deltaT -> otherTime(deltaT, MUCH_BETTER).stream().map(place -> place != 0
+                ? Phrase.ELSEWHERE.of(deltaT, Formula.time(place), place) : (contract.evaluations(1, deltaT) > 0
+                ? Phrase.STAYS_AT_GUESS : Phrase.STAYS).of(deltaT))).findFirst();
     }
 
     /** The time, in units of deltaT, that suits the state after a step far better than the step's end. */
@@ -156,15 +173,15 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
     }
 
     /**
-     * @return the mistake of a method that makes a spring swing otherwise in another entry of the state, or from the
-     *         other side
+     * @return the mistake of a method that makes a spring swing otherwise in another entry of the state, also where
+     *         the first particle is at rest, or from the other side
      */
     Optional<Finding> asymmetric() {
         double[] first = swing(0, 1);
-        double other = SolverContract.distance(first, swing(2, 1));
+        double other = SolverContract.distance(first, swing(8, 1));
         double mirrored = SolverContract.distance(first, swing(0, -1));
-        return Phrase.LARGEST_ERROR.when(other > ALIKE, SWING, other).or(() -> Phrase.ABSOLUTE_ERROR.when(mirrored
-                > ALIKE, SWING, mirrored));
+        return Phrase.LARGEST_ERROR.when(other > ALIKE, 2 * SWING, other).or(() -> Phrase.ABSOLUTE_ERROR.when(mirrored
+                > ALIKE, 2 * SWING, mirrored));
     }
 
     /**
@@ -182,12 +199,8 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
     }
 
     /** @return position and velocity of a spring after a step, times the sign of its start */
-    private double[] swing(int coordinate, double start) {
-        Springs springs = new Springs();
-        double[] state = new double[springs.getStateSize()];
-        state[coordinate] = start;
-        springs.setState(state);
-        double[] end = after(springs, SWING).getState();
-        return new double[] {start * end[coordinate], start * end[coordinate + 3]};
+    private double[] swing(int entry, double start) {
+        double[] end = after(new Springs(entry, start), 2 * SWING).getState();
+        return new double[] {start * end[entry], start * end[entry + 3]};
     }
 }

@@ -78,19 +78,25 @@ public class Probe extends StudentSource {
         return recorded.size();
     }
 
+    /** Keeps an evaluation with this answer. */
+    void record(int answer, Evaluation evaluation) {
+        recorded.add(evaluation);
+    }
+
     /** Fills in the derivatives that the state says. */
     void complete(double[] s, double[] dSdt) {
     }
 
     @Override
     protected final void rates(double t, double[] s, double[] dSdt) {
-        if (recorded.size() == most) {
+        int number = answerFor(t, s);
+        if (number == most) {
             throw new TooManyEvaluations(most);
         }
         double[] all = new double[s.length];
-        answer.fill(answerFor(t, s), all);
+        answer.fill(number, all);
         complete(s, all);
-        recorded.add(new Evaluation(s.clone(), t, stateSet));
+        record(number, new Evaluation(s.clone(), t, stateSet));
         stateSet = false;
         System.arraycopy(all, 0, dSdt, 0, Math.min(s.length, dSdt.length));
     }
@@ -98,7 +104,9 @@ public class Probe extends StudentSource {
     /** A probe of particles: three positions and three velocities for each in turn. */
     public static final class OfParticles extends Probe implements SecondOrderSource {
         private static final double ROUNDING = 1e-14;
+        private static final double SAME_TIME = 1e-9;
         private final boolean moving;
+        private final boolean byClock;
 
         /**
          * @param start  the state
@@ -107,20 +115,32 @@ public class Probe extends StudentSource {
          * @param most   the number of evaluations after which it throws {@link TooManyEvaluations}
          * @param moving whether the derivative of a position is the velocity, and an evaluation at the same positions
          *               and time as an earlier one has the same answer, so that iterations for the velocity end
+         * @param byClock whether all evaluations at the same time have the same answer, and the last one is recorded
          */
-        public OfParticles(double[] start, double time, Answer answer, int most, boolean moving) {
+        public OfParticles(double[] start, double time, Answer answer, int most, boolean moving, boolean byClock) {
             super(start, time, answer, most);
             this.moving = moving;
+            this.byClock = byClock;
         }
 
         @Override
         int answerFor(double t, double[] s) {
-            for (int j = 0; moving && j < recorded().size(); j++) {
-                if (recorded().get(j).time() == t && samePositions(recorded().get(j).state(), s)) {
+            for (int j = 0; (moving || byClock) && j < recorded().size(); j++) {
+                if (byClock ? Math.abs(recorded().get(j).time() - t) < SAME_TIME : recorded().get(j).time() == t
+                        && samePositions(recorded().get(j).state(), s)) {
                     return j;
                 }
             }
             return super.answerFor(t, s);
+        }
+
+        @Override
+        void record(int answer, Evaluation evaluation) {
+            if (byClock && answer < recorded().size()) {
+                recorded().set(answer, evaluation);
+            } else {
+                super.record(answer, evaluation);
+            }
         }
 
         @Override

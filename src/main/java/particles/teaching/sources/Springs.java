@@ -1,15 +1,21 @@
 package particles.teaching.sources;
 
 import deSolvers.problems.StepMatrix;
+import java.util.stream.IntStream;
 import particles.teaching.sources.StudentSource.SecondOrderSource;
 
-/** One particle on a spring, x'' = -x in each of three coordinates: the slides' example. */
+/** Particles on springs, x'' = -x in each of three coordinates: the slides' example. */
 public final class Springs extends StudentSource implements SecondOrderSource {
     /**
      * The first coordinate starts at (1, 0), the second at (0, 1): one step shows the whole 2 x 2 matrix of the method.
      */
     public Springs() {
         super(1, 0, 0, 0, 1, 0);
+    }
+
+    /** Creates two particles, at rest but for one coordinate of one of them, which starts here. */
+    public Springs(int entry, double start) {
+        super(IntStream.range(0, 12).mapToDouble(k -> k == entry ? start : 0).toArray());
     }
 
     /** @return the matrix by which the steps so far multiplied the state of one coordinate */
@@ -33,7 +39,7 @@ public final class Springs extends StudentSource implements SecondOrderSource {
 
     @Override
     protected void rates(double t, double[] s, double[] dSdt) {
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < s.length; k += k % 6 == 2 ? 4 : 1) {
             dSdt[k] = s[k + 3];
             dSdt[k + 3] = -s[k];
         }

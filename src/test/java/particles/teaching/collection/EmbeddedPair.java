@@ -30,7 +30,7 @@ final class EmbeddedPair extends DESolver {
 
     private double size(double[] off, double[] s) {
         double size = 0;
-        for (int i = 0; i < (slips.contains("first-entry") ? 1 : s.length); i++) {
+        for (int i = 0; i < (slips.contains("first-particle") ? 3 : s.length); i++) {
             double signed = slips.contains("no-abs") ? off[i] : Math.abs(off[i]);
             size = Math.max(size, signed / (tolerance * (1 + Math.abs(s[i]))));
         }

@@ -117,8 +117,8 @@ final class HandwrittenSolvers {
                         new HeunOnFixedStep(0)),
                 wrong("Mine", "stops when the first entry is still", "the iteration ends too early", (source, h) ->
                         fixedPoint(source, h, change -> 1e-6 * Math.abs(change[0]))),
-                wrong("Mine", "sub-steps of 0.001 s, and the rest is lost", "after a step of 0.0001000 s the state is"
-                        + " that of t: either", (source, h) -> {
+                wrong("Mine", "sub-steps of 0.001 s, and the rest is lost", "evaluates no derivative and leaves the"
+                        + " state where it was", (source, h) -> {
                     double end = source.getTime() + h;
                     for (int k = (int) (Math.abs(h) / 0.001); k > 0; k--) {
                         euler(source, Math.copySign(0.001, h));

@@ -82,6 +82,8 @@ class SolverCollectionTest {
                 ThirdRungeKuttaSolver | its name | | rk 1/2; -1 2 -> 1/6 2/3 1/6
                 RombergEuler | one extrapolation | | rk 1/2 -> 0 1
                 ImplicitRungeKutta | one stage | | BACKWARD NEWTON
+                ImplicitRungeKutta2 | two stages | | TRAPEZOID NEWTON
+                AdamsMoultonSolver | one step | | TRAPEZOID NEWTON
                 """));
         assertNamed(SolverTable.read("""
                 FourthOrderGaussSolver | one stage | not a Gauss method of order 4, | IMPLICIT_MIDPOINT NEWTON
@@ -90,8 +92,9 @@ class SolverCollectionTest {
                 FourthOrderRungeKutta | Heun | not a Runge-Kutta method of order 4, | rk HEUN
                 ImplicitMidpoint | order 2 and an unused evaluation | an explicit method with 4 evaluations .* solved \
                 | rk 1/3; 1/2; 0 1/2 -> 1/4 0 0 3/4
-                SdirkTwoSolver | gamma, order 1 | order is .* method of order 2: | irk 0.7071067811865476; \
-                0.2928932188134524 0.7071067811865476 -> 0.2928932188134524 0.7071067811865476 NEWTON
+                SdirkTwoSolver | gamma, order 1 | k1 is evaluated at s [+] 0.7071 k1; Alexander's .* 0.2929 k1 \
+                | irk 0.7071067811865476; 0.2928932188134524 0.7071067811865476 \
+                -> 0.2928932188134524 0.7071067811865476 NEWTON
                 DormandPrinceFiveSolver | order 4 | not a Runge-Kutta method of order 5 | rk DOPRI DOPRI4
                 EulerSolver | Heun | not the Euler method, as its name says | rk HEUN
                 MyEulerSolverX | Heun | not the Euler method, as its name says | rk HEUN

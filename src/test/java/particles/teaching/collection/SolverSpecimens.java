@@ -467,8 +467,8 @@ final class SolverSpecimens {
                 Mine | clock moved at the end | ^time: the error is .* at another clock | pair HEUN -> 1 0 \
                 : 1e-3 2 clock-at-end
                 W78AdaptiveBogackiShampine | no Math.abs | Math.abs | pair BOGACKI : 1e-8 3 no-abs
-                W137AdaptiveBogackiShampine | error of entry 0 | largest of all entries \
-                | pair BOGACKI : 1e-8 3 first-entry
+                W137AdaptiveBogackiShampine | error of one particle | largest of all entries \
+                | pair BOGACKI : 1e-8 3 first-particle
                 W134AdaptiveBogackiShampine | k3 at t + h/2 | k3 is evaluated at t \\+ deltaT/2 \
                 | pair BOGACKI @ 0 1/2 1/2 1 : 1e-8 3
                 W132AdaptiveBogackiShampine | a32 = 1/2 | k3 is evaluated at s \\+ k2/2 \
@@ -484,7 +484,7 @@ final class SolverSpecimens {
                 | rk 1/2; 2 -1 -> 1/6 2/3 1/6
                 KuttaEighths | divided by 8 | 3/4 times what it should be | rk RK4 1/8 1/4 1/4 1/8
                 Yoshida4Root | Math.pow(2, 1 / 3) | not a symplectic method of order 4 | LEAPFROG
-                SDIRK2Half | gamma is 1/2 | error does not go to 0/or/add up \
+                SDIRK2Half | gamma is 1/2 | k1 is evaluated at s \\+ k1/2; Alexander's method of order 2 \
                 | irk 1/2; 0.7071067811865476 1/2 -> 0.7071067811865476 1/2 SIMPLE
                 GaussSolver | clocks of the stages exchanged | at another clock than their states \
                 | irk 0.25 -0.03867513459481287; 0.5386751345948129 0.25 -> 1/2 1/2 \
@@ -513,6 +513,15 @@ final class SolverSpecimens {
                 | pair 1/2; -1 2 -> 1/6 2/3 1/6 -> 1 0 0 : 1e-6 3 clock-runs
                 Homework5 | three stages, not Runge-Kutta of order 5 | k3 is evaluated at s - k1 \\+ k2; \
                 | rk 1/2; -1 1 -> 1/6 2/3 1/6
+                RadauTwoStage | transposed | k1 is evaluated at s \\+ 5/12 k1 \\+ 3/4 k2; Radau IIA of order 3 says \
+                | irk 5/12 3/4; -1/12 1/4 -> 3/4 1/4 @ 1/3 1 SIMPLE
+                Mine | a sign | k1 is evaluated at s \\+ 5/12 k1 \\+ k2/12; Radau IIA of order 3 says \
+                | irk 5/12 1/12; 3/4 1/4 -> 3/4 1/4 @ 1/3 1 NEWTON
+                RichardsonOrder3 | 2 and -1 | order is 2.* order 3: .* add up to 1/3, and here to 3/8, \
+                | rk 1/2; 0; 0 0 1/4; 0 0 0 1/2; 0 0 0 1/2 1/4 -> 0 -1 0 1 0 1
+                Mine | the array before | which k3 is evaluated: an older array is set \
+                | rk 1/4; 0 1/2; 0 1/2 1/4 -> 0 1/2
+                Mine | to 1e-3, from an Euler step | iteration ends too early | BACKWARD : simple 1e-3 500
                 W136AdaptiveBogackiShampine | nothing for negative deltaT | negative deltaT does nothing \
                 | pair BOGACKI : 1e-8 3 forward-only
                 """).stream()).toList();

@@ -1,4 +1,4 @@
-package particles.teaching.solvers;
+package particles.teaching.sources;
 
 import deSolvers.DESolver;
 import java.util.ArrayList;
@@ -8,15 +8,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
-import particles.teaching.sources.StudentSource;
-import particles.teaching.sources.WindyOscillators;
 
 /**
  * The measured order of a solver: the exponent with which the error after two seconds falls with deltaT.
  *
  * @param order  the middle one of the slopes between the shortest time steps; only those count between which a step
- *               costs the
- *               same and whose error is above rounding; NaN if there are none
+ *               costs the same and whose error is above rounding; NaN if there are none
  * @param points deltaT (s) and the error, by falling deltaT
  */
 public record OrderMeasurement(double order, List<double[]> points) {
@@ -30,7 +27,7 @@ public record OrderMeasurement(double order, List<double[]> points) {
     private static final int MOST = 4096;
     private static final int SLOPES = 3;
     /** Below this order the error does not go to 0; Euler measures 0.97 to 1.03. */
-    static final double LOWEST = 0.7;
+    public static final double LOWEST = 0.7;
     /** Adaptive methods have an error that does not follow deltaT, and a small one. */
     private static final double SMALL = 1e-4;
 
@@ -43,7 +40,7 @@ public record OrderMeasurement(double order, List<double[]> points) {
      * @return the measurement on this law, not from 0, where the field does not change, so that the first step's clock
      *         hardly shows
      */
-    static OrderMeasurement of(Supplier<DESolver> maker, Supplier<WindyOscillators> laws) {
+    public static OrderMeasurement of(Supplier<DESolver> maker, Supplier<WindyOscillators> laws) {
         return measure(maker, () -> laws.get().from(START));
     }
 
@@ -78,17 +75,17 @@ public record OrderMeasurement(double order, List<double[]> points) {
     }
 
     /** @return whether the error does not go to 0; a small one is that of a tolerance, whatever deltaT is */
-    boolean isFar() {
+    public boolean isFar() {
         return !(order >= LOWEST || smallest()[1] < SMALL);
     }
 
     /** @return the order with two digits */
-    String digits() {
+    public String digits() {
         return String.format(Locale.ROOT, "%.2f", order);
     }
 
     /** @return the point with the smallest error */
-    double[] smallest() {
+    public double[] smallest() {
         return points.stream().min(Comparator.comparingDouble(point -> point[1])).orElseThrow();
     }
 }
