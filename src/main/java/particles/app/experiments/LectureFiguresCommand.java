@@ -89,7 +89,8 @@ public final class LectureFiguresCommand extends ExperimentCommand {
             panels.add(panel);
             pictures.add(Picture.of(fileName(result.figure()), panel.title() + ".", panel).again());
         }
-        String finding = LectureFigures.finding(results);
+        // a solver of one's own may end farther out by chance, as symplectic ones do
+        String finding = LectureFigures.finding(results.subList(0, LectureFigures.ON_SLIDES.size()));
         pictures.add(0, Picture.panels("all-figures", "All figures beside each other; each has its own scale.", finding,
                 panels).onSlides(List.of()));
         return new ResultPage(name(), finding, List.of("""
