@@ -4,26 +4,20 @@ import java.util.Arrays;
 import java.util.DoubleSummaryStatistics;
 import particles.view.ChartData.Series;
 
-/** The distance of a path in state space from a curve, by shape alone: times are not compared. */
-final class CurveDistance {
+/**
+ * The distance of a path in state space from a curve, by shape alone: times are not compared.
+ *
+ * @param curve      positions along the curve, and the velocities there
+ * @param positions  the range of the positions
+ * @param velocities the range of the velocities
+ */
+record CurveDistance(Series curve, DoubleSummaryStatistics positions, DoubleSummaryStatistics velocities) {
     /** The largest number of points used of a path, and of lines of the curve: enough for a few turns, and fast. */
     private static final int MOST_POINTS = 600;
     private static final int MOST_LINES = 6000;
 
-    private final Series curve;
-    private final DoubleSummaryStatistics positions;
-    private final DoubleSummaryStatistics velocities;
-
-    /** @param curve positions along the curve, and the velocities there */
     CurveDistance(Series curve) {
-        this.curve = curve;
-        positions = range(curve.x());
-        velocities = range(curve.y());
-    }
-
-    /** @return the curve */
-    Series getCurve() {
-        return curve;
+        this(curve, range(curve.x()), range(curve.y()));
     }
 
     /** @return the range of values, without those where a path is cut */

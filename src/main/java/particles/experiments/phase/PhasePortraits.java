@@ -35,6 +35,13 @@ public final class PhasePortraits {
     private static final String REFERENCE = "reference";
     /** Measured, on cloth and on a gas: the reference takes as long as so many of the other runs. */
     private static final int REFERENCE_COST = 12;
+    /**
+     * A path that goes farther out than this many times the curve leaves the picture; otherwise all else would
+     * shrink to a dot.
+     */
+    private static final double PICTURE = 3.2;
+    /** A path this far from the curve has left it. */
+    private static final double LEFT = 0.05;
 
     /**
      * The result of the runs.
@@ -86,7 +93,7 @@ public final class PhasePortraits {
                     portraits.add(new Portrait(subject, path, curve, curve.largest(path), run.outcome()));
                     rows.add(portraits.get(portraits.size() - 1));
                 }
-                rows.add(new Portrait(subject, curve.getCurve(), curve, 0, reference.outcome()));
+                rows.add(new Portrait(subject, curve.curve(), curve, 0, reference.outcome()));
             }
         }
         boolean angles = axes.contains(Axis.ANGLE);
@@ -105,7 +112,7 @@ public final class PhasePortraits {
                 column("why it ended", row -> row.outcome().failure().orElse(""))));
     }
 
-    static double last(double[] values) {
+    private static double last(double[] values) {
         return values[values.length - 1];
     }
 
@@ -121,11 +128,11 @@ public final class PhasePortraits {
                 worst.merge(portrait.solver(), portrait.whole() ? portrait.off() : Double.POSITIVE_INFINITY, Math::max);
             }
         }
-        String leaving = said(worst, off -> off > Portrait.LEFT && off < Double.POSITIVE_INFINITY, "leaves the curve");
-        double most = worst.values().stream().filter(off -> off <= Portrait.LEFT).max(Double::compare).orElse(0.0);
+        String leaving = said(worst, off -> off > LEFT && off < Double.POSITIVE_INFINITY, "leaves the curve");
+        double most = worst.values().stream().filter(off -> off <= LEFT).max(Double::compare).orElse(0.0);
         String parts = Stream.of(said(worst, off -> off == Double.POSITIVE_INFINITY, "blows up"), leaving,
-                said(worst, off -> off <= Portrait.LEFT, (leaving.isEmpty() ? "stays on the curve to "
-                        : "stays on it to ") + Portrait.percent(most)))
+                said(worst, off -> off <= LEFT, (leaving.isEmpty() ? "stays on the curve to "
+                        : "stays on it to ") + percent(most)))
                 .filter(part -> !part.isEmpty()).collect(Collectors.joining(", "));
         return scene + (parts.isEmpty() ? ", in state space" : ": " + parts);
     }
@@ -133,6 +140,11 @@ public final class PhasePortraits {
     private static String said(Map<String, Double> worst, DoublePredicate which, String does) {
         return SolverChoice.said(worst.keySet().stream().filter(solver -> which.test(worst.get(solver))).toList(),
                 does);
+    }
+
+    /** @return a share with the digits of the table, such as 3.2 %, 0.08 % and 2e-5 % */
+    private static String percent(double share) {
+        return share > 10 ? "over 1000 %" : Digits.few(100 * share, 2) + " %";
     }
 
     private static Run run(SceneDescription scene, Setting setting, String name, List<String> particles,
@@ -152,14 +164,6 @@ public final class PhasePortraits {
      * @param outcome the outcome of the solver's run
      */
     public record Portrait(Subject subject, Series path, CurveDistance curve, double off, Outcome outcome) {
-        /**
-         * A path that goes farther out than this many times the curve leaves the picture; otherwise all else would
-         * shrink to a dot.
-         */
-        private static final double PICTURE = 3.2;
-        /** A path this far from the curve has left it. */
-        static final double LEFT = 0.05;
-
         /**
          * A particle along an axis.
          *
@@ -182,13 +186,12 @@ public final class PhasePortraits {
 
         /** @return how far the last value is from the reference's; NaN if the run did not reach its end */
         double error(Function<Series, double[]> which) {
-            return whole() ? Math.abs(PhasePortraits.last(which.apply(path))
-                    - PhasePortraits.last(which.apply(curve.getCurve()))) : Double.NaN;
+            return whole() ? Math.abs(last(which.apply(path)) - last(which.apply(curve.curve()))) : Double.NaN;
         }
 
         /** @return the path over the reference, with both ends and the point where it leaves the picture */
         public ChartData chart() {
-            Series exact = curve.getCurve();
+            Series exact = curve.curve();
             int shown = (int) IntStream.range(0, path.x().length).takeWhile(n ->
                     !(curve.outwards(path.x()[n], path.y()[n]) > PICTURE)).count();
             int end = shown - 1;
@@ -217,11 +220,6 @@ public final class PhasePortraits {
                         : " along " + subject.axis().symbol());
             }
             return off > LEFT ? ": " + percent(off) + " off the curve" : ": on the curve to " + percent(off);
-        }
-
-        /** @return a share with the digits of the table, such as 3.2 %, 0.08 % and 2e-5 % */
-        static String percent(double share) {
-            return share > 10 ? "over 1000 %" : Digits.few(100 * share, 2) + " %";
         }
     }
 }

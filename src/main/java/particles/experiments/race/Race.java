@@ -124,12 +124,10 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
         Scene again = SceneRun.build(scene, tight());
         SceneRun.run(again, factory.of(again, Optional.empty(), extent));
         List<Supplier<Lane>> runs = shares.matches().stream().map(match ->
-                lane(match, rate, scale, reference.getStates(), extent, factory)).toList();
-        List<Lane> lanes = progress.part(0.6, 1).onAllCores(runs, run -> 1, run -> "the race",
-                Supplier::get);
-        double[] times = IntStream.range(0, reference.getStates().size()).mapToDouble(k -> k / rate).toArray();
-        return new Result(scene.title(), scene.duration(), times, equalTime, shares, scale, reference.getStates(),
-                lanes);
+                lane(match, rate, scale, reference.states, extent, factory)).toList();
+        List<Lane> lanes = progress.part(0.6, 1).onAllCores(runs, run -> 1, run -> "the race", Supplier::get);
+        double[] times = IntStream.range(0, reference.states.size()).mapToDouble(k -> k / rate).toArray();
+        return new Result(scene.title(), scene.duration(), times, equalTime, shares, scale, reference.states, lanes);
     }
 
     /**
@@ -162,12 +160,12 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
         observers.addAll(factory.of(built, Optional.of(match.setting().solver()), extent));
         return () -> {
             Drift drift = EnergyDrift.measure(built, match.setting(), scale, observers);
-            double[] distance = new double[states.getStates().size()];
+            double[] distance = new double[states.states.size()];
             Arrays.fill(distance, Double.NaN);
             for (int k = 0; k < distance.length; k += framesAStep(match.setting())) {
-                distance[k] = distance(states.getStates().get(k), reference.get(k));
+                distance[k] = distance(states.states.get(k), reference.get(k));
             }
-            return new Lane(match, drift, states.getStates(), distance);
+            return new Lane(match, drift, states.states, distance);
         };
     }
 
@@ -217,10 +215,10 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
         private static final double ROUNDING = 1e-9;
 
         private final double rate;
-        private final List<double[]> states = new ArrayList<>();
+        final List<double[]> states = new ArrayList<>();
 
         /** @param rate the number of copies per second of simulated time (1/s) */
-        public FrameStates(double rate) {
+        FrameStates(double rate) {
             this.rate = rate;
         }
 
@@ -248,11 +246,6 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
             if (states.size() <= system.getTime() * rate + ROUNDING) {
                 states.add(system.getOwnState().clone());
             }
-        }
-
-        /** @return the states so far, the first one at the beginning */
-        public List<double[]> getStates() {
-            return states;
         }
     }
 }

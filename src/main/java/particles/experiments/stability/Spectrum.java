@@ -23,10 +23,6 @@ import particles.ParticleSystem;
  * @param error    a bound for the relative error of the largest |lambda|
  */
 public record Spectrum(List<Mode> modes, int products, double error) {
-    /** The largest memory for directions, 256 MB. */
-    private static final long MOST_DOUBLES = 1L << 25;
-    private static final int MOST_DIRECTIONS = 300;
-    private static final int FEWEST_DIRECTIONS = 12;
     /** Values whose residual is larger than this part of the largest one are not yet eigenvalues. */
     private static final double CONVERGED = 1e-3;
     /**
@@ -47,12 +43,6 @@ public record Spectrum(List<Mode> modes, int products, double error) {
         Arnoldi arnoldi = new Arnoldi(linear);
         arnoldi.iterate();
         return arnoldi.modes(ZERO);
-    }
-
-    /** @return the number of directions of this size that fit into memory, at most the size */
-    private static int directions(int doubles) {
-        long fit = Math.max(FEWEST_DIRECTIONS, MOST_DOUBLES / doubles);
-        return (int) Math.min(doubles, Math.min(MOST_DIRECTIONS, fit));
     }
 
     /** @return the modes that do not grow by themselves, the fastest first */
@@ -94,6 +84,10 @@ public record Spectrum(List<Mode> modes, int products, double error) {
      * <p>Source: W. E. Arnoldi, Quart. Appl. Math. 9 (1951), 17.
      */
     private static final class Arnoldi {
+        /** The largest memory for directions, 256 MB. */
+        private static final long MOST_DOUBLES = 1L << 25;
+        private static final int MOST_DIRECTIONS = 300;
+        private static final int FEWEST_DIRECTIONS = 12;
         private static final double BREAKDOWN = 1e-13;
         /** The relative residual at which the fastest vibration is known. */
         private static final double KNOWN = 1e-9;
@@ -109,7 +103,8 @@ public record Spectrum(List<Mode> modes, int products, double error) {
         Arnoldi(Linearisation linear) {
             this.linear = linear;
             int size = 2 * linear.coordinates();
-            int most = directions(size);
+            int most = (int) Math.min(Math.min(size, MOST_DIRECTIONS),
+                    Math.max(FEWEST_DIRECTIONS, MOST_DOUBLES / size));
             hessenberg = new DMatrixRMaj(most, most);
             basis = new DMatrixRMaj(most, size);
             basis.reshape(0, size, true);

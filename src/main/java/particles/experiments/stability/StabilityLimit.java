@@ -29,7 +29,6 @@ public record StabilityLimit(double value, double growth) {
     private static final double ACCURACY = 1e-9;
     /** Growth of adams (PECE) at 0.1 i, from its characteristic polynomial. */
     private static final double ADAMS_GROWTH = 1.6e-7;
-    private static final String NOTHING = "-";
 
     /**
      * Finds the limit: increases h |lambda| until something grows, and bisects the last interval to a relative accuracy
@@ -120,10 +119,10 @@ public record StabilityLimit(double value, double growth) {
         boolean springs = info.secondOrder();
         String real = real(info).text();
         String what = springs ? "springs" : info.adaptive() ? "one sub-step" : "a step";
-        return List.of(info.name(), text(info.realLimit(), Double.NaN), springs ? NOTHING : real,
+        return List.of(info.name(), text(info.realLimit(), Double.NaN), springs ? "-" : real,
                 text(info.imaginaryLimit(), theoreticalGrowth(info)), imaginary(info).text(),
-                springs ? text(info.dampedLimit(), Double.NaN) : NOTHING,
-                springs ? real : NOTHING, what);
+                springs ? text(info.dampedLimit(), Double.NaN) : "-",
+                springs ? real : "-", what);
     }
 
     /**

@@ -165,11 +165,6 @@ public final class EffectCost {
         }
     }
 
-    /** @return what is measured besides the hand-written springs */
-    static List<String> names() {
-        return Arrays.stream(ADDITIONS).map(addition -> addition[0]).toList();
-    }
-
     /** @return a square cloth that runs for a number of steps, with more lines in its scene */
     static Scene scene(int columns, int steps, String addition) {
         double side = SPACING * (columns - 1);

@@ -115,7 +115,7 @@ public final class Film implements FrameSink {
         first = index;
         buffer = ByteBuffer.allocate(encoder.estimateBufferSize(picture));
         file = folder.create(FILE);
-        muxer = MP4Muxer.createMP4Muxer(new Channel(file), Brand.MP4);
+        muxer = MP4Muxer.createMP4Muxer(new Channel(), Brand.MP4);
         track = muxer.addVideoTrack(Codec.H264, VideoCodecMeta.createSimpleVideoCodecMeta(
                 new Size(width, height), ColorSpace.YUV420J));
     }
@@ -194,14 +194,9 @@ public final class Film implements FrameSink {
      * An output file as the channel of the film library: it is extended at its end, and its header is completed at
      * last.
      */
-    private static final class Channel implements SeekableByteChannel {
-        private final OutputFile file;
+    private final class Channel implements SeekableByteChannel {
         private long size;
         private long position;
-
-        Channel(OutputFile file) {
-            this.file = file;
-        }
 
         @Override
         public int write(ByteBuffer source) {

@@ -40,7 +40,9 @@ public final class ChartWriter implements AutoCloseable {
      * @throws OutputException if a file cannot be written, or this machine has no font
      */
     public void write(String name, ChartPage page) {
-        FontCheck.require(folder.getPath().resolve(name));
+        if (!FontCheck.isAvailable()) {
+            throw new OutputException(folder.getPath().resolve(name), "draw", FontCheck.NO_FONT, null);
+        }
         boolean dark = format.dark() && !page.showsScene();
         int scale = format.scale();
         BufferedImage image = new BufferedImage(scale * page.width(), scale * page.height(),

@@ -29,9 +29,6 @@ final class DecimalAxis extends NumberAxis {
 
     @Override
     protected double estimateMaximumTickLabelWidth(Graphics2D g2, TickUnit unit) {
-        if (isVerticalTickLabels()) {
-            return super.estimateMaximumTickLabelWidth(g2, unit);
-        }
         FontMetrics metrics = g2.getFontMetrics(getTickLabelFont());
         Range range = getRange();
         double widest = super.estimateMaximumTickLabelWidth(g2, unit);

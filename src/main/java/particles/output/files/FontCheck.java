@@ -4,7 +4,6 @@ import java.awt.AWTError;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
-import java.nio.file.Path;
 
 /**
  * Checks once whether this machine can draw text. A Java without fonts, or without the libraries that read them, fails
@@ -12,7 +11,7 @@ import java.nio.file.Path;
  */
 public final class FontCheck {
     /** The message if there is no font. */
-    private static final String NO_FONT = "Java finds no font on this machine, and a chart needs text; "
+    public static final String NO_FONT = "Java finds no font on this machine, and a chart needs text; "
             + "install one, such as the package fonts-dejavu-core (with fontconfig)";
 
     private FontCheck() {
@@ -41,13 +40,6 @@ public final class FontCheck {
     /** @return whether text can be drawn */
     public static boolean isAvailable() {
         return Probe.WORKS;
-    }
-
-    /** @throws OutputException if no text can be drawn */
-    public static void require(Path file) {
-        if (!isAvailable()) {
-            throw new OutputException(file, "draw", NO_FONT, null);
-        }
     }
 
     /** @return the font of all pictures: DejaVu, or Java's substitute if it is missing */

@@ -97,7 +97,7 @@ public final class FrameRenderer {
             prepare(opening);
             return this;
         }
-        FrameRenderer other = new FrameRenderer(stage, getWidth(), getHeight(), text);
+        FrameRenderer other = new FrameRenderer(stage, view.width, view.height, text);
         other.prepare(sizes, backdrop);
         return other;
     }
@@ -105,16 +105,6 @@ public final class FrameRenderer {
     /** @return about the memory that a renderer takes (bytes) */
     long bytes() {
         return (long) BYTES_PER_PIXEL * pixels.length;
-    }
-
-    /** @return the width of the pictures (pixels) */
-    public int getWidth() {
-        return image.getWidth();
-    }
-
-    /** @return the height of the pictures (pixels) */
-    public int getHeight() {
-        return image.getHeight();
     }
 
     /** @return the drawing style of particles */
@@ -200,7 +190,7 @@ public final class FrameRenderer {
         Raster raster = shapes.raster();
         for (int y = raster.firstRow(); y < raster.endRow(); y++) {
             for (int x = raster.firstColumn(); x < raster.endColumn(); x++) {
-                int p = y * getWidth() + x;
+                int p = y * view.width + x;
                 float behind = backdrop.near(p);
                 int at = Raster.SAMPLES * (y * raster.width + x);
                 pixels[p] = Colours.mean(k -> {

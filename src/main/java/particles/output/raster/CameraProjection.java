@@ -90,8 +90,7 @@ public final class CameraProjection {
     /** @return whether the point is inside the picture */
     public boolean isInPicture(Vector3 point) {
         Place place = place(point);
-        return place.visible && Math.abs(place.x - width / 2.0) <= width / 2.0
-                && Math.abs(place.y - height / 2.0) <= height / 2.0;
+        return place.visible && place.x >= 0 && place.x <= width && place.y >= 0 && place.y <= height;
     }
 
     /**

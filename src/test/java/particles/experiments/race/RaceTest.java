@@ -89,7 +89,7 @@ class RaceTest {
             List<double[]> measured = k == 0 ? race.reference() : race.lanes().get(k - 1).states();
             assertEquals(21, measured.size());
             for (int f = 0; f < 21; f++) {
-                assertArrayEquals(measured.get(f), seen.get(k).getStates().get(f));
+                assertArrayEquals(measured.get(f), seen.get(k).states.get(f));
             }
         }
     }

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.work.WorkPrecision.Curve;
 import particles.experiments.work.WorkPrecision.Point;
+import particles.experiments.work.WorkPrecision.SlopeFit;
 
 /** Who is called first in a time chart, on made-up times with known quartiles. */
 class FirstByTheClockTest {

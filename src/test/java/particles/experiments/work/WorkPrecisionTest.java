@@ -19,6 +19,7 @@ import particles.experiments.runs.SolverChoice;
 import particles.experiments.work.WorkPrecision.Curve;
 import particles.experiments.work.WorkPrecision.Failure;
 import particles.experiments.work.WorkPrecision.Point;
+import particles.experiments.work.WorkPrecision.SlopeFit;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 
