@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
@@ -33,10 +34,11 @@ final class Comparison {
     /**
      * A difference.
      *
-     * @param hint the known mistake behind it, after a colon; empty for none
-     * @param cost how far it takes the methods apart
+     * @param finding tells it; the nearest method's alone is asked for
+     * @param hint    the known mistake behind it, after a colon; empty for none
+     * @param cost    how far it takes the methods apart
      */
-    private record Difference(Finding finding, String hint, int cost) {
+    private record Difference(Supplier<Finding> finding, String hint, int cost) {
     }
 
     private Comparison(Scheme known, Scheme found, StepReading step) {
@@ -45,7 +47,7 @@ final class Comparison {
         this.step = step;
         int more = found.size() - known.size();
         for (int i = 0; i < Math.abs(more); i++) {
-            wrong((more < 0 ? Phrase.MISSING : Phrase.TOO_MANY).of(found.size(), known.source(), known.size(),
+            wrong(() -> (more < 0 ? Phrase.MISSING : Phrase.TOO_MANY).of(found.size(), known.source(), known.size(),
                     known.slope(found.size()), known.isOfParticles() ? ": the acceleration at the new position is"
                     + " missing" : ""), "", known.isOfParticles() ? 2 * ONE : ONE);
         }
@@ -91,11 +93,11 @@ final class Comparison {
 
     /** @return the first difference; empty if it is the method */
     Optional<Finding> first() {
-        return differences.stream().findFirst().map(Difference::finding).map(finding -> new Finding(finding.kind(),
+        return differences.stream().findFirst().map(one -> one.finding.get()).map(finding -> new Finding(finding.kind(),
                 known.words(finding.text())));
     }
 
-    private void wrong(Finding finding, String hint, int cost) {
+    private void wrong(Supplier<Finding> finding, String hint, int cost) {
         differences.add(new Difference(finding, hint, cost));
     }
 
@@ -105,7 +107,7 @@ final class Comparison {
         boolean end = stage == found.size();
         if (wrong.length > 0 && !(end && wrong[0] >= row.weights().length)) {   // the stage that is missing was named
             String hint = hint(row, right, stage);
-            wrong(differs(row, right, known.source(), hint, end), hint, ONE + (stage == 0 ? 2 * ONE : 0) + (end
+            wrong(() -> differs(row, right, known.source(), hint, end), hint, ONE + (stage == 0 ? 2 * ONE : 0) + (end
                     ? wrong.length : 0));
         }
     }
@@ -179,10 +181,10 @@ final class Comparison {
                 found.times()[i] - known.times()[i]) > Combination.PRINTED).toArray();
         if (wrong.length > 0) {
             int i = wrong[0];
-            wrong(Phrase.STAGE_TIMES.of(known.slope(i), Formula.time(found.times()[i]), known.source(), Formula.time(
-                    known.times()[i]), wrong.length > 1 && Arrays.stream(wrong).allMatch(j -> found.times()[j] == 0)
-                    ? ": the clock has to be moved with incTime before each evaluation, and not only at the end" : ""),
-                    "", wrong.length > 1 ? 2 * ONE : ONE);
+            wrong(() -> Phrase.STAGE_TIMES.of(known.slope(i), Formula.time(found.times()[i]), known.source(),
+                    Formula.time(known.times()[i]), wrong.length > 1 && Arrays.stream(wrong).allMatch(j ->
+                    found.times()[j] == 0) ? ": the clock has to be moved with incTime before each evaluation, and not"
+                    + " only at the end" : ""), "", wrong.length > 1 ? 2 * ONE : ONE);
         }
     }
 }

@@ -82,14 +82,10 @@ record StepReading(Scheme scheme, double h, int steps, Probe calls, double[] bef
     }
 
     /**
-     * @return the reading where the derivative depends on the clock alone, so that iterations for stages end; the last
-     *         evaluation at each clock is read, in the order in which the clocks are first seen; empty likewise
+     * @param byClock whether the derivative depends on the clock alone, so that iterations for stages end; the last
+     *                evaluation at each clock is read, in the order in which the clocks are first seen
      */
-    static Optional<StepReading> byClock(Supplier<DESolver> maker, double h) {
-        return of(maker, h, 1, 1, true);
-    }
-
-    private static Optional<StepReading> of(Supplier<DESolver> maker, double h, double size, int steps,
+    static Optional<StepReading> of(Supplier<DESolver> maker, double h, double size, int steps,
             boolean byClock) {
         for (boolean particles : new boolean[] {false, true}) {
             try {

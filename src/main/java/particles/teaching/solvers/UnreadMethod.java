@@ -119,7 +119,7 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
      *         those that its name stands for; without a name, from a near one of higher order
      */
     Optional<Finding> stages(NamePromise promise, double order) {
-        return StepReading.byClock(maker, H).flatMap(step -> {
+        return StepReading.of(maker, H, 1, 1, true).flatMap(step -> {
             Scheme found = step.scheme().ofTheEnd();
             Comparison nearest = Comparison.nearest(KnownMethods.STAGES.stream().filter(known -> known.size()
                     == found.size() && known.isOfParticles() == found.isOfParticles() && (!promise.isGiven()
