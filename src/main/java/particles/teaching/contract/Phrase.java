@@ -18,7 +18,7 @@ public enum Phrase {
     LOOSE, STALE, TOO_OLD, ONE_ARRAY, START, UNSTABLE, UNCONTROLLED, LARGEST_ERROR, ABSOLUTE_ERROR, ELSEWHERE,
     STAYS, STAYS_AT_GUESS, OLDER_STATE, MOMENT,
     LAYOUT, ADDS, DRAG, DRAG_DIVERGES, PRINTED, MATRIX, NO_CONVERGENCE, UNUSED, USES_STEPS_BEFORE, KEPT_ARRAY,
-    KEPT_DERIVATIVE, KEPT_SOMETHING, OTHER_SOURCE, STATIC, DELTA_T_CHANGES, DELTA_T_KEPT, CLOCK_IGNORED,
+    KEPT_DERIVATIVE, KEPT_SOMETHING, OTHER_SOURCE, STATIC, DELTA_T_CHANGES, DELTA_T_KEPT, TURNS_BACK, CLOCK_IGNORED,
     SIZE_FAILS, SIZE_UNLIKE, NOTHING_BACK, STEP_BACK, LOOPS, MOVES_AT_ZERO, NAN_AT_ZERO, SWALLOWS, FOR_PARTICLES,
     REFUSES_BACK, REFUSES_ZERO, LEFT_WITHIN, NAN_UNNOTICED, NAN_UNSAID, NAN_HIDDEN;
 
@@ -176,6 +176,8 @@ public enum Phrase {
             state DELTA_T_KEPT: deltaT changes from one step to the next, and the step is not the one that a new \
                 solver makes with it: deltaT of an earlier step is kept. It is an argument of each call, and may \
                 differ in each
+            state TURNS_BACK: deltaT is negative after steps forward, and the step is not the one that a new solver \
+                makes: a length of sub-steps or a direction is kept from the step before, with its sign
             style CLOCK_IGNORED: what is remembered of earlier steps is used although the clock was set from outside: \
                 compare source.getTime() as well, since forces may depend on the time
             # every source, every deltaT

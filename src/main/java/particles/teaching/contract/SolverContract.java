@@ -67,7 +67,8 @@ public record SolverContract(Supplier<DESolver> maker) {
     private Optional<Finding> ofAnySize() {
         int particles = solvesWithMatrix() ? SOME : MANY;
         return unlike(new WindyOscillators(particles), 3, particles + " particles, " + 6 * particles, "an array or a"
-                + " loop has a fixed length; source.getStateSize() has to be asked in every step").or(() ->
+                + " loop has a fixed length; source.getStateSize() has to be asked in every step").filter(finding ->
+                unlike(new WindyOscillators(1), 3, "", "").isEmpty()).or(() ->
                 isForParticles() || unlike(alike(6), 6, "", "").isPresent() ? Optional.empty() : unlike(alike(7), 7,
                 "7", "go through the entries one by one, to source.getStateSize()")).or(() -> unlike(
                 WindyOscillators.onLine(5), 1, "5 particles on a line, 10", "three coordinates are taken for granted;"

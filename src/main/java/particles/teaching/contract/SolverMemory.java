@@ -36,7 +36,7 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
     public static SolverMemory of(SolverContract contract) {
         SolverMemory memory = new SolverMemory(contract.maker(), true, false);
         DESolver solver = contract.maker().get();
-        WindyOscillators source = new WindyOscillators(2);
+        WindyOscillators source = WindyOscillators.nonlinear(2);
         boolean remembers = !IntStream.range(0, STEPS).allMatch(step -> memory.isFresh(solver, source, H));
         return new SolverMemory(contract.maker(), remembers, remembers && contract.evaluations(1, H)
                 == contract.evaluations(1, LONG));
@@ -68,7 +68,7 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
     /** Makes steps and a change from outside; the next step has to be that of a new solver. */
     private Optional<Finding> after(String changed, BiConsumer<DESolver, WindyOscillators> change) {
         DESolver solver = maker.get();
-        WindyOscillators source = StudentSource.after(new WindyOscillators(2), solver, STEPS, H);
+        WindyOscillators source = StudentSource.after(WindyOscillators.nonlinear(2), solver, STEPS, H);
         change.accept(solver, source);
         double[] start = source.getState();
         source.startRecord();
@@ -136,7 +136,17 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
         DESolver solver = maker.get();
         WindyOscillators source = StudentSource.after(new WindyOscillators(1), solver, 2, H);
         return (remembers ? Phrase.DELTA_T_CHANGES : Phrase.DELTA_T_KEPT).when((!isFresh(solver, source, H / 4)
-                || !isFresh(solver, source, H / 2)) && !(multistep && error(0.5) < error(1)));
+                || !isFresh(solver, source, H / 2)) && !(multistep && error(0.5) < error(1))).or(() ->
+                Phrase.TURNS_BACK.when(source.copy().accepts(maker.get(), -H) && !turnsBack(solver, source)));
+    }
+
+    /** A length of sub-steps that is remembered has the sign of the step before. */
+    private boolean turnsBack(DESolver solver, WindyOscillators source) {
+        try {
+            return isFresh(solver, source, -H) || multistep && error(-1) < error(-2);
+        } catch (RuntimeException e) {
+            return false;
+        }
     }
 
     /** The error of a step of a part of deltaT, after steps of deltaT. */

@@ -45,6 +45,7 @@ final class HandwrittenSolvers {
                 right("AdaptiveStrang", "not symmetric", stepDoubling(Methods.turns(new double[] {0, 1, 0},
                         new double[] {0.5, 0.5}), 1e-5)),
                 right("Mine", "Strang splitting of the entries", PlantedSolvers::splitting),
+                right("Mine", "Strang splitting of even and odd entries", PlantedSolvers::evenAndOdd),
                 right("TaylorTwo", "second derivative by a difference", HandwrittenSolvers::taylor),
                 right("RosenbrockEuler", "one Newton step", rosenbrock(1)),
                 right("Rosenbrock", "ROS2", (source, h) -> ros2(source, h, 1)),
@@ -107,10 +108,8 @@ final class HandwrittenSolvers {
                             source.incTime(Arrays.equals(s, state(source)) ? -h : 0);
                         }),
                 wrong("Mine", "clock put back", "^time: the clock ends at t after", (source, h) -> {
-                    euler(source, h / 3);
-                    euler(source, 2 * h / 3);
-                    source.incTime(-2 * h / 3);
-                    source.incTime(-h / 3);
+                    euler(source, h);
+                    source.incTime(-h);
                 }),
                 increment("NaN", "^state: the new state is NaN", (f, h) -> Math.sqrt(-1 - f * f)),
                 wrong("HeunSolver", "1/2 of whole numbers", "no derivative is in it.*1/2 is 0", () ->
@@ -149,9 +148,9 @@ final class HandwrittenSolvers {
                         HandwrittenSolvers::halves),
                 wrong("Mine", "three coordinates", "on a line, 10 numbers, stepState ends in .*getDimension", () ->
                         PlantedSolvers.blocks()),
-                wrong("MidpointSolver", "entries in pairs", ONE_BY_ONE, (source, h) -> blocks(source, h, 2, false)),
-                wrong("MidpointSolver", "blocks of six", ONE_BY_ONE, (source, h) -> blocks(source, h, 6, false)),
-                wrong("MidpointSolver", "whole blocks only", "7 numbers, entry 6 of .* alike: go through", (source, h)
+                wrong("EulerSolver", "entries in pairs", ONE_BY_ONE, (source, h) -> blocks(source, h, 2, false)),
+                wrong("EulerSolver", "blocks of six", ONE_BY_ONE, (source, h) -> blocks(source, h, 6, false)),
+                wrong("EulerSolver", "whole blocks only", "7 numbers, entry 6 of .* alike: go through", (source, h)
                         -> blocks(source, h, 3, true)),
                 wrong("Mine", "velocity of the particle before", "entry 6 of the new state changes with entry 3",
                         HandwrittenSolvers::neighbour),
@@ -207,15 +206,6 @@ final class HandwrittenSolvers {
                 wrong("Mine", "deltaT of the call before", KEPT, () -> new OtherDeltaT(false)),
                 wrong("W75EulerSolver", "first source kept", "first one is still used, which is kept",
                         FirstSource::new),
-                wrong("Mine", "first source moved", "first one is still used, which is kept", () -> {
-                    List<DEStateSource> kept = new ArrayList<>();
-                    return PlantedSolvers.solver((source, h) -> {
-                        kept.add(source);
-                        double[] next = plus(state(source), h, slope(source));
-                        kept.get(0).setState(next);
-                        kept.get(0).incTime(h);
-                    });
-                }),
                 wrong("EulerSolver", "exception", "^failure: stepState ends in an exception: java.lang."
                         + "ArrayIndexOutOfBoundsException: Index 12 out of bounds for length 12, in ",
                         (source, h) -> state(source)[source.getStateSize()]++),
@@ -226,6 +216,21 @@ final class HandwrittenSolvers {
                     rosenbrock(1).make(source, h);
                     System.arraycopy(state(source), 0, next, 0, Math.min(12, next.length));
                     source.setState(next);
+                }),
+                wrong("Mine", "the first matrix is kept", "still uses the steps before it", () -> {
+                    List<double[][]> kept = new ArrayList<>();
+                    return PlantedSolvers.solver((source, h) -> {
+                        double[] s = state(source);
+                        double[] f = slope(source);
+                        kept.add(matrix(source, s, f, h));
+                        source.setState(plus(s, h, Methods.solve(kept.get(0), f)));
+                        source.incTime(h);
+                    });
+                }),
+                wrong("Mine", "the first direction is kept", "negative after steps forward", () -> {
+                    double[] kept = {0};
+                    return PlantedSolvers.euler((f, h) -> f * Math.abs(h) * (kept[0] = kept[0] == 0 ? Math.signum(h)
+                            : kept[0]));
                 }),
                 wrong("CrankNicolson", "I - deltaT J", "^method: a matrix solves a linear law in one go",
                         rosenbrock(1)),
@@ -253,26 +258,17 @@ final class HandwrittenSolvers {
         source.incTime(deltaT);
     }
 
-    /** The midpoint method, whose loops go from block to block. */
+    /** The Euler method, whose loops go from block to block. */
     private static void blocks(DEStateSource source, double h, int size, boolean whole) {
         double[] s = state(source);
-        double[] half = s.clone();
         double[] f = slope(source);
-        int end = whole ? s.length / size * size : s.length;
-        for (int i = 0; i < end; i += size) {
-            for (int j = i; j < i + size; j++) {
-                half[j] += h / 2 * f[j];
-            }
-        }
-        source.incTime(h / 2);
-        f = slopeAt(source, half);
-        for (int i = 0; i < end; i += size) {
+        for (int i = 0; i < s.length - (whole ? size - 1 : 0); i += size) {
             for (int j = i; j < i + size; j++) {
                 s[j] += h * f[j];
             }
         }
         source.setState(s);
-        source.incTime(h / 2);
+        source.incTime(h);
     }
 
     private static Step stepDoubling(Step step, double tolerance) {

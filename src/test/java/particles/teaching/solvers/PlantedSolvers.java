@@ -71,6 +71,19 @@ public final class PlantedSolvers {
         source.incTime(deltaT / 2);
     }
 
+    /** Moves the even entries by half of deltaT, the odd ones by all of it and the even ones again: Heun's method. */
+    public static void evenAndOdd(DEStateSource source, double deltaT) {
+        for (int turn = 0; turn < 3; turn++) {
+            int odd = turn % 2;
+            double h = deltaT / (2 - odd);
+            double[] state = state(source);
+            double[] k1 = slope(source);
+            double[] k2 = slopeAt(source, with(state, i -> i % 2 == odd ? h * k1[i] : 0));
+            source.setState(with(state, i -> i % 2 == odd ? h / 2 * (k1[i] + k2[i]) : 0));
+            source.incTime(turn < 2 ? deltaT / 2 : 0);
+        }
+    }
+
     /** Positions and velocities of blocks of six, as the slides' simple algorithm has them. */
     public static DESolver blocks() {
         return solver((source, deltaT) -> {
