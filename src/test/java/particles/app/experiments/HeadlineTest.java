@@ -71,7 +71,7 @@ class HeadlineTest {
             assertTrue(measured.title().length() <= TWO_LINES, "in the contents of a report: " + measured.title());
             assertEquals(List.of(), otherDigits(measured));
             for (boolean slide : List.of(false, true)) {
-                ChartFormat format = new ChartFormat(slide, false, false);
+                ChartFormat format = new ChartFormat(slide, false, false, 1);
                 ResultPage page = measured.write(folder, format);
                 for (Picture picture : page.pictures()) {
                     if (Files.exists(out.resolve(picture.name() + ".csv"))) {
