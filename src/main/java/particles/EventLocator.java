@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import particles.EventRule.Event;
 
 /**
  * Event location: finds the step length, from a given state, at which an event function is 0. Each trial is a step from
@@ -31,7 +32,7 @@ final class EventLocator {
      * @param event the event
      * @param rule the rule that found it
      */
-    record Found(EventRule.Event event, EventRule rule) {
+    record Found(Event event, EventRule rule) {
     }
 
     /**
@@ -59,7 +60,7 @@ final class EventLocator {
     private Optional<Found> locateOne(ParticleSystem system, Motion motion, List<EventRule> rules) {
         List<Found> candidates = new ArrayList<>();
         for (EventRule rule : rules) {
-            List<EventRule.Event> events = new ArrayList<>();
+            List<Event> events = new ArrayList<>();
             rule.findEvents(motion, events);
             events.forEach(event -> candidates.add(new Found(event, rule)));
         }
@@ -75,7 +76,7 @@ final class EventLocator {
      * @param event   the event
      * @return whether the event happens; if not, the system is back at the end of the motion, bit for bit
      */
-    private boolean locate(ParticleSystem system, Motion motion, EventRule.Event event) {
+    private boolean locate(ParticleSystem system, Motion motion, Event event) {
         begin = motion.getStartState();
         beginTime = motion.getStartTime();
         if (event.time() <= beginTime) {
@@ -112,7 +113,7 @@ final class EventLocator {
     }
 
     /** Shrinks the bracket to neighbouring times; returns the end where the event happens. */
-    private double shrink(ParticleSystem system, EventRule.Event event, double low, double lowValue, double high,
+    private double shrink(ParticleSystem system, Event event, double low, double lowValue, double high,
                           double highValue) {
         double resolution = Math.ulp(beginTime + high);
         int side = 0;
@@ -148,9 +149,9 @@ final class EventLocator {
         return highValue == 0 || event.happensAfter() ? high : low;
     }
 
-    private double valueAfter(ParticleSystem system, EventRule.Event event, double h) {
+    private double valueAfter(ParticleSystem system, Event event, double h) {
         step(system, h);
-        return event.value(system);
+        return event.function().getAsDouble();
     }
 
     private void step(ParticleSystem system, double h) {

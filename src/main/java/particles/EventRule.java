@@ -1,6 +1,7 @@
 package particles;
 
 import java.util.List;
+import java.util.function.DoubleSupplier;
 
 /**
  * A rule that acts at exact times inside a step, "just on the plane": an impact, the end of sliding, the moment when a
@@ -8,34 +9,17 @@ import java.util.List;
  * act, and continues with the rest of the step.
  */
 public interface EventRule extends Rule {
-
-    /** An event, defined by a function of the state that changes its sign. */
-    interface Event {
-        /** @return an estimate of the event's time (s); the motion's beginning if it happens at once */
-        double time();
-
-        /**
-         * @param system the system in its present state and time
-         * @return positive before the event, 0 at it, negative after it
-         */
-        double value(ParticleSystem system);
-
-        /**
-         * Chooses the side of the sign change, a difference of one ulp of the clock. A reversal or release must be
-         * complete, or it would be found again at once.
-         *
-         * @return false for the last time before the sign change, true for the first after it
-         */
-        default boolean happensAfter() {
-            return false;
-        }
-
-        /**
-         * Applies the event.
-         *
-         * @param system the system at the time of the event, to be changed
-         */
-        void act(ParticleSystem system);
+    /**
+     * An event, defined by a function of the system's state and time that changes its sign.
+     *
+     * @param time         an estimate of the event's time (s); the motion's beginning if it happens at once
+     * @param happensAfter the side of the sign change, a difference of one ulp of the clock: false for the last time
+     *                     before it, true for the first after it. A reversal or release must be complete, or it would
+     *                     be found again at once
+     * @param function     of the present state and time: positive before the event, 0 at it, negative after it
+     * @param deed         applies the event, when the system is there
+     */
+    record Event(double time, boolean happensAfter, DoubleSupplier function, Runnable deed) {
     }
 
     /**

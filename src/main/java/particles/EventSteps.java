@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
-import particles.Simulation.Observers;
 import particles.SimulationException.End;
 
 /**
@@ -38,7 +37,7 @@ final class EventSteps {
     private final ParticleSystem system;
     private final DESolver solver;
     private final Supplier<DESolver> searchSolver;
-    private final Observers observers;
+    private final List<Observer> observers;
     private final List<EventRule> rules = new ArrayList<>();
     private final Motion motion = new Motion();
     private EventLocator locator;
@@ -48,10 +47,10 @@ final class EventSteps {
      * @param system       the system
      * @param solver       its solver
      * @param searchSolver makes another solver, which only locates events
-     * @param observers    told of every event and of all motions but the last one of a step
+     * @param observers    told of every event and of all motions but the last one of a step; the list may grow
      */
     EventSteps(ParticleSystem system, DESolver solver, Supplier<DESolver> searchSolver,
-               Observers observers) {
+            List<Observer> observers) {
         this.system = system;
         this.solver = solver;
         this.searchSolver = searchSolver;
@@ -116,7 +115,7 @@ final class EventSteps {
                 return note;
             }
             if (!stopped) {
-                observers.reportMotion(motion);
+                motion.showTo(observers);
                 solver.reset();
                 double rest = end - system.getTime();
                 rules.forEach(rule -> rule.beforeStep(system, rest));
@@ -162,11 +161,11 @@ final class EventSteps {
         }
         events++;
         if (motion.getEndTime() > motion.getStartTime()) {
-            observers.reportMotion(motion);
+            motion.showTo(observers);
         }
-        first.get().event().act(system);
+        first.get().event().deed().run();
         solver.reset();
-        observers.reportChange(system, first.get().rule());
+        observers.forEach(observer -> observer.changed(system, first.get().rule()));
         return true;
     }
 

@@ -72,6 +72,15 @@ public final class Motion {
         stops.removeIf(stop -> stop.time >= endTime);
     }
 
+    /** Shows the motion to the observers whose next time is within it. */
+    void showTo(List<Observer> observers) {
+        for (Observer observer : observers) {
+            if (observer.getNextTime() <= endTime) {
+                observer.moved(this);
+            }
+        }
+    }
+
     /** @return the number of pieces: 1; for an adaptive solver one per sub-step, or per few if there are very many */
     public int getPieces() {
         return stops.size() + 1;

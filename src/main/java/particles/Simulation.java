@@ -26,7 +26,6 @@ public final class Simulation {
     private final double duration;
     private final List<Rule> rules = new ArrayList<>();
     private final List<Observer> observers = new ArrayList<>();
-    private final Observers notifier = new Observers(observers);
     private final ConstraintCheck constraints;
     private final EventSteps eventSteps;
     private double endTime;
@@ -45,7 +44,7 @@ public final class Simulation {
         this.solver = solver.get();
         this.deltaT = Require.positive("deltaT", deltaT);
         this.duration = Require.notNegative("the duration", duration);
-        this.eventSteps = new EventSteps(system, this.solver, solver, notifier);
+        this.eventSteps = new EventSteps(system, this.solver, solver, observers);
         constraints = new ConstraintCheck(deltaT * (1 + ROUNDING), duration);
         observers.add(constraints);
     }
@@ -161,7 +160,7 @@ public final class Simulation {
         }
         double end = system.getTime() + h;
         // a motion is the path within a step; it is recorded only if an event search or an observer needs it
-        boolean recordMotion = eventSteps.areLookedFor() || notifier.isInterested(end + ROUNDING * deltaT);
+        boolean recordMotion = eventSteps.areLookedFor() || isAwaited(end + ROUNDING * deltaT);
         boolean recorded;
         try {
             recorded = eventSteps.move(h, recordMotion);        // calls solver.stepState; in pieces if there are events
@@ -171,18 +170,28 @@ public final class Simulation {
         }
         steps++;
         if (recorded) {
-            notifier.reportMotion(eventSteps.getMotion());
+            eventSteps.getMotion().showTo(observers);
         }
         boolean changed = false;
         for (Rule rule : rules) {
             if (rule.afterStep(system, h)) {
                 changed = true;
-                notifier.reportChange(system, rule);
+                observers.forEach(observer -> observer.changed(system, rule));
             }
         }
         if (changed) {
             solver.reset();
         }
+    }
+
+    /** Whether any observer wants to see a motion that ends at this time (s). */
+    private boolean isAwaited(double until) {
+        for (Observer observer : observers) {           // no stream, since each step asks
+            if (observer.getNextTime() <= until) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** @return the system */
@@ -208,40 +217,5 @@ public final class Simulation {
     /** @return the number of steps made so far */
     public long getSteps() {
         return steps;
-    }
-
-    /** The observers of a run; calls each one at the times that it asked for. */
-    static final class Observers {
-        private final List<Observer> observers;
-
-        /** @param observers the observers; the list may grow */
-        Observers(List<Observer> observers) {
-            this.observers = observers;
-        }
-
-        /** Reports a motion to the observers whose next time is within it. */
-        void reportMotion(Motion motion) {
-            for (Observer observer : observers) {
-                if (observer.getNextTime() <= motion.getEndTime()) {
-                    observer.moved(motion);
-                }
-            }
-        }
-
-        void reportChange(ParticleSystem system, Rule rule) {
-            for (Observer observer : observers) {
-                observer.changed(system, rule);
-            }
-        }
-
-        /** Whether any observer wants to see a motion that ends at this time (s). */
-        boolean isInterested(double until) {
-            for (Observer observer : observers) {
-                if (observer.getNextTime() <= until) {
-                    return true;
-                }
-            }
-            return false;
-        }
     }
 }

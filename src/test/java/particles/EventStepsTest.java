@@ -46,23 +46,11 @@ class EventStepsTest {
             if (motion.getEndTime() <= next) {
                 return;
             }
-            found.add(new Event() {
-                @Override
-                public double time() {
-                    return Math.max(next, motion.getStartTime());
-                }
-
-                @Override
-                public double value(ParticleSystem system) {
-                    return next - system.getTime();
-                }
-
-                @Override
-                public void act(ParticleSystem system) {
-                    events++;
-                    next += gap.applyAsDouble(events);
-                }
-            });
+            found.add(new Event(Math.max(next, motion.getStartTime()), false,
+                    () -> next - motion.getSystem().getTime(), () -> {
+                        events++;
+                        next += gap.applyAsDouble(events);
+                    }));
         }
     }
 

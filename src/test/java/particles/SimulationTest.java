@@ -19,7 +19,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import particles.Simulation.Observers;
 import particles.law.Vector3;
 import particles.scene.Scene;
 import particles.scene.ShortRun;

@@ -120,13 +120,13 @@ public final class Collisions implements EventRule {
         if (touching.hasContacts()) {
             if (IntStream.range(touching.begin(), touching.end())       // a surface has struck or stopped a ball
                     .anyMatch(r -> Math.abs(separation(r, begin)) > slow(r, begin))) {
-                found.add(new ExactImpacts.Change(motion.getStartTime(), false, () -> 0,
+                found.add(new Event(motion.getStartTime(), false, () -> 0,
                         () -> settle(ROUND_OFF)));
                 return;
             }
             if (push() < 0) {
                 // just before the end: surfaces are only asked once the balls have parted
-                found.add(new ExactImpacts.Change(Math.nextDown(motion.getEndTime()), true, this::push, this::release));
+                found.add(new Event(Math.nextDown(motion.getEndTime()), true, this::push, this::release));
             }
         }
         double h = motion.getEndTime() - motion.getStartTime();
@@ -175,7 +175,7 @@ public final class Collisions implements EventRule {
                 double above = gap(system.getOwnState(), i, j) + below;
                 return begins ? Math.max(above, rate(system.getOwnState(), i, j)) : above;
             };
-            found.add(ExactImpacts.Change.meeting(motion, u, begins, function, () -> {
+            found.add(ExactImpacts.meeting(motion, u, begins, function, () -> {
                 touching.touch(i, j, reach(i, j));
                 settle(ROUND_OFF);
             }));

@@ -26,30 +26,16 @@ public final class ExactImpacts extends Impacts implements EventRule {
         contacts.setHolding(true);
     }
 
-    /** An event of one particle: its function, positive until it happens, and its action. */
-    record Change(double time, boolean happensAfter, DoubleSupplier function, Runnable deed)
-            implements Event {
-        /**
-         * A meeting, located on the cubic path.
-         *
-         * @param u      the fraction of the motion's time
-         * @param begins whether the two touch at the start, and so meet again later
-         */
-        static Change meeting(Motion motion, double u, boolean begins, DoubleSupplier function, Runnable deed) {
-            double start = motion.getStartTime();
-            double time = start + u * (motion.getEndTime() - start);
-            return new Change(begins ? Math.max(time, Math.nextUp(start)) : time, false, function, deed);
-        }
-
-        @Override
-        public double value(ParticleSystem system) {
-            return function.getAsDouble();
-        }
-
-        @Override
-        public void act(ParticleSystem system) {
-            deed.run();
-        }
+    /**
+     * A meeting, located on the cubic path.
+     *
+     * @param u      the fraction of the motion's time
+     * @param begins whether the two touch at the start, and so meet again later
+     */
+    static Event meeting(Motion motion, double u, boolean begins, DoubleSupplier function, Runnable deed) {
+        double start = motion.getStartTime();
+        double time = start + u * (motion.getEndTime() - start);
+        return new Event(begins ? Math.max(time, Math.nextUp(start)) : time, false, function, deed);
     }
 
     /**
@@ -109,13 +95,13 @@ public final class ExactImpacts extends Impacts implements EventRule {
         for (int p = 0; p < surfaces.size(); p++) {
             int surface = p;
             if (modes.get(p, i) != Mode.FREE && contacts.getQueries().pressure(p, i, state, force) < 0) {
-                found.add(new Change(end, true, () -> pressure(surface, i), () -> letGo(surface, i)));
+                found.add(new Event(end, true, () -> pressure(surface, i), () -> letGo(surface, i)));
                 return;
             }
         }
         if (modes.isSticking(i)) {
             if (contacts.getQueries().holdMargin(i, state, force) < 0) {
-                found.add(new Change(end, true, () -> holdMargin(i), () -> slide(i)));
+                found.add(new Event(end, true, () -> holdMargin(i), () -> slide(i)));
             }
             return;
         }
@@ -124,7 +110,7 @@ public final class ExactImpacts extends Impacts implements EventRule {
         double slow = speed > contacts.threshold(i) * (1 + ROUNDING) ? contacts.threshold(i) : 0;
         DoubleSupplier moving = () -> velocity(system.getOwnState(), i).dot(before) / speed - slow;
         if (speed != 0 && contacts.rubs(i) && moving.getAsDouble() < 0) {
-            found.add(new Change(end, true, moving, () -> stop(i, speed)));
+            found.add(new Event(end, true, moving, () -> stop(i, speed)));
         }
     }
 
@@ -161,7 +147,7 @@ public final class ExactImpacts extends Impacts implements EventRule {
         double below = begins ? Math.max(0, DEEP * (size + radius) - surface.distance(begin, i)) : 0;
         double u = firstBelow(surface, begin, motion.getEndState(), h, i, below);
         if (!Double.isNaN(u)) {
-            found.add(Change.meeting(motion, u, begins, () -> {
+            found.add(meeting(motion, u, begins, () -> {
                 double above = surface.distance(system.getOwnState(), i) + below;
                 return begins && !isFlat ? Math.max(above, surface.normalSpeed(system.getOwnState(), i)) : above;
             }, () -> meet(p, i)));
