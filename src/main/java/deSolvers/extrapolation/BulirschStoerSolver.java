@@ -2,6 +2,7 @@ package deSolvers.extrapolation;
 
 import deSolvers.StepTransaction;
 import deSolvers.adaptive.AdaptiveSolver;
+import deSolvers.extrapolation.OrderControl.Verdict;
 
 /**
  * The Bulirsch-Stoer extrapolation method (also Gragg-Bulirsch-Stoer), one of the slides' "high-strung racehorses". It
@@ -71,10 +72,10 @@ public final class BulirschStoerSolver extends AdaptiveSolver {
     @Override
     protected double attempt(StepTransaction source, double[] state, double[] slope, double offset, double h,
                              double[] newState) {
-        OrderControl.Verdict verdict = OrderControl.Verdict.CONTINUE;
+        Verdict verdict = Verdict.CONTINUE;
         double ratio = Double.POSITIVE_INFINITY;
         midpoint.begin(state, slope, offset, h);
-        for (int j = 0; verdict == OrderControl.Verdict.CONTINUE; j++) {
+        for (int j = 0; verdict == Verdict.CONTINUE; j++) {
             midpoint.cover(source, OrderControl.substeps(j), results.begin(j), smoothings.begin(j));
             results.extrapolate(j);
             smoothings.extrapolate(j);
@@ -85,7 +86,7 @@ public final class BulirschStoerSolver extends AdaptiveSolver {
             }
         }
         System.arraycopy(results.result(), 0, newState, 0, newState.length);
-        return verdict == OrderControl.Verdict.ACCEPT ? ratio : Double.POSITIVE_INFINITY;
+        return verdict == Verdict.ACCEPT ? ratio : Double.POSITIVE_INFINITY;
     }
 
     /**

@@ -47,20 +47,19 @@ final class NegativeSemidefinitePart {
         double c = 1 / Math.sqrt(t * t + 1);
         double s = t * c;
         for (int i = 0; i < 3; i++) {
-            double ip = a[3 * i + p];
-            double iq = a[3 * i + q];
-            a[3 * i + p] = c * ip - s * iq;
-            a[3 * i + q] = s * ip + c * iq;
+            turn(a, 3 * i + p, 3 * i + q, c, s);
         }
         for (int i = 0; i < 3; i++) {
-            double pi = a[3 * p + i];
-            double qi = a[3 * q + i];
-            a[3 * p + i] = c * pi - s * qi;
-            a[3 * q + i] = s * pi + c * qi;
-            double vp = v[3 * i + p];
-            double vq = v[3 * i + q];
-            v[3 * i + p] = c * vp - s * vq;
-            v[3 * i + q] = s * vp + c * vq;
+            turn(a, 3 * p + i, 3 * q + i, c, s);
+            turn(v, 3 * i + p, 3 * i + q, c, s);
         }
+    }
+
+    /** Turns two entries of a matrix into each other. */
+    private static void turn(double[] m, int p, int q, double c, double s) {
+        double atP = m[p];
+        double atQ = m[q];
+        m[p] = c * atP - s * atQ;
+        m[q] = s * atP + c * atQ;
     }
 }

@@ -115,7 +115,7 @@ public record StepMatrix(double xx, double xv, double vx, double vv, double nonl
         /** @return the matrix that multiplied a start of size 1 */
         public StepMatrix stepMatrix() {
             double[] state = getState();
-            double off = StepMatrix.largest(state[0] + state[1] - state[2],
+            double off = largest(state[0] + state[1] - state[2],
                     state[COPIES] + state[COPIES + 1] - state[COPIES + 2]);
             return new StepMatrix(state[0], state[1], state[COPIES], state[COPIES + 1],
                     off / Math.max(size(), Double.MIN_NORMAL));
@@ -123,7 +123,7 @@ public record StepMatrix(double xx, double xv, double vx, double vv, double nonl
 
         /** @return the largest entry */
         public double size() {
-            return StepMatrix.largest(getState());
+            return largest(getState());
         }
 
         /** Accepts longer arrays: other sources check how a solver treats arrays. */

@@ -105,7 +105,7 @@ public final class ButcherTableau {
         /** @param tableau the method */
         public Stages(ButcherTableau tableau) {
             this.tableau = tableau;
-            this.k = new double[tableau.getStages()][0];
+            this.k = new double[tableau.c.length][0];
         }
 
         /** @param n the state's size from now on */
@@ -128,12 +128,12 @@ public final class ButcherTableau {
         public void evaluate(StepTransaction source, double[] state, double[] slope, double offset, double h) {
             System.arraycopy(slope, 0, k[0], 0, slope.length);
             for (int stage = 1; stage < k.length; stage++) {
-                combine(tableau.row(stage), h, trial);
+                combine(tableau.a[stage], h, trial);
                 for (int i = 0; i < trial.length; i++) {
                     trial[i] += state[i];
                 }
                 source.setState(trial);
-                source.setOffset(offset + tableau.node(stage) * h);
+                source.setOffset(offset + tableau.c[stage][0] * h);
                 source.getStateDerivative(k[stage]);        // at (s + h sum a k, t + c h)
             }
         }

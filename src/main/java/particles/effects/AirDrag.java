@@ -6,6 +6,7 @@ import particles.law.DifferentiableEffect;
 import particles.law.Particles;
 import particles.law.PerParticleEffect;
 import particles.law.Require;
+import particles.law.Vector3;
 import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.Values;
@@ -129,19 +130,12 @@ public final class AirDrag implements PerParticleEffect, DifferentiableEffect {
     /** Sum over all free particles of k |w|&sup2; (dissipated) or -k w . u (driven). */
     private double sum(double[] state, double time, boolean driven) {
         double[] w = velocityThroughAir(state, time, 0, particles.count());
-        double sum = 0;
-        for (int i = 0; i < particles.count(); i++) {
-            if (!particles.isFixed(i)) {
-                double square = 0;
-                double against = 0;
-                for (int v = STRIDE * i + 3; v < STRIDE * i + 6; v++) {
-                    square += w[v] * w[v];
-                    against -= w[v] * (state[v] - w[v]);
-                }
-                sum += coefficient(w, STRIDE * i + 3) * (driven ? against : square);
-            }
-        }
-        return sum;
+        return particles.sumOfFree(i -> {
+            int v = STRIDE * i + 3;
+            Vector3 through = Vector3.at(w, v);
+            return coefficient(w, v) * (driven ? -through.dot(Vector3.at(state, v).minus(through))
+                    : through.dot(through));
+        });
     }
 
     /** {@inheritDoc} dF/dv = -k - k' w w<sup>T</sup>/|w|, and dF/dx = -dF/dv times the wind's gradient. */

@@ -32,11 +32,11 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
     private static final int STRIDE = Particles.STRIDE;
 
     private final Particles particles;
-    private final Obstacle solid;
     private final boolean round;
     private final double radius;
     private final double side;
-    private final double[] origin;
+    private final double[] origin = new double[3];      // a ball's centre, or a point of a plane
+    private final double[] facing = new double[3];      // a plane's normal
     private final double stiffness;
     private final double loss;
     private final double[] normal = new double[3];
@@ -46,7 +46,7 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
 
     /**
      * @param particles the particles on which it acts
-     * @param solid     the solid
+     * @param solid     the solid, a plane or a sphere
      * @param stiffness k, the force per metre of depth (N/m), 0 or more
      * @param loss      b, the relative increase of the force per m/s of inward speed (s/m), 0 or more; 0 loses no
      *                  energy
@@ -54,12 +54,11 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
      */
     public Penalty(Particles particles, Obstacle solid, double stiffness, double loss) {
         this.particles = particles;
-        this.solid = solid;
         round = solid instanceof Sphere;
         radius = solid instanceof Sphere ball ? ball.radius() : 0;
         side = solid instanceof Sphere ball && ball.hollow() ? -1 : 1;
-        Vector3 v = solid instanceof Sphere ball ? ball.centre() : solid.normal(0, 0, 0);
-        origin = new double[] {v.x(), v.y(), v.z()};
+        (solid instanceof Sphere ball ? ball.centre() : ((Plane) solid).point()).put(origin, 0);
+        solid.normal(Vector3.ZERO).put(facing, 0);
         this.stiffness = Require.notNegative("a penalty's stiffness", stiffness);
         this.loss = Require.notNegative("a penalty's loss", loss);
     }
@@ -90,7 +89,7 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
 
     /** A component of r, the vector from a ball's centre, or a plane's normal: N = side r / |r|. */
     private double r(double[] state, int x, int c) {
-        return round ? state[x + c] - origin[c] : origin[c];
+        return round ? state[x + c] - origin[c] : facing[c];
     }
 
     /** |r|; a particle's state begins at x. */
@@ -102,7 +101,8 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
     }
 
     private double depth(double[] state, int x, double length) {
-        return round ? side * (radius - length) : -solid.distance(state[x], state[x + 1], state[x + 2]);
+        return round ? side * (radius - length) : (origin[0] - state[x]) * facing[0]
+                + (origin[1] - state[x + 1]) * facing[1] + (origin[2] - state[x + 2]) * facing[2];
     }
 
     /** The push along the normal (N) for d > 0. */
@@ -188,6 +188,11 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
 
     /** Penalty planes in scenes. */
     public static final class PlaneKeys extends EffectKind {
+        private static final Key<Double> STIFFNESS = NumberType.notNegative("N/m").required("stiffness",
+                "k, the push per metre of depth (N/m).");
+        private static final Key<Double> LOSS = NumberType.notNegative("s/m").withDefault("loss", 0.0,
+                "b (s/m): at depth d and inward speed v the push is k d (1 + b v), and never negative;"
+                + " 0 loses no energy.");
         private static final Key<Vector3> POINT = VectorType.of("m").withDefault("point", Vector3.ZERO,
                 "Any point of the plane (m).");
         private static final Key<Vector3> NORMAL = VectorType.notZero("").withDefault("normal", new Vector3(0, 1, 0),
@@ -198,17 +203,21 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
 
         /** Called once, by {@link EffectCatalog}. */
         public PlaneKeys() {
-            super("penaltyPlane", "A stiff plane that pushes back particles below it.", SharedKeys.STIFFNESS,
-                    SharedKeys.LOSS, POINT, NORMAL, BALL_RADIUS);
+            super("penaltyPlane", "A stiff plane that pushes back particles below it.", STIFFNESS, LOSS, POINT,
+                    NORMAL, BALL_RADIUS);
         }
 
         @Override
         public void build(Values values, EffectContext scene) {
             Plane plane = new Plane(values.get(POINT), values.get(NORMAL));
             Vector3 lifted = plane.point().plus(plane.normal().times(values.get(BALL_RADIUS)));
-            scene.add(new Penalty(scene.particles(), new Plane(lifted, plane.normal()),
-                    values.get(SharedKeys.STIFFNESS), values.get(SharedKeys.LOSS)));
-            scene.show(plane);
+            add(values, scene, new Plane(lifted, plane.normal()), plane);
+        }
+
+        /** Adds the force of one solid and draws another. */
+        private static void add(Values values, EffectContext scene, Obstacle solid, Obstacle shown) {
+            scene.add(new Penalty(scene.particles(), solid, values.get(STIFFNESS), values.get(LOSS)));
+            scene.show(shown);
         }
 
         @Override
@@ -217,20 +226,18 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
         }
     }
 
-    /** Penalty spheres in scenes. */
+    /** Penalty spheres in scenes; the keys of the force are those of planes. */
     public static final class SphereKeys extends EffectKind {
         /** Called once, by {@link EffectCatalog}. */
         public SphereKeys() {
             super("penaltySphere", "A stiff ball that pushes particles out, or a hollow one that pushes them in.",
-                    SharedKeys.CENTRE, SharedKeys.RADIUS, SharedKeys.HOLLOW, SharedKeys.STIFFNESS, SharedKeys.LOSS);
+                    SharedKeys.CENTRE, SharedKeys.RADIUS, SharedKeys.HOLLOW, PlaneKeys.STIFFNESS, PlaneKeys.LOSS);
         }
 
         @Override
         public void build(Values values, EffectContext scene) {
             Sphere sphere = SharedKeys.sphere(values);
-            scene.add(new Penalty(scene.particles(), sphere, values.get(SharedKeys.STIFFNESS),
-                    values.get(SharedKeys.LOSS)));
-            scene.show(sphere);
+            PlaneKeys.add(values, scene, sphere, sphere);
         }
 
         @Override

@@ -111,13 +111,7 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
     /** {@inheritDoc} Fixed particles are left out. */
     @Override
     public double getPotentialEnergy(double[] state, double time) {
-        double energy = 0;
-        for (int i = 0, x = 0; i < particles.count(); i++, x += STRIDE) {
-            if (!particles.isFixed(i)) {
-                energy -= particles.mass(i) * strength / Math.sqrt(findPlace(state, x));
-            }
-        }
-        return energy;
+        return 0 - particles.sumOfFree(i -> particles.mass(i) * strength / Math.sqrt(findPlace(state, STRIDE * i)));
     }
 
     /** Attraction by a point in scenes. */

@@ -25,12 +25,6 @@ public final class SharedKeys {
     public static final Key<Boolean> HOLLOW = FlagType.FLAG.withDefault("hollow", false,
             "true: particles stay inside, as in a bowl or a bubble; false: outside.");
 
-    /** The stiffness of a penalty force. */
-    static final Key<Double> STIFFNESS = NumberType.notNegative("N/m").required("stiffness",
-            "k, the push per metre of depth (N/m).");
-    /** The damping of a penalty force. */
-    static final Key<Double> LOSS = NumberType.notNegative("s/m").withDefault("loss", 0.0,
-            "b (s/m): at depth d and inward speed v the push is k d (1 + b v), and never negative; 0 loses no energy.");
 
     private SharedKeys() {
     }

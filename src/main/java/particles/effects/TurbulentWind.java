@@ -69,18 +69,14 @@ public final class TurbulentWind implements Wind {
     @Override
     public void getVelocities(double[] state, double time, double[] wind, int from, int to) {
         for (int i = from; i < to; i++) {
-            double ux = mean.x();
-            double uy = mean.y();
-            double uz = mean.z();
+            int v = STRIDE * i + 3;
+            mean.put(wind, v);
             for (int w = 0; w < WAVES; w++) {
                 double wave = StrictMath.cos(angle(w, state, i, time));
-                ux += amplitude[3 * w] * wave;
-                uy += amplitude[3 * w + 1] * wave;
-                uz += amplitude[3 * w + 2] * wave;
+                for (int c = 0; c < 3; c++) {
+                    wind[v + c] += amplitude[3 * w + c] * wave;
+                }
             }
-            wind[STRIDE * i + 3] = ux;
-            wind[STRIDE * i + 4] = uy;
-            wind[STRIDE * i + 5] = uz;
         }
     }
 

@@ -7,6 +7,7 @@ import java.util.function.DoubleUnaryOperator;
 import java.util.stream.Collectors;
 import particles.ParticleSystem;
 import particles.law.Effect;
+import particles.law.Effect.Trait;
 import particles.law.Particles;
 import particles.law.Vector3;
 import particles.view.ChartData;
@@ -53,7 +54,7 @@ public final class EnergyHistory extends StridedRecorder {
          * does not matter. An attraction has its own zero, far away: an orbit that cannot escape has a negative energy.
          */
         double zero() {
-            return Effect.Trait.isUniform(effect) ? stored.smallest() : 0;
+            return Trait.isUniform(effect) ? stored.smallest() : 0;
         }
     }
 
@@ -109,7 +110,7 @@ public final class EnergyHistory extends StridedRecorder {
         for (Part part : parts) {
             double energy = part.effect.getPotentialEnergy(state, time);
             sum += energy;
-            if (part.effect.getTraits().contains(Effect.Trait.INTERNAL)) {
+            if (part.effect.getTraits().contains(Trait.INTERNAL)) {
                 internal += energy;
                 part.lowest = Math.min(part.lowest, energy);
                 lowestInternal += part.lowest;

@@ -181,9 +181,8 @@ public class EnergyLedger extends StridedRecorder {
         double time = motion.getEndTime() - motion.getStartTime();
         double[] mean = middle.clone();
         for (int x = 0; x < mean.length; x += STRIDE) {
-            for (int c = x; c < x + 3; c++) {
-                mean[c + 3] = (motion.getEndState()[c] - motion.getStartState()[c]) / time;
-            }
+            Vector3.at(motion.getEndState(), x).minus(Vector3.at(motion.getStartState(), x)).over(time)
+                    .put(mean, x + 3);
         }
         return mean;
     }

@@ -2,16 +2,11 @@ package particles.law;
 
 /** The surface of a solid that particles stay outside of: a plane, a ball, the wall of a hollow. */
 public interface Obstacle {
-    /**
-     * @param x a point's first coordinate (m)
-     * @param y its second (m)
-     * @param z its third (m)
-     * @return the signed distance from the surface (m): positive outside, negative inside the solid
-     */
-    double distance(double x, double y, double z);
+    /** @return the signed distance of a point from the surface (m): positive outside, negative inside the solid */
+    double distance(Vector3 point);
 
     /** @return the direction N out of the solid at a point, of length 1: the gradient of the distance */
-    Vector3 normal(double x, double y, double z);
+    Vector3 normal(Vector3 point);
 
     /**
      * The curvature of the surface: along a path, the second derivative of the distance is N . a + curvature
@@ -19,7 +14,7 @@ public interface Obstacle {
      *
      * @return 0 for a plane, 1/r for a ball, -1/r for a hollow, with r the point's distance from the centre (1/m)
      */
-    double curvature(double x, double y, double z);
+    double curvature(Vector3 point);
 
     /** @return whether the curvature is 0 everywhere */
     boolean isFlat();

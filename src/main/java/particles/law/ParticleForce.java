@@ -55,12 +55,7 @@ public abstract class ParticleForce implements Effect {
     /** {@inheritDoc} The sum over all particles that are not fixed. */
     @Override
     public final double getPotentialEnergy(double[] state, double time) {
-        double energy = 0;
-        for (int i = 0; i < particles.count(); i++) {
-            if (!particles.isFixed(i)) {
-                energy += getPotentialEnergy(Vector3.at(state, Particles.STRIDE * i), particles.mass(i), time);
-            }
-        }
-        return energy;
+        return particles.sumOfFree(i -> getPotentialEnergy(Vector3.at(state, Particles.STRIDE * i), particles.mass(i),
+                time));
     }
 }

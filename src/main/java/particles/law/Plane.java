@@ -19,17 +19,17 @@ public record Plane(Vector3 point, Vector3 normal) implements Obstacle {
     }
 
     @Override
-    public double distance(double x, double y, double z) {
-        return (x - point.x()) * normal.x() + (y - point.y()) * normal.y() + (z - point.z()) * normal.z();
+    public double distance(Vector3 at) {
+        return at.minus(point).dot(normal);
     }
 
     @Override
-    public Vector3 normal(double x, double y, double z) {
+    public Vector3 normal(Vector3 at) {
         return normal;
     }
 
     @Override
-    public double curvature(double x, double y, double z) {
+    public double curvature(Vector3 at) {
         return 0;
     }
 
@@ -42,7 +42,7 @@ public record Plane(Vector3 point, Vector3 normal) implements Obstacle {
     @Override
     public int separation(double[] points, double[] coefficients) {
         for (int k = 0; k < 4; k++) {
-            coefficients[k] = distance(points[3 * k], points[3 * k + 1], points[3 * k + 2]);
+            coefficients[k] = distance(Vector3.at(points, 3 * k));
         }
         return 4;
     }

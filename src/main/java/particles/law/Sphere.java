@@ -18,26 +18,22 @@ public record Sphere(Vector3 centre, double radius, boolean hollow) implements O
     }
 
     @Override
-    public double distance(double x, double y, double z) {
-        double outside = fromCentre(x, y, z).length() - radius;
+    public double distance(Vector3 point) {
+        double outside = point.minus(centre).length() - radius;
         return hollow ? -outside : outside;
-    }
-
-    private Vector3 fromCentre(double x, double y, double z) {
-        return new Vector3(x - centre.x(), y - centre.y(), z - centre.z());
     }
 
     /** {@inheritDoc} At the centre, where it is undefined, it points up. */
     @Override
-    public Vector3 normal(double x, double y, double z) {
-        Vector3 r = fromCentre(x, y, z);
+    public Vector3 normal(Vector3 point) {
+        Vector3 r = point.minus(centre);
         double length = r.length();
         return length == 0 ? new Vector3(0, 1, 0) : r.times((hollow ? -1 : 1) / length);
     }
 
     @Override
-    public double curvature(double x, double y, double z) {
-        double length = fromCentre(x, y, z).length();
+    public double curvature(Vector3 point) {
+        double length = point.minus(centre).length();
         return (hollow ? -1 : 1) / (length > 0 ? length : radius);
     }
 

@@ -1,7 +1,6 @@
 package particles.reactions;
 
 import java.util.BitSet;
-import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.law.Vector3;
 import particles.reactions.ContactModes.Mode;
@@ -15,13 +14,11 @@ public final class BlockImpacts {
     /** Speeds below this are round-off, relative to those before. */
     private static final double ROUNDING = 1e-12;
 
-    private final ParticleSystem system;
     private final RestingContacts contacts;
     private final ContactModes modes;
     private final Blocks blocks;
 
-    BlockImpacts(ParticleSystem system, RestingContacts contacts, Blocks blocks) {
-        this.system = system;
+    BlockImpacts(RestingContacts contacts, Blocks blocks) {
         this.contacts = contacts;
         this.modes = contacts.getModes();
         this.blocks = blocks;
@@ -73,7 +70,9 @@ public final class BlockImpacts {
         Block block = blocks.of(blocks.isCoupled(i) ? i : j);
         block.take(state, new BitSet(), pair);
         Row struck = block.find(Kind.BALLS, pair, i).orElseThrow();
-        Vector3 slip = Vector3.at(state, STRIDE * j + 3).minus(Vector3.at(state, STRIDE * i + 3));
+        int vi = STRIDE * i + 3;
+        int vj = STRIDE * j + 3;
+        Vector3 slip = Vector3.at(state, vj).minus(Vector3.at(state, vi));
         strike(block, struck, leaving, leaving + slip.norm1(), Vector3.ZERO, state);
         double impulse = friction * struck.force;
         Vector3 normal = Vector3.at(struck.gradient, 3).normalized();
@@ -82,8 +81,8 @@ public final class BlockImpacts {
         double speed = slip.length();
         if (impulse > 0 && speed > 0) {
             Vector3 rub = slip.times(Math.min(impulse / speed, 1 / mobility));
-            Vector3.at(state, STRIDE * i + 3).plus(rub.times(block.weight(i))).put(state, STRIDE * i + 3);
-            Vector3.at(state, STRIDE * j + 3).minus(rub.times(block.weight(j))).put(state, STRIDE * j + 3);
+            Vector3.at(state, vi).plus(rub.times(block.weight(i))).put(state, vi);
+            Vector3.at(state, vj).minus(rub.times(block.weight(j))).put(state, vj);
             block.take(state, new BitSet(), pair);
             blocks.correctTaken(block, state, 3, true);
         }
@@ -94,7 +93,7 @@ public final class BlockImpacts {
         blocks.putErrors(block, 3);
         struck.right += leaving;
         if (!block.solve(row -> row != struck, true) || Math.abs(struck.separation) > CONTRADICTION * fast) {
-            throw blocks.failure(block, system.getTime(), "let no impulses keep all particles out");
+            throw blocks.failure(block, contacts.getSystem().getTime(), "let no impulses keep all particles out");
         }
         block.move(state, 3);
         for (Row row : block.rows) {

@@ -24,8 +24,8 @@ public final class ContactQueries {
     private Optional<String> failure = Optional.empty();
     private Optional<StaticFriction> atRest = Optional.empty();
 
-    ContactQueries(ParticleSystem system, RestingContacts contacts, Blocks blocks) {
-        this.system = system;
+    ContactQueries(RestingContacts contacts, Blocks blocks) {
+        system = contacts.getSystem();
         this.contacts = contacts;
         this.modes = contacts.getModes();
         this.blocks = blocks;

@@ -11,6 +11,7 @@ import particles.law.Particles;
 import particles.law.Reaction;
 import particles.law.Vector3;
 import particles.law.Violation;
+import particles.reactions.ContactModes.Mode;
 import particles.reactions.ContactSurface.Friction;
 
 /**
@@ -111,8 +112,8 @@ public final class RestingContacts implements Reaction {
     /** Solves rows of rods, wires and balls together with these contacts. */
     Blocks join(Rows rows, double feedback) {
         blocks = new Blocks(system, rows, feedback, this, modes::isSticking);
-        impacts = new BlockImpacts(system, this, blocks);
-        queries = new ContactQueries(system, this, blocks);
+        impacts = new BlockImpacts(this, blocks);
+        queries = new ContactQueries(this, blocks);
         return blocks;
     }
 
@@ -167,7 +168,7 @@ public final class RestingContacts implements Reaction {
     private double largest(int particle, ToDoubleFunction<Friction> value) {
         double largest = 0;
         for (int p = 0; p < surfaces.size(); p++) {
-            largest = modes.get(p, particle) == ContactModes.Mode.FREE ? largest
+            largest = modes.get(p, particle) == Mode.FREE ? largest
                     : Math.max(largest, value.applyAsDouble(surfaces.get(p).friction()));
         }
         return largest;
@@ -295,7 +296,7 @@ public final class RestingContacts implements Reaction {
                 ContactSurface surface = surfaces.get(p);
                 double distance = surface.distance(state, i);
                 double off = particles.isFixed(i) || particles.birthTime(i) > since
-                        || modes.get(p, i) == ContactModes.Mode.FREE && distance > 0 ? 0 : Math.abs(distance);
+                        || modes.get(p, i) == Mode.FREE && distance > 0 ? 0 : Math.abs(distance);
                 double part = off * (surface.obstacle().isFlat() ? 1 : surface.curvature(state, i));
                 if (part > worst.part()) {
                     worst = new Violation(part, "'" + particles.id(i) + "' is " + Digits.few(off) + " m off '"

@@ -150,10 +150,10 @@ public final class ClampedImpacts extends Impacts {
         double u = firstBelow(surface, before, state, deltaT, i, 0);
         if (!Double.isNaN(u)) {
             double[] points = crossing.points;
-            for (int c = 0; c < 3; c++) {
-                state[STRIDE * i + c] = (1 - u) * (1 - u) * ((1 - u) * points[c] + 3 * u * points[3 + c])
+            for (int c = 0, x = STRIDE * i; c < 3; c++, x++) {
+                state[x] = (1 - u) * (1 - u) * ((1 - u) * points[c] + 3 * u * points[3 + c])
                         + u * u * (3 * (1 - u) * points[6 + c] + u * points[9 + c]);
-                state[STRIDE * i + 3 + c] = (1 - u) * before[STRIDE * i + 3 + c] + u * state[STRIDE * i + 3 + c];
+                state[x + 3] = (1 - u) * before[x + 3] + u * state[x + 3];
             }
             moveAlong(surface.normal(state, i), state, STRIDE * i, -surface.distance(state, i) - slack(state, i));
         }

@@ -4,6 +4,7 @@ import particles.ParticleSystem;
 import particles.Rule;
 import particles.law.Particles;
 import particles.law.Plane;
+import particles.law.Vector3;
 
 /** Removes particles at the end of a step. */
 public final class Deaths implements Rule {
@@ -28,8 +29,7 @@ public final class Deaths implements Rule {
     public static Deaths behind(Plane plane) {
         return new Deaths("kill", (system, i) -> {
             double[] state = system.getOwnState();
-            int x = Particles.STRIDE * i;
-            return plane.distance(state[x], state[x + 1], state[x + 2]) < 0 && !system.getParticles().isFixed(i);
+            return plane.distance(Vector3.at(state, Particles.STRIDE * i)) < 0 && !system.getParticles().isFixed(i);
         });
     }
 

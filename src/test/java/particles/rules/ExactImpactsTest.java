@@ -218,7 +218,8 @@ class ExactImpactsTest {
                   - plane: {normal: [2, 1, 0.3], restitution: 0.4, restSpeed: 1e-6}
                 """);
         for (Vector3 normal : new Vector3[] {new Vector3(-2, 1, 0), new Vector3(2, 1, 0.3)}) {
-            assertEquals(0, new Plane(Vector3.ZERO, normal).distance(run.at(0), run.at(1), run.at(2)), 1e-9);
+            assertEquals(0, new Plane(Vector3.ZERO, normal).distance(new Vector3(run.at(0), run.at(1), run.at(2))),
+                    1e-9);
         }
     }
 }

@@ -91,7 +91,7 @@ public final class SpringForce extends SpringTable implements DivisibleEffect, D
     @Override
     public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
         for (int s = 0; s < count; s++) {
-            derivative.add(state, this, s, derivatives);
+            derivative.add(state, s, derivatives);
         }
     }
 
@@ -128,7 +128,7 @@ public final class SpringForce extends SpringTable implements DivisibleEffect, D
      *
      * <p>Source: derived from the slide "Damped Spring Force"; for l = 0 or k_d = 0 as in D. Baraff, A. Witkin (1998).
      */
-    private static final class SpringJacobian {
+    private final class SpringJacobian {
         /** The direction of shorter springs is only round-off. */
         private static final double SHORTEST = 1e-140;
 
@@ -138,14 +138,14 @@ public final class SpringForce extends SpringTable implements DivisibleEffect, D
         private final double[] turning = new double[3];
 
         /** Adds the blocks of spring {@code s}. */
-        void add(double[] state, SpringTable table, int s, ForceDerivatives derivatives) {
-            int i = table.from[s];                          // F_ij acts on this particle; its state index
-            int j = table.to[s];
-            double stiffness = table.stiffness[s];
-            double damping = table.damping[s];
+        void add(double[] state, int s, ForceDerivatives derivatives) {
+            int i = from[s];                                // F_ij acts on this particle; its state index
+            int j = to[s];
+            double k = stiffness[s];
+            double kd = damping[s];
             double length = direction(state, i, j);
             // without direction: as for rest length 0
-            double across = -stiffness;
+            double across = -k;
             double along = 0;
             double drag = 0;
             if (length > 0) {
@@ -155,11 +155,11 @@ public final class SpringForce extends SpringTable implements DivisibleEffect, D
                     stretching += u[c] * turning[c];
                 }
                 for (int c = 0; c < 3; c++) {
-                    turning[c] = damping * (turning[c] - stretching * u[c]) / length;
+                    turning[c] = kd * (turning[c] - stretching * u[c]) / length;
                 }
-                across = -(stiffness * (length - table.restLength[s]) + damping * stretching) / length;
-                along = -stiffness - across;
-                drag = -damping;
+                across = -(k * (length - restLength[s]) + kd * stretching) / length;
+                along = -k - across;
+                drag = -kd;
             }
             for (int row = 0, e = 0; row < 3; row++) {
                 for (int column = 0; column < 3; column++, e++) {

@@ -83,7 +83,7 @@ public final class Backdrop {
     }
 
     private boolean isSeen(Plane plane) {
-        return view.perspective ? plane.distance(view.eye.x(), view.eye.y(), view.eye.z()) > 0
+        return view.perspective ? plane.distance(view.eye) > 0
                 : plane.normal().dot(view.back) > 0;
     }
 
@@ -166,7 +166,7 @@ public final class Backdrop {
     static double depth(Plane plane, Ray ray) {
         double fall = -ray.direction().dot(plane.normal());
         Vector3 start = ray.start();
-        return fall > 1e-6 ? plane.distance(start.x(), start.y(), start.z()) / fall : Double.POSITIVE_INFINITY;
+        return fall > 1e-6 ? plane.distance(start) / fall : Double.POSITIVE_INFINITY;
     }
 
     /** The colour of the sky: with a ground it has a horizon; without one, it is a screen behind the scene. */

@@ -227,6 +227,5 @@ public class RuleKind extends Kind {
 
     /** All rules. */
     public static final List<RuleKind> ALL = List.of(GROUND, PLANE, SPHERE, COLLISIONS, BirthAndDeath.TEAR,
-            SHAKE, CIRCLE, GLIDE, BirthAndDeath.EMITTER, BirthAndDeath.KILL,
-            BirthAndDeath.SAMPLES);
+            SHAKE, CIRCLE, GLIDE, BirthAndDeath.EMITTER, BirthAndDeath.KILL, BirthAndDeath.SAMPLES);
 }
