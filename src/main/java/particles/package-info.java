@@ -18,12 +18,12 @@
  *     <li>if an {@link particles.EventRule} sees an impact in the step, {@link particles.EventLocator} finds its exact
  *         time. The step is repeated up to there, the impact acts, and the rest of the step follows.</li>
  *     </ul></li>
- * <li>{@link particles.Simulation.Observers} shows the motion to each {@link particles.Observer}: frames, plots, the
- *     {@code particles.energy.EnergyLedger}.</li>
+ * <li>Each {@link particles.Observer} whose time has come sees the motion: frames, plots, the {@code
+ *     particles.energy.EnergyLedger}.</li>
  * <li>Each {@link particles.Rule} may change the state, and add or remove particles and springs. Observers are told of
  *     each change. After a change the solver is {@linkplain deSolvers.DESolver#reset reset}.</li>
- * <li>The last rule, {@link particles.EnergyLimit}, ends a run whose kinetic energy has blown up. (An observer,
- *     {@code particles.energy.NumericalErrorLimit}, ends a run whose energy is almost all numerical error.)</li>
+ * <li>The last rule, {@link particles.EnergyLimit}, ends a run whose kinetic energy has blown up. (An observer of
+ *     {@code particles.energy.EnergyRecorder} ends a run whose energy is almost all numerical error.)</li>
  * </ol>
  *
  * <p>The program creates only the effects and rules that the scene names. Lengths are in metres, masses in kilograms,

@@ -11,7 +11,7 @@
  *     solver.stepState(oscillator, 0.1);
  * }
  * oscillator.error();            // the distance from the exact solution at t = 10
- * oscillator.evaluations();      // what it cost
+ * oscillator.getEvaluations();   // what it cost
  * </pre>
  *
  * <p>{@link deSolvers.problems.StepMatrix} measures the matrix by which a step multiplies the state of a linear

@@ -34,7 +34,7 @@ final class ContactDerivative {
     }
 
     /**
-     * @param i     a particle that touches a surface
+     * @param block a particle that touches a surface
      * @param state the state, whose entries of the particle are varied and restored
      * @param force the force before contact (N), likewise
      */
