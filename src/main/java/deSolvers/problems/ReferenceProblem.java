@@ -1,5 +1,6 @@
 package deSolvers.problems;
 
+import deSolvers.DESolver;
 import deSolvers.DEStateSource;
 
 /**
@@ -58,6 +59,18 @@ public abstract class ReferenceProblem implements DEStateSource {
         time = t;
         evaluations = 0;
         System.arraycopy(exactState(t), 0, state, 0, state.length);
+    }
+
+    /** Lets a solver make a step of this length (s). */
+    public void step(DESolver solver, double deltaT) {
+        solver.stepState(this, deltaT);
+    }
+
+    /** Lets a solver make steps of this length (s). */
+    public final void step(DESolver solver, int steps, double deltaT) {
+        for (int n = 0; n < steps; n++) {
+            step(solver, deltaT);
+        }
     }
 
     /** @return the largest deviation of an entry from the exact solution at the present time */

@@ -26,9 +26,7 @@ public record StepMatrix(double xx, double xv, double vx, double vv, double nonl
      */
     public static StepMatrix of(DESolver solver, LinearPair source, int steps, double deltaT, double size) {
         source.start(size);
-        for (int i = 0; i < steps; i++) {
-            solver.stepState(source, deltaT);
-        }
+        source.step(solver, steps, deltaT);
         StepMatrix sized = source.stepMatrix();
         return new StepMatrix(sized.xx / size, sized.xv / size, sized.vx / size, sized.vv / size, sized.nonlinearity);
     }

@@ -2,7 +2,6 @@ package particles.experiments.lecture;
 
 import static particles.view.DataTable.column;
 
-import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.Oscillator;
 import deSolvers.text.Digits;
@@ -38,12 +37,9 @@ public final class CostExercise {
         return FewestSteps.find(200, MOST_STEPS, 1, steps -> error(solver, steps) <= error);
     }
 
-    private static double error(String name, int steps) {
+    private static double error(String solver, int steps) {
         Oscillator oscillator = new Oscillator();
-        DESolver solver = SolverCatalog.create(name);
-        for (int n = 0; n < steps; n++) {
-            solver.stepState(oscillator, DURATION / steps);
-        }
+        oscillator.step(SolverCatalog.create(solver), steps, DURATION / steps);
         double[] state = oscillator.getState();
         double[] exact = oscillator.exactState(DURATION);
         return Math.hypot(state[0] - exact[0], state[1] - exact[1]);

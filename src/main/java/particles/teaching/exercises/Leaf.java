@@ -1,6 +1,5 @@
 package particles.teaching.exercises;
 
-import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.ReferenceProblem;
 import deSolvers.rungeKutta.ButcherTableau;
@@ -33,11 +32,8 @@ final class Leaf extends ReferenceProblem {
 
     /** @return v after a number of steps of a solver of the catalogue from the start (m/s) */
     double after(String solver, int steps, double deltaT) {
-        DESolver made = SolverCatalog.create(solver);
         startAt(0);
-        for (int n = 0; n < steps; n++) {
-            made.stepState(this, deltaT);
-        }
+        step(SolverCatalog.create(solver), steps, deltaT);
         return getState()[0];
     }
 

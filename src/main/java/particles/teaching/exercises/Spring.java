@@ -1,6 +1,5 @@
 package particles.teaching.exercises;
 
-import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.SecondOrderProblem;
 import particles.teaching.exercises.Draw.Picks;
@@ -58,10 +57,7 @@ final class Spring extends SecondOrderProblem {
     /** @return such a spring after a number of steps of a solver of the catalogue; this one stays */
     Spring after(String solver, int steps, double deltaT) {
         Spring moved = new Spring(mass, stiffness, damping, x(), v());
-        DESolver made = SolverCatalog.create(solver);
-        for (int n = 0; n < steps; n++) {
-            made.stepState(moved, deltaT);
-        }
+        moved.step(SolverCatalog.create(solver), steps, deltaT);
         return moved;
     }
 

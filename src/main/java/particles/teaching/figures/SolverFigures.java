@@ -8,7 +8,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import particles.teaching.GuardedRun;
 import particles.teaching.contract.SolverContract;
@@ -106,13 +105,8 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         List<double[]> points = new ArrayList<>();
         for (int steps = 16; steps <= 1024; steps *= 2) {
             WindyOscillators source = new WindyOscillators(1);
-            DESolver solver = maker.get();
-            double deltaT = 8.0 / steps;
-            boolean made = IntStream.range(0, steps).allMatch(step -> source.accepts(solver, deltaT));
-            source.incTime(8 - source.getTime());
-            if (made) {
-                points.add(new double[] {source.getEvaluations(), source.error()});
-            }
+            double error = OrderMeasurement.error(maker.get(), source, 8, steps);
+            points.add(new double[] {source.getEvaluations(), error});
         }
         return points;
     }

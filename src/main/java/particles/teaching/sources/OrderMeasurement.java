@@ -51,7 +51,7 @@ public record OrderMeasurement(double order, List<double[]> points) {
         double lastCost = Double.NaN;
         for (int steps = FEWEST; steps <= USUAL || steps <= MOST && slopes.isEmpty() && last > ROUNDING; steps *= 2) {
             StudentSource source = sources.get();
-            double error = error(maker.get(), source, steps);
+            double error = error(maker.get(), source, TIME, steps);
             double cost = (double) source.getEvaluations() / steps;
             points.add(new double[] {TIME / steps, error});
             if (error > ROUNDING && last > ROUNDING && Math.abs(cost - lastCost) < 0.05 * cost + 0.5) {
@@ -65,11 +65,11 @@ public record OrderMeasurement(double order, List<double[]> points) {
         return new OrderMeasurement(finest.length == 0 ? Double.NaN : finest[finest.length / 2], points);
     }
 
-    /** The error against the state after two seconds, wherever the solver left the clock; infinite if it gave up. */
-    private static double error(DESolver solver, StudentSource source, int steps) {
+    /** @return the error after this time (s), wherever the solver left the clock; infinite if it gave up */
+    public static double error(DESolver solver, StudentSource source, double time, int steps) {
         double start = source.getTime();
-        boolean made = IntStream.range(0, steps).allMatch(step -> source.accepts(solver, TIME / steps));
-        source.incTime(start + TIME - source.getTime());
+        boolean made = IntStream.range(0, steps).allMatch(step -> source.accepts(solver, time / steps));
+        source.incTime(start + time - source.getTime());
         double error = source.error();
         return !made || Double.isNaN(error + Arrays.stream(source.getState()).sum()) ? Double.POSITIVE_INFINITY : error;
     }

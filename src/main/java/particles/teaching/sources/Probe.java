@@ -11,6 +11,8 @@ import particles.teaching.sources.StudentSource.SecondOrderSource;
 public class Probe extends StudentSource {
     /** The largest number of evaluations in a step that is read. */
     public static final int MOST_EVALUATIONS = 16;
+    private static final double ROUNDING = 1e-14;
+    private static final double SAME_TIME = 1e-9;
 
     /** Supplies the derivatives. */
     public interface Answer {
@@ -42,6 +44,8 @@ public class Probe extends StudentSource {
 
     private final Answer answer;
     private final int most;
+    private final boolean moving;
+    private final boolean byClock;
     private boolean stateSet;
     private final List<Evaluation> recorded = new ArrayList<>();
 
@@ -52,9 +56,15 @@ public class Probe extends StudentSource {
      * @param most   the number of evaluations after which it throws {@link TooManyEvaluations}
      */
     public Probe(double[] start, double time, Answer answer, int most) {
+        this(start, time, answer, most, false, false);
+    }
+
+    private Probe(double[] start, double time, Answer answer, int most, boolean moving, boolean byClock) {
         super(time, start);
         this.answer = answer;
         this.most = most;
+        this.moving = moving;
+        this.byClock = byClock;
     }
 
     /** @return the evaluations, in their order */
@@ -74,17 +84,23 @@ public class Probe extends StudentSource {
     }
 
     /** @return the evaluation, from 0, whose derivative is the answer to this one */
-    int answerFor(double t, double[] s) {
+    private int answerFor(double t, double[] s) {
+        for (int j = 0; (moving || byClock) && j < recorded.size(); j++) {
+            if (byClock ? Math.abs(recorded.get(j).time() - t) < SAME_TIME : recorded.get(j).time() == t
+                    && samePositions(recorded.get(j).state(), s)) {
+                return j;
+            }
+        }
         return recorded.size();
     }
 
-    /** Keeps an evaluation with this answer. */
-    void record(int answer, Evaluation evaluation) {
-        recorded.add(evaluation);
-    }
-
-    /** Fills in the derivatives that the state says. */
-    void complete(double[] s, double[] dSdt) {
+    private static boolean samePositions(double[] one, double[] two) {
+        for (int k = 0; k < one.length; k += k % 6 == 2 ? 4 : 1) {
+            if (Math.abs(one[k] - two[k]) > ROUNDING * Math.abs(one[k])) {
+                return false;
+            }
+        }
+        return true;
     }
 
     @Override
@@ -95,19 +111,21 @@ public class Probe extends StudentSource {
         }
         double[] all = new double[s.length];
         answer.fill(number, all);
-        complete(s, all);
-        record(number, new Evaluation(s.clone(), t, stateSet));
+        for (int k = 0; moving && k < s.length; k += k % 6 == 2 ? 4 : 1) {
+            all[k] = s[k + 3];
+        }
+        Evaluation made = new Evaluation(s.clone(), t, stateSet);
+        if (byClock && number < recorded.size()) {
+            recorded.set(number, made);
+        } else {
+            recorded.add(made);
+        }
         stateSet = false;
         System.arraycopy(all, 0, dSdt, 0, Math.min(s.length, dSdt.length));
     }
 
     /** A probe of particles: three positions and three velocities for each in turn. */
     public static final class OfParticles extends Probe implements SecondOrderSource {
-        private static final double ROUNDING = 1e-14;
-        private static final double SAME_TIME = 1e-9;
-        private final boolean moving;
-        private final boolean byClock;
-
         /**
          * @param start  the state
          * @param time   the clock (s)
@@ -118,45 +136,7 @@ public class Probe extends StudentSource {
          * @param byClock whether all evaluations at the same time have the same answer, and the last one is recorded
          */
         public OfParticles(double[] start, double time, Answer answer, int most, boolean moving, boolean byClock) {
-            super(start, time, answer, most);
-            this.moving = moving;
-            this.byClock = byClock;
-        }
-
-        @Override
-        int answerFor(double t, double[] s) {
-            for (int j = 0; (moving || byClock) && j < recorded().size(); j++) {
-                if (byClock ? Math.abs(recorded().get(j).time() - t) < SAME_TIME : recorded().get(j).time() == t
-                        && samePositions(recorded().get(j).state(), s)) {
-                    return j;
-                }
-            }
-            return super.answerFor(t, s);
-        }
-
-        @Override
-        void record(int answer, Evaluation evaluation) {
-            if (byClock && answer < recorded().size()) {
-                recorded().set(answer, evaluation);
-            } else {
-                super.record(answer, evaluation);
-            }
-        }
-
-        @Override
-        void complete(double[] s, double[] dSdt) {
-            for (int k = 0; moving && k < s.length; k += k % 6 == 2 ? 4 : 1) {
-                dSdt[k] = s[k + 3];
-            }
-        }
-
-        private static boolean samePositions(double[] one, double[] two) {
-            for (int k = 0; k < one.length; k += k % 6 == 2 ? 4 : 1) {
-                if (Math.abs(one[k] - two[k]) > ROUNDING * Math.abs(one[k])) {
-                    return false;
-                }
-            }
-            return true;
+            super(start, time, answer, most, moving, byClock);
         }
     }
 }

@@ -49,9 +49,7 @@ public abstract class StudentSource extends ReferenceProblem {
      * @return the source
      */
     public static <S extends StudentSource> S after(S source, DESolver solver, int steps, double deltaT) {
-        for (int step = 0; step < steps; step++) {
-            source.step(solver, deltaT);
-        }
+        source.step(solver, steps, deltaT);
         return source;
     }
 
@@ -60,9 +58,10 @@ public abstract class StudentSource extends ReferenceProblem {
      *
      * @param deltaT its length (s)
      */
+    @Override
     public final void step(DESolver solver, double deltaT) {
         before = getEvaluations();
-        solver.stepState(this, deltaT);
+        super.step(solver, deltaT);
         GuardedRun.goesOn();
     }
 
