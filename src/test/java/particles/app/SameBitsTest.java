@@ -16,6 +16,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -115,12 +116,8 @@ class SameBitsTest {
         Path lines = folder.resolve("lines.txt");
         Process process = new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(lines.toFile()).start();
         assertEquals(0, process.waitFor(), Files.readString(lines));
-        Map<String, String> sums = new TreeMap<>();
-        for (String line : Files.readAllLines(lines)) {
-            String[] parts = line.split(" ", 2);
-            sums.put(parts[0], parts[1]);
-        }
-        return sums;
+        return new TreeMap<>(Files.readAllLines(lines).stream().map(line -> line.split(" ", 2))
+                .collect(Collectors.toMap(parts -> parts[0], parts -> parts[1])));
     }
 
     /** Makes the runs, two at a time, and compares them; a witness may only have spoken with two threads. */

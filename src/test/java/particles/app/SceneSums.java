@@ -1,18 +1,16 @@
 package particles.app;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
-import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
 import particles.app.run.RunCommand;
 import particles.app.run.StopRequest;
 import particles.app.student.StudentClasses;
+import particles.app.student.StudentProcess;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
@@ -38,9 +36,7 @@ final class SceneSums {
         List<String> more = List.of(args).subList(2, args.length);
         for (Path file : SceneFiles.list(scenes)) {
             System.out.println(file.getFileName() + " " + sum(scenes, file, out, more));
-            try (Stream<Path> files = Files.walk(out)) {
-                files.sorted(Comparator.reverseOrder()).forEach(path -> path.toFile().delete());
-            }
+            StudentProcess.delete(out);
         }
     }
 

@@ -11,7 +11,6 @@ import deSolvers.DEStateSource;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -89,7 +88,7 @@ class SessionTest {
         session.look(0.501);
         assertHas(session.status(), "\"steps\":50,\"evaluations\":200,");
         session.look(0);
-        assertArrayEqualsExactly(start, session.state());
+        assertArrayEquals(start, session.state());
         float[] points = session.phase("bob", 0, -1);
         assertEquals(3 * 101, points.length);
         assertEquals(2f, points[1]);
@@ -116,9 +115,5 @@ class SessionTest {
             assertArrayEquals(session.exactState(), read.exactState(), session.status());
         }
         assertTrue(acted);
-    }
-
-    private static void assertArrayEqualsExactly(float[] expected, float[] found) {
-        assertTrue(Arrays.equals(expected, found), Arrays.toString(found));
     }
 }

@@ -2,6 +2,7 @@ package particles.teaching.exercises;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.teaching.exercises.ThousandStudentsTest.numeric;
 
 import deSolvers.RK4Solver;
 import java.nio.charset.StandardCharsets;
@@ -35,7 +36,7 @@ class ClosedFormsTest {
     }
 
     private static void hold(int number, double bound, ToDoubleFunction<String> closedForm) {
-        NumericExercise exercise = (NumericExercise) Exercises.ALL.get(number - 1);
+        NumericExercise exercise = numeric(number);
         for (int s = 0; s < STUDENTS; s++) {
             Draw draw = new Draw("student " + s, number);
             double expected = closedForm.applyAsDouble(exercise.text(draw));
@@ -99,7 +100,7 @@ class ClosedFormsTest {
     @Test
     void mistakesWithTheLeafBeginAtItsStart() {
         for (int number : new int[] {3, 4}) {
-            NumericExercise exercise = (NumericExercise) Exercises.ALL.get(number - 1);
+            NumericExercise exercise = numeric(number);
             Draw draw = new Draw("ann", number);
             double euler = DoubleStream.of(exercise.worked(draw).mistakes()).filter(slip -> exercise.mark(draw,
                     Double.toString(slip)).lines().get(0).contains("is the Euler method")).findFirst().orElseThrow();
@@ -154,7 +155,7 @@ class ClosedFormsTest {
     @Test
     void theChainsFastestMotionSetsTheStep() {
         for (int s = 0; s < STUDENTS; s++) {
-            NumericExercise exercise = (NumericExercise) Exercises.ALL.get(5);
+            NumericExercise exercise = numeric(6);
             Draw draw = new Draw("student " + s, 6);
             String text = exercise.text(draw);
             double answer = exercise.worked(draw).answer();

@@ -28,7 +28,12 @@ class ThousandStudentsTest {
     /** Of any class; 4 in exercises 2, 4 and 9 to 8 in 10 were measured. */
     private static final int MOST_SHARING = 10;
 
-    private static Stream<Integer> numeric() {
+    /** @return an exercise with a number as its answer */
+    static NumericExercise numeric(int number) {
+        return (NumericExercise) Exercises.ALL.get(number - 1);
+    }
+
+    private static Stream<Integer> all() {
         return IntStream.rangeClosed(1,
                 Exercises.ALL.size()).boxed().filter(n -> Exercises.ALL.get(n - 1) instanceof NumericExercise);
     }
@@ -43,7 +48,7 @@ class ThousandStudentsTest {
     }
 
     private static void hold(int number) {
-        NumericExercise exercise = (NumericExercise) Exercises.ALL.get(number - 1);
+        NumericExercise exercise = numeric(number);
         List<Worked> questions = new ArrayList<>();
         String text = exercise.text(new Draw("id-0", number));
         List<String> hints = hints(exercise, exercise.worked(new Draw("id-0", number)));
@@ -90,14 +95,14 @@ class ThousandStudentsTest {
     @Tag("slow")
     @TestFactory
     Stream<DynamicTest> aThousandStudents() {
-        return numeric().map(n -> DynamicTest.dynamicTest(n + ". " + Exercises.ALL.get(n - 1).title(), () ->
+        return all().map(n -> DynamicTest.dynamicTest(n + ". " + Exercises.ALL.get(n - 1).title(), () ->
                 hold(n)));
     }
 
     @Test
     void hintsNameDifferentMistakes() {
-        numeric().forEach(n -> {
-            NumericExercise exercise = (NumericExercise) Exercises.ALL.get(n - 1);
+        all().forEach(n -> {
+            NumericExercise exercise = numeric(n);
             List<String> hints = hints(exercise, exercise.worked(new Draw("a", n)));
             assertEquals(hints.size(), new HashSet<>(hints).size(), hints.toString());
             assertFalse(hints.toString().contains("This is not right yet."), hints.toString());
@@ -109,7 +114,7 @@ class ThousandStudentsTest {
     @Test
     void hintsGiveNoFormulaAway() {
         for (int n : new int[] {6, 7, 8}) {
-            NumericExercise exercise = (NumericExercise) Exercises.ALL.get(n - 1);
+            NumericExercise exercise = numeric(n);
             String hint = String.join(" ", exercise.mark(new Draw("a", n), "123456").lines());
             assertStarts(hint, "This is not right yet. ");
             assertFalse(hint.matches(".*[=^/*].*|.*(sqrt|omega).*"), hint);
