@@ -57,7 +57,7 @@ public final class Main {
     /** @param args a command and its options */
     public static void main(String[] args) {
         System.setProperty("java.awt.headless", "true");
-        new StudentLoader(exercises(), Main.class.getClassLoader()).install();
+        new StudentLoader(exercises()).install();
         StopRequest stop = new StopRequest();
         stop.listen();
         Program program = new Program(commands(stop), OptionStyle.current(),

@@ -97,7 +97,7 @@ class OwnEffectTest {
 
     @BeforeEach
     void findClasses() {
-        new StudentLoader(folder, before).install();
+        new StudentLoader(folder).install();
     }
 
     @AfterEach

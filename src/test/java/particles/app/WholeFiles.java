@@ -8,8 +8,6 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
@@ -19,6 +17,7 @@ import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.jcodec.common.io.ByteBufferSeekableByteChannel;
 import org.jcodec.containers.mp4.demuxer.MP4Demuxer;
+import particles.spec.Digest;
 import particles.spec.JsonText;
 
 /** Checks the result files of a run: each is complete, and folders have equal files. */
@@ -92,7 +91,8 @@ final class WholeFiles {
             if (file.toString().endsWith(".mp4")) {
                 blankDates(bytes);
             }
-            sums.put(folder.relativize(file).toString(), sha256(bytes));
+            sums.put(folder.relativize(file).toString(),
+                    Digest.of(new String(bytes, StandardCharsets.ISO_8859_1)));
         }
         return sums;
     }
@@ -103,14 +103,6 @@ final class WholeFiles {
         for (String box : List.of("mvhd", "tkhd", "mdhd")) {
             int at = text.lastIndexOf(box) + 8;
             Arrays.fill(film, at, at + 8, (byte) 0);
-        }
-    }
-
-    private static String sha256(byte[] bytes) {
-        try {
-            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
-        } catch (NoSuchAlgorithmException e) {
-            throw new AssertionError(e);
         }
     }
 }

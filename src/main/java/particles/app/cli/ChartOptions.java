@@ -10,16 +10,16 @@ public final class ChartOptions {
     private static final String SVG = "--svg";
     private static final String DARK = "--dark";
 
-    @Option(names = SLIDE, arity = "0..1", fallbackValue = "true", defaultValue = "false", paramLabel = "true|false",
+    @Option(names = SLIDE, arity = "0..1", paramLabel = "true|false",
             description = "Draws each chart as a slide: 16:9, large type, at most five curves; slides.pdf has all of"
             + " them (default: ${DEFAULT-VALUE}).")
     private boolean slide;
 
-    @Option(names = SVG, arity = "0..1", fallbackValue = "true", defaultValue = "false", paramLabel = "true|false",
+    @Option(names = SVG, arity = "0..1", paramLabel = "true|false",
             description = "Writes each chart as an SVG file, too (default: ${DEFAULT-VALUE}).")
     private boolean svg;
 
-    @Option(names = DARK, arity = "0..1", fallbackValue = "true", defaultValue = "false", paramLabel = "true|false",
+    @Option(names = DARK, arity = "0..1", paramLabel = "true|false",
             description = "Draws charts on black, for a dark room (default: ${DEFAULT-VALUE}).")
     private boolean dark;
 

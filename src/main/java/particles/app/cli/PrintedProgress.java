@@ -39,7 +39,6 @@ public final class PrintedProgress implements ProgressListener {
             double left = (now - begin) * NANO * (1 - part) / part;
             out.println((int) (100 * part) + " %" + (part < EARLY || left < SHORT ? "" : ", about "
                     + 5 * Math.round(left / 5) + " s left") + ": " + what);
-            out.flush();
             last = now;
         }
     }

@@ -22,8 +22,8 @@ import picocli.CommandLine.UnmatchedArgumentException;
  *
  * @param commands the commands; each can be executed only once, since it holds its options
  * @param style    the way in which options are written in messages
- * @param out      the output for results
- * @param err      the error stream
+ * @param out      the output for results, which each line reaches at once
+ * @param err      the error stream, likewise
  */
 public record Program(List<ProgramCommand> commands, OptionStyle style, PrintWriter out, PrintWriter err) {
     /** The program's version, written to run.json; equal to that in build.gradle. */
@@ -45,7 +45,6 @@ public record Program(List<ProgramCommand> commands, OptionStyle style, PrintWri
             err.println("some output could not be printed: the destination is full or closed");
             code = code == ExitCode.DONE ? ExitCode.TROUBLE : code;
         }
-        err.flush();
         return code;
     }
 
@@ -99,9 +98,7 @@ public record Program(List<ProgramCommand> commands, OptionStyle style, PrintWri
     private List<String> mistakes(List<Exception> errors) {
         List<String> lines = new ArrayList<>();
         for (Exception error : errors) {
-            if (!(error instanceof ParameterException e)) {
-                throw new IllegalStateException("the command line parser failed", error);
-            }
+            ParameterException e = (ParameterException) error;
             if (e instanceof UnmatchedArgumentException unmatched) {
                 unmatched.getUnmatched().forEach(found -> lines.add(unmatched(e.getCommandLine(), found)));
             } else {

@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.NoSuchElementException;
 import java.util.Set;
 import java.util.function.Supplier;
 import particles.spec.messages.InvalidInputException;
@@ -25,6 +26,21 @@ public abstract class ProgramCommand {
     /** @return the failure for a wrong option */
     protected final InvalidInputException wrong(String option, String why) {
         return new InvalidInputException("option " + style.option(option) + ": " + why);
+    }
+
+    /**
+     * Makes what an option names.
+     *
+     * @param option the option
+     * @param making throws an exception whose message says why there is none
+     * @return what it makes
+     */
+    protected final <T> T made(String option, Supplier<T> making) {
+        try {
+            return making.get();
+        } catch (NoSuchElementException | IllegalArgumentException e) {
+            throw wrong(option, e.getMessage());
+        }
     }
 
     /** @return the command's name, which is its task's */

@@ -4,7 +4,6 @@ import deSolvers.text.DidYouMean;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.NoSuchElementException;
 import particles.experiments.runs.SolverChoice;
 import picocli.CommandLine.Option;
 
@@ -46,11 +45,7 @@ public abstract class ResultsCommand extends ProgramCommand {
 
     /** @return the solvers that the option names */
     public final List<SolverChoice> solverChoices(String names) {
-        try {
-            return SolverChoice.list(names);
-        } catch (NoSuchElementException | IllegalArgumentException e) {
-            throw wrong("solvers", e.getMessage());
-        }
+        return made("solvers", () -> SolverChoice.list(names));
     }
 
     /**

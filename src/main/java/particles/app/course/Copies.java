@@ -12,7 +12,7 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import particles.app.student.SolverSkeleton;
-import particles.teaching.exercises.Draw;
+import particles.spec.Digest;
 
 /** Finds sources for a human to look at: those that are alike, and those that only call the project's solvers. */
 final class Copies {
@@ -47,7 +47,7 @@ final class Copies {
         sources.forEach((name, text) -> {
             String shape = shape(text);
             if (!skeletons.contains(shape)) {
-                classes.add(name + " " + Draw.digest(shape)
+                classes.add(name + " " + Digest.of(shape)
                         + (ours.matcher(COMMENT.matcher(text).replaceAll(" ")).find() ? " " + USES : ""));
             }
         });

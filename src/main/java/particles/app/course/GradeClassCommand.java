@@ -46,9 +46,9 @@ public final class GradeClassCommand extends ResultsCommand {
             description = "A CSV file with a header; each line has an id first, then names used in the hand-ins.")
     private Path students;
 
-    @Option(names = "--attempt", paramLabel = "WHICH", defaultValue = "last",
+    @Option(names = "--attempt", paramLabel = "WHICH",
             description = "Which of several hand-ins counts: last or best (default: last).")
-    private String attempt;
+    private String attempt = "last";
 
     @Mixin
     private final CourseOptions course = new CourseOptions();

@@ -27,6 +27,7 @@ import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;
 import particles.output.report.JUnitXml;
 import particles.output.report.ResultPage;
+import particles.spec.Digest;
 import particles.spec.messages.InvalidInputException;
 import particles.teaching.GuardedRun;
 import particles.teaching.GuardedRun.Outcome;
@@ -66,7 +67,7 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
      */
     static Supplier<Result> begin(String student, Submission handIn, Assignment assignment, List<String> numbers,
             Path results, Path copy) throws IOException {
-        String digest = Draw.digest(Program.VERSION + '\0' + assignment + '\0' + numbers + handIn.digest());
+        String digest = Digest.of(Program.VERSION + '\0' + assignment + '\0' + numbers + handIn.digest());
         Optional<Result> earlier = earlier(results.resolve(Result.FILE)).filter(result -> result.isDecided()
                 && result.digest().equals(digest) && result.student().equals(student));
         if (earlier.isPresent()) {

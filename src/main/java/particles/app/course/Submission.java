@@ -20,7 +20,7 @@ import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
-import particles.teaching.exercises.Draw;
+import particles.spec.Digest;
 
 /**
  * A hand-in as Moodle and GitHub Classroom download it: a folder or a zip, or a folder with a zip. It is copied before
@@ -93,8 +93,8 @@ record Submission(String name, Map<String, byte[]> files, Instant newest) {
     String digest() {
         Map<String, String> digests = new TreeMap<>();
         files.forEach((path, bytes) -> digests.put(path,
-                Draw.digest(new String(bytes, StandardCharsets.ISO_8859_1))));
-        return Draw.digest(digests.toString());
+                Digest.of(new String(bytes, StandardCharsets.ISO_8859_1))));
+        return Digest.of(digests.toString());
     }
 
     /** @return what was not read, in a line */

@@ -20,13 +20,13 @@ public final class EffectCostCommand extends ExperimentCommand {
     private static final int MOST_COLUMNS = 500;
     private static final int STEPS = 20;
 
-    @Option(names = "--columns", paramLabel = "NUMBER", defaultValue = "40",
+    @Option(names = "--columns", paramLabel = "NUMBER",
             description = "The number of columns and of rows of the cloth (default: ${DEFAULT-VALUE}).")
-    private int columns;
+    private int columns = 40;
 
-    @Option(names = "--rounds", paramLabel = "NUMBER", defaultValue = "40",
+    @Option(names = "--rounds", paramLabel = "NUMBER",
             description = "The number of rounds, each with 20 steps of every variant (default: ${DEFAULT-VALUE}).")
-    private int rounds;
+    private int rounds = 40;
 
     @Override
     protected void read(Mistakes mistakes) {

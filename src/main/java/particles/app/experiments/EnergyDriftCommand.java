@@ -20,7 +20,7 @@ public final class EnergyDriftCommand extends ExperimentCommand {
     @Mixin
     private final SceneOptions options = new SceneOptions();
 
-    @Option(names = "--equalWork", arity = "0..1", fallbackValue = "true", defaultValue = "false",
+    @Option(names = "--equalWork", arity = "0..1",
             paramLabel = "true|false",
             description =
             "Equal evaluations, as many as rk4 needs, instead of equal deltaT (default: ${DEFAULT-VALUE}).")

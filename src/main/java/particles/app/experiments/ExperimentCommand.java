@@ -30,7 +30,6 @@ public abstract class ExperimentCommand extends ResultsCommand {
     @Override
     public final void run(PrintWriter lines) {
         estimate().ifPresent(lines::println);
-        lines.flush();
         ResultPage page = writeInto(getFolder(), new PrintedProgress(lines, System::nanoTime));
         lines.println(page.title());
         lines.println();

@@ -4,7 +4,6 @@ import deSolvers.catalog.SolverCatalog;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.NoSuchElementException;
 import java.util.Optional;
 import particles.experiments.lecture.LectureFigures;
 import particles.experiments.lecture.LectureFigures.Figure;
@@ -51,18 +50,10 @@ public final class LectureFiguresCommand extends ExperimentCommand {
                 requireSolver("steps");
             });
         }
-        mistakes.check(this::checkSolver);
-        super.read(mistakes);
-    }
-
-    private void checkSolver() {
         if (solver != null) {
-            try {
-                SolverCatalog.create(solver);
-            } catch (NoSuchElementException | IllegalArgumentException e) {
-                throw wrong("solver", e.getMessage());
-            }
+            mistakes.check(() -> made("solver", () -> SolverCatalog.create(solver)));
         }
+        super.read(mistakes);
     }
 
     private void requireSolver(String option) {

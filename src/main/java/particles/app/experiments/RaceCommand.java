@@ -1,9 +1,6 @@
 package particles.app.experiments;
 
 import deSolvers.text.Digits;
-import java.math.BigDecimal;
-import java.math.MathContext;
-import java.math.RoundingMode;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleConsumer;
@@ -40,7 +37,7 @@ import picocli.CommandLine.Option;
 @Command(name = "race",
         description = "Runs solvers with equal work on a scene, side by side in one animation.")
 public final class RaceCommand extends ExperimentCommand {
-    private static final String SOLVERS = "euler,midpoint,rk4,symplectic-euler,verlet";
+    static final String SOLVERS = "euler,midpoint,rk4,symplectic-euler,verlet";
     /** Frames shown in a second. */
     private static final double PLAYBACK = 20;
     private static final int FEWEST_FRAMES = 40;
@@ -95,8 +92,7 @@ public final class RaceCommand extends ExperimentCommand {
         if (!(races > 1)) {
             return scene.duration();
         }
-        return new BigDecimal(scene.duration() / races).round(new MathContext(2, RoundingMode.DOWN))
-                .doubleValue();
+        return Double.parseDouble(Digits.roundedDown(scene.duration() / races, 2));
     }
 
     /** @return the evaluations of rk4 times the size of the state, in units of the most that a race has */

@@ -39,8 +39,6 @@ import picocli.CommandLine.Option;
         "Runs all experiments, of the course or of a scene, and writes one HTML page.")
 public final class ReportCommand extends ResultsCommand {
     static final String FILE = "report.html";
-    /** The solvers of a report on a scene; all would take long on large scenes. */
-    private static final String SOLVERS = "euler,midpoint,rk4,symplectic-euler,verlet";
     private static final String SCENE_OPTION = "--scene";
     /** Options that shorten experiments on a page of many: frames of a film, rounds of a measurement. */
     private static final Map<String, String> SHORTER = Map.of("--frames", "100", "--rounds", "15");
@@ -68,13 +66,13 @@ public final class ReportCommand extends ResultsCommand {
     private String scene;
 
     @Option(names = "--solvers", paramLabel = "NAMES", description =
-            "Their solvers, separated by commas, or all (default: with a scene " + SOLVERS + ").")
+            "Their solvers, separated by commas, or all (default: with a scene " + RaceCommand.SOLVERS + ").")
     private String solvers;
 
-    @Option(names = "--experiments", paramLabel = "NAMES", defaultValue = "all",
+    @Option(names = "--experiments", paramLabel = "NAMES",
             description = "Experiments, separated by commas (default: ${DEFAULT-VALUE}; with a scene, those"
             + " that look at it).")
-    private String names;
+    private String names = "all";
 
     private Supplier<Optional<SceneDescription>> about;
     private Supplier<List<SolverChoice>> choices;
@@ -108,7 +106,6 @@ public final class ReportCommand extends ResultsCommand {
             int minutes = (int) (chosen.stream().mapToDouble(cost).sum() / 60) + 1;
             lines.println("about " + minutes + (minutes == 1 ? " minute; " : " minutes; ")
                     + getStyle().option("experiments") + " with fewer names takes less");
-            lines.flush();
         }
         chosen.forEach(this::prepare);
         PrintedProgress progress = new PrintedProgress(lines, System::nanoTime);
@@ -140,8 +137,9 @@ public final class ReportCommand extends ResultsCommand {
         return Optional.ofNullable(scene).map(SceneOptions::read);
     }
 
+    /** All solvers would take long on large scenes. */
     private String solvers() {
-        return solvers != null ? solvers : SOLVERS;
+        return solvers != null ? solvers : RaceCommand.SOLVERS;
     }
 
     private List<ExperimentCommand> readNames() {

@@ -85,7 +85,7 @@ public final class StabilityCommand extends ExperimentCommand {
     }
 
     private ResultPage limits(ProgressListener progress) {
-        DataTable limits = StabilityLimit.table((part, what) -> progress.reached(part / 2, what));
+        DataTable limits = StabilityLimit.table(progress.part(0, 0.5));
         return new ResultPage(name(), StabilityLimit.finding(), List.of(
                 """
                         Every number was measured on the solver's code, by bisection on the test equation y' = \
@@ -102,24 +102,25 @@ public final class StabilityCommand extends ExperimentCommand {
                         the eigenvalues lambda and its conjugate, on the real axis the critically damped one. verlet \
                         and yoshida4 refuse a step whose last kick they cannot solve; that counts as unstable, and \
                         with strong damping it is their limit."""),
-                List.of(new Region("slides",
+                progress.part(0.5, 0.9).each(List.of(
+                        new Region("slides",
                                 """
                                 The slides' solvers and adams; stable in the shaded region. Of the imaginary axis, \
                                 only 0 belongs to the regions of euler, midpoint and adams; the outline of adams runs \
                                 so close beside the axis, up to 0.9, that the picture cannot show it: at 0.8 a step \
                                 still grows by 0.7 %.""",
-                                List.of("euler", "midpoint", "rk4", "adams"), new Window(-3.5, 1, -3.5, 3.5, 0.05), 4.7)
-                                        .draw(progress, 0.5),
+                                List.of("euler", "midpoint", "rk4", "adams"), new Window(-3.5, 1, -3.5, 3.5, 0.05),
+                                4.7),
                         new Region("adaptive",
                                 "One sub-step. Longer steps are divided, so these"
                                         + " outlines show the cost of a stiff system.",
                                 List.of("step-doubling", "dormand-prince", "bulirsch-stoer"),
-                                new Window(-8, 2.5, -6.5, 6.5, 0.08), 8.5).draw(progress, 0.6),
+                                new Window(-8, 2.5, -6.5, 6.5, 0.08), 8.5),
                         new Region("symplectic",
                                 "A damped spring. Without damping, on the imaginary axis, the limit is 2 (1.57 for"
                                         + " yoshida4); damping lowers it.",
                                 List.of("symplectic-euler", "verlet", "yoshida4"),
-                                new Window(-2.5, 1, -2.5, 2.5, 0.04), 3).draw(progress, 0.7),
+                                new Window(-2.5, 1, -2.5, 2.5, 0.04), 3),
                         new Region("implicit",
                                 """
                                         Stable in the shaded region: left of the outline of implicit-midpoint, the \
@@ -127,7 +128,8 @@ public final class StabilityCommand extends ExperimentCommand {
                                         outside the others, which also damp growth, if it is fast. Beyond the frame \
                                         the regions go on.""",
                                 List.of("backward-euler", "implicit-midpoint", "radau"),
-                                new Window(-3, 13, -8, 8, 0.15), 3).draw(progress, 0.85)),
+                                new Window(-3, 13, -8, 8, 0.15), 3)),
+                        region -> "regions of " + String.join(", ", region.solvers()), Region::draw),
                 List.of(limits));
     }
 
@@ -209,8 +211,7 @@ public final class StabilityCommand extends ExperimentCommand {
      * plane reaches to the left on a slide, which is wide and shows its upper half.
      */
     private record Region(String name, String caption, List<String> solvers, Window window, double left) {
-        Picture draw(ProgressListener progress, double done) {
-            progress.reached(done, "regions of " + String.join(", ", solvers));
+        Picture draw() {
             Window wide = new Window(-left, window.right(), 0, window.top(), window.cell());
             String file = "region-" + name;
             List<Panel> panels = solvers.stream().map(solver -> Panel.map(StabilityRegion.filled(solver, window)))

@@ -19,13 +19,13 @@ import picocli.CommandLine.Option;
 @Command(name = "stiffGallery",
         description = "Measures what each solver costs as a spring gets stiffer.")
 public final class StiffGalleryCommand extends ExperimentCommand {
-    @Option(names = "--solvers", paramLabel = "NAMES", defaultValue = "all",
+    @Option(names = "--solvers", paramLabel = "NAMES",
             description = "Solvers, separated by commas (default: ${DEFAULT-VALUE}).")
-    private String solvers;
+    private String solvers = "all";
 
-    @Option(names = "--decades", paramLabel = "NUMBER", defaultValue = "8",
+    @Option(names = "--decades", paramLabel = "NUMBER",
             description = "Decades of stiffness above 1 N/m, 5 to 8 (default: ${DEFAULT-VALUE}).")
-    private int decades;
+    private int decades = 8;
 
     private List<SolverChoice> choices;
 

@@ -33,14 +33,14 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
             "stiff-chain", 14, "cloth", 18);
     private static final String FAILURES = " Below: the runs without a result.";
 
-    @Option(names = "--problem", paramLabel = "NAMES", defaultValue = "all",
+    @Option(names = "--problem", paramLabel = "NAMES",
             description = "Problems, separated by commas:"
             + " oscillator, pendulum, kepler, network, stiff-chain, cloth (default: ${DEFAULT-VALUE}).")
-    private String problem;
+    private String problem = "all";
 
-    @Option(names = "--solvers", paramLabel = "NAMES", defaultValue = "all",
+    @Option(names = "--solvers", paramLabel = "NAMES",
             description = "Solvers, separated by commas (default: ${DEFAULT-VALUE}).")
-    private String solvers;
+    private String solvers = "all";
 
     private List<SolverChoice> choices;
     private List<String> names;

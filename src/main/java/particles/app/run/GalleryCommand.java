@@ -90,10 +90,7 @@ public final class GalleryCommand extends ProgramCommand {
                 scenes.add(into -> {
                     String name = SceneName.of(file).whole();
                     draw(file, into.resolve(name + ".png"));
-                    return () -> {
-                        out.println(name);
-                        out.flush();
-                    };
+                    return () -> out.println(name);
                 });
             }
         }

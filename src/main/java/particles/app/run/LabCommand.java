@@ -9,7 +9,6 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.NoSuchElementException;
 import java.util.Set;
 import java.util.TreeSet;
 import particles.app.cli.ProgramCommand;
@@ -58,19 +57,17 @@ public final class LabCommand extends ProgramCommand {
         if (scenes.stream().noneMatch(file -> file.toAbsolutePath().equals(first.toAbsolutePath()))) {
             scenes.add(first);
         }
-        Set<String> solvers = new TreeSet<>();
-        if (!solver.isEmpty() && isClass(solver)) {
-            solvers.add(solver);
-        }
+        Set<String> solvers = new TreeSet<>(List.of(solver));
         Set<String> effects = new TreeSet<>();
         for (Path file : scenes) {
             SceneDescription description = SceneReader.read(file, new StudentClasses());
-            if (isClass(description.solver())) {
-                solvers.add(description.solver());
-            }
+            solvers.add(description.solver());
             description.values().get(SceneFormat.EFFECTS).stream().map(effect -> effect.kind().getName())
                     .filter(name -> name.contains(".")).forEach(effects::add);
         }
+        solvers.remove("");
+        solvers.removeAll(SolverCatalog.names());
+        solvers.forEach(name -> made("solver", () -> SolverCatalog.create(name)));
         LabBuilder builder = builder();
         Path own = Files.createTempDirectory("lab");
         try {
@@ -101,15 +98,6 @@ public final class LabCommand extends ProgramCommand {
             }
         }
         return pictures;
-    }
-
-    private boolean isClass(String name) {
-        try {
-            SolverCatalog.create(name);
-            return !SolverCatalog.names().contains(name);
-        } catch (NoSuchElementException | IllegalArgumentException e) {
-            throw wrong("solver", e.getMessage());
-        }
     }
 
     private static LabBuilder builder() {

@@ -6,6 +6,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import particles.app.cli.ProgramCommand;
 import particles.app.student.StudentClasses;
 import particles.scene.SceneFiles;
@@ -56,8 +57,7 @@ public final class ListCommands {
 
         private static void print(Path file, SceneDescription scene, PrintWriter out) {
             SceneName name = SceneName.of(file);
-            String space = " ".repeat(Math.max(1, INDENT.length() - name.number().length()));
-            out.println(name.number() + space + name.bare() + ": " + scene.title() + " (" + scene.solver() + ")");
+            out.printf("%-3s %s: %s (%s)%n", name.number(), name.bare(), scene.title(), scene.solver());
             out.print(scene.values().get(SceneFormat.TEACHES).strip().replaceAll("\\s+", " ")
                     .replaceAll(LINE, INDENT + "$1" + System.lineSeparator()));
         }
@@ -71,8 +71,8 @@ public final class ListCommands {
             List<SolverInfo> all = SolverCatalog.all();
             int widest = all.stream().mapToInt(solver -> solver.name().length()).max().orElse(0);
             for (SolverInfo solver : all) {
-                out.println(solver.name() + " ".repeat(widest - solver.name().length()) + "  order " + solver.order()
-                        + "  " + solver.sentence());
+                out.printf(Locale.ROOT, "%-" + widest + "s  order %d  %s%n", solver.name(), solver.order(),
+                        solver.sentence());
             }
         }
     }

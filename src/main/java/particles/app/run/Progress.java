@@ -2,7 +2,6 @@ package particles.app.run;
 
 import deSolvers.text.Digits;
 import java.io.PrintWriter;
-import java.util.Locale;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
@@ -91,7 +90,7 @@ final class Progress implements Observer, AutoCloseable {
         }
         if (seconds - lastTime >= PAUSE && part < 1 && (part - lastPart >= NEWS || seconds - lastTime >= LONG_PAUSE)) {
             double left = Math.ceil(pace * (1 - part));
-            print("t = " + Digits.few(motion.getEndTime()) + " s of " + Digits.few(scene.duration()) + " s, "
+            out.println("t = " + Digits.few(motion.getEndTime()) + " s of " + Digits.few(scene.duration()) + " s, "
                     + (int) (100 * part) + " %, about " + Digits.few(left) + " s to go");
             lastTime = seconds;
             lastPart = part;
@@ -116,9 +115,9 @@ final class Progress implements Observer, AutoCloseable {
         double pictures = frames.drawn() ? Math.ceil(scene.duration() * frames.rate()) : 0;
         double seconds = likeNow * Math.max(1, growth);
         if (seconds >= LONG) {
-            print(reason + "this takes about " + time(seconds) + ": " + Digits.few(steps) + " steps of "
-                    + (growth > 1 ? "up to " : "") + String.format(Locale.ROOT, "%.0f particle%s", particles,
-                    particles == 1 ? "" : "s") + (pictures > 0 ? " and " + Digits.few(pictures) + " pictures" : ""));
+            out.println(reason + "this takes about " + time(seconds) + ": " + Digits.few(steps) + " steps of "
+                    + (growth > 1 ? "up to " : "") + Summary.counted((long) particles, "particle")
+                    + (pictures > 0 ? " and " + Digits.few(pictures) + " pictures" : ""));
         }
     }
 
@@ -130,10 +129,5 @@ final class Progress implements Observer, AutoCloseable {
 
     private static String in(double seconds, double unit, String name) {
         return Digits.few(Math.ceil(seconds / unit)) + name;
-    }
-
-    private void print(String line) {
-        out.println(line);
-        out.flush();
     }
 }

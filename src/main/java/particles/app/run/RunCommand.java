@@ -4,9 +4,6 @@ import deSolvers.text.Digits;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
@@ -31,6 +28,7 @@ import particles.scene.SceneReader;
 import particles.scene.format.OutputDescription;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
+import particles.spec.Digest;
 import particles.spec.messages.InvalidInputException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -43,9 +41,9 @@ import picocli.CommandLine.Option;
 @Command(name = "run",
         description = "Runs a scene: pictures, an animation, energy and phase-space plots, the trajectory.")
 public final class RunCommand extends ResultsCommand {
-    @Option(names = "--scene", paramLabel = "NAME", defaultValue = SceneFiles.DEFAULT,
+    @Option(names = "--scene", paramLabel = "NAME",
             description = "The scene: a file, or the name or number of one in scenes (default: ${DEFAULT-VALUE}).")
-    private String wanted;
+    private String wanted = SceneFiles.DEFAULT;
 
     @Option(names = "--solver", paramLabel = "NAME", description = "A solver other than the scene's.")
     private String solver;
@@ -73,7 +71,7 @@ public final class RunCommand extends ResultsCommand {
             description = "The size of frames, animation and film (pixels), such as 1920x1080.")
     private String size;
 
-    @Option(names = "--replay", arity = "0..1", fallbackValue = "true", defaultValue = "false",
+    @Option(names = "--replay", arity = "0..1",
             paramLabel = "true|false",
             description = "Whether to write replay.html, the run in the lab's page (default: false).")
     private boolean replay;
@@ -85,7 +83,6 @@ public final class RunCommand extends ResultsCommand {
     private final StopRequest stop;
     private String name = "";
     private String text = "";
-    private String hash = "";
     private SceneDescription description;
 
     /**
@@ -126,21 +123,12 @@ public final class RunCommand extends ResultsCommand {
         byte[] bytes = SceneReader.bytes(file);
         name = SceneName.of(file).whole();
         text = new String(bytes, StandardCharsets.UTF_8);
-        hash = sha256(bytes);
         SceneDescription scene = overrides.applyTo(
                 SceneReader.read(SceneReader.nameOf(file), bytes, new StudentClasses()));
         OutputDescription output = scene.output();
         boolean film = video != null ? video.equals(OutputDescription.MP4) : output.frames().film();
         description = scene.withOutput(frames ? sized(output.with(true, film)) : output.with(false, false));
         RunLimits.checkPictures(description, getStyle().option("frames"));
-    }
-
-    private static String sha256(byte[] bytes) {
-        try {
-            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
-        } catch (NoSuchAlgorithmException e) {
-            throw new AssertionError("every Java has SHA-256", e);
-        }
     }
 
     private OutputDescription sized(OutputDescription output) {
@@ -174,7 +162,7 @@ public final class RunCommand extends ResultsCommand {
         Scene scene = SceneBuilder.build(description);
         List<String> files = RunObservers.files(description.output(), charts.format(), replay);
         try (OutputFolder folder = OutputFolder.open(getFolder(), files.toArray(String[]::new))) {
-            stop.addLastResort(folder::close);
+            stop.setLastResort(folder::close);
             Progress progress = new Progress(out, description, System::nanoTime);
             RunObservers observers = new RunObservers(scene, folder, replay);
             Optional<String> early;
@@ -182,7 +170,7 @@ public final class RunCommand extends ResultsCommand {
                 observers.attach(progress, stop);
                 early = simulate(scene, folder, observers);
             }
-            Summary summary = new Summary(name, hash, scene, observers.getEnergy(), progress.seconds());
+            Summary summary = new Summary(name, Digest.of(text), scene, observers.getEnergy(), progress.seconds());
             folder.write(Summary.FILE, summary.json());
             observers.drawCharts(charts.format());
             observers.writeReplay(name, text, early.orElse("")).ifPresent(out::println);

@@ -76,7 +76,7 @@ final class RunFindings {
         double higher = growth(path.y());
         boolean known = path.x().length >= FEW_STATES && Double.isFinite(wider) && Double.isFinite(higher);
         String begin = "the second half of the path is ";
-        return !known ? "a path of " + path.x().length + (path.x().length == 1 ? " state" : " states")
+        return !known ? "a path of " + Summary.counted(path.x().length, "state")
                 : wider == 0 && higher == 0 ? "the particle is at rest in the second half of the path"
                 : Math.abs(wider - 1) <= EQUAL && Math.abs(higher - 1) <= EQUAL ? begin + "as large as the first"
                 : Math.abs(wider / higher - 1) <= EQUAL ? begin + times(wider) + " as large as the first"

@@ -1,7 +1,5 @@
 package particles.app.run;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -18,7 +16,7 @@ public final class StopRequest implements Observer {
     private static final long PATIENCE_SECONDS = 10;
 
     private final CountDownLatch ended = new CountDownLatch(1);
-    private final List<Runnable> lastResorts = new ArrayList<>();
+    private volatile Runnable lastResort = () -> { };
     private volatile boolean wanted;
 
     /** Installs the signal handler, once a process. */
@@ -45,8 +43,8 @@ public final class StopRequest implements Observer {
     }
 
     /** @param action called by another thread if the program has not ended in time */
-    synchronized void addLastResort(Runnable action) {
-        lastResorts.add(action);
+    void setLastResort(Runnable action) {
+        lastResort = action;
     }
 
     /**
@@ -73,8 +71,6 @@ public final class StopRequest implements Observer {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
-        synchronized (this) {
-            lastResorts.forEach(Runnable::run);
-        }
+        lastResort.run();
     }
 }

@@ -153,7 +153,8 @@ record Summary(String name, String hash, Scene scene, EnergyRecorder recorder, d
                 : joules(books().getLargestNumericalError()) + ", " + Digits.few(error) + " times";
     }
 
-    private static String counted(long count, String thing) {
+    /** @return a number of things, in words */
+    static String counted(long count, String thing) {
         return count + " " + thing + (count == 1 ? "" : "s");
     }
 

@@ -33,9 +33,9 @@ public final class CheckSolverCommand extends CheckCommand {
             description = "A solver's name, or the class of your own.")
     private String solver;
 
-    @Option(names = "--method", paramLabel = "NAME", defaultValue = AskedMethods.ANY,
+    @Option(names = "--method", paramLabel = "NAME",
             description = "The method that it has to be, such as heun (default: the one that its name promises).")
-    private String method;
+    private String method = AskedMethods.ANY;
 
     @Mixin
     private final ChartOptions charts = new ChartOptions();

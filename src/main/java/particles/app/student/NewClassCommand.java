@@ -72,10 +72,9 @@ public abstract class NewClassCommand extends ProgramCommand {
     /** {@code gradle newSolver}: writes the skeleton of a solver. */
     @Command(name = "newSolver", description = "Writes the skeleton of a solver of your own.")
     public static final class NewSolver extends NewClassCommand {
-        @Option(names = "--from", paramLabel = "CLASS", defaultValue = SolverSkeleton.SLIDES_WAY,
-                description = "What it extends: DESolver, as on the slides, or"
-                        + " FixedStepSolver, which has helpers for formulas.")
-        private String from;
+        @Option(names = "--from", paramLabel = "CLASS", description = "What it extends: DESolver, as on the slides, or"
+                + " FixedStepSolver, which has helpers for formulas.")
+        private String from = SolverSkeleton.SLIDES_WAY;
 
         @Option(names = "--example", paramLabel = "METHOD",
                 description = "Writes a whole small solver to compare with: euler, heun or midpoint.")
@@ -109,8 +108,8 @@ public abstract class NewClassCommand extends ProgramCommand {
     /** {@code gradle newEffect}: writes the skeleton of a force law. */
     @Command(name = "newEffect", description = "Writes the skeleton of a force law of your own.")
     public static final class NewEffect extends NewClassCommand {
-        @Option(names = "--conservative", paramLabel = "true|false", arity = "0..1", fallbackValue = "true",
-                defaultValue = "false", description = "Whether it has a potential energy.")
+        @Option(names = "--conservative", paramLabel = "true|false", arity = "0..1",
+                description = "Whether it has a potential energy.")
         private boolean conservative;
 
         /** Creates the command; see {@link NewClassCommand}. */

@@ -40,20 +40,14 @@ public final class StudentLoader extends ClassLoader {
     private final Supplier<Map<String, String>> sources;
     private final Map<String, ByteArrayOutputStream> compiled = new HashMap<>();
 
-    /**
-     * @param folder the folder of the classes of the package exercises
-     * @param parent the loader of all other classes
-     */
-    public StudentLoader(Path folder, ClassLoader parent) {
-        this(() -> sources(folder), parent);
+    /** @param folder the folder of the classes of the package exercises */
+    public StudentLoader(Path folder) {
+        this(() -> sources(folder));
     }
 
-    /**
-     * @param sources the text of each class, by the simple name of the class
-     * @param parent  the loader of all other classes
-     */
-    StudentLoader(Supplier<Map<String, String>> sources, ClassLoader parent) {
-        super(parent);
+    /** @param sources the text of each class, by the simple name of the class */
+    StudentLoader(Supplier<Map<String, String>> sources) {
+        super(StudentLoader.class.getClassLoader());
         this.sources = sources;
     }
 

@@ -23,7 +23,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
-import particles.teaching.exercises.Draw;
+import particles.spec.Digest;
 
 /** Runs code that calls a student's class in a child process, so that the class cannot stop the program. */
 public final class StudentProcess {
@@ -60,8 +60,8 @@ public final class StudentProcess {
     record Secret(String key) {
         /** @return the text with a signature that only a holder of the secret can make, on a line before it */
         private byte[] signed(String text) {
-            String inner = Draw.digest(key + text);
-            String signature = Draw.digest(key + inner);        // twice, as in HMAC: none can be extended
+            String inner = Digest.of(key + text);
+            String signature = Digest.of(key + inner);        // twice, as in HMAC: none can be extended
             return (signature + "\n" + text).getBytes(StandardCharsets.UTF_8);
         }
 
@@ -130,7 +130,7 @@ public final class StudentProcess {
         for (int i = CLASSES; i < input.size(); i += 2) {
             sources.put(input.get(i), input.get(i + 1));
         }
-        new StudentLoader(() -> sources, StudentProcess.class.getClassLoader()).install();
+        new StudentLoader(() -> sources).install();
         new CheckRun(Check.of(input.subList(2, CLASSES)), Path.of(input.get(1)),
                 (code, report) -> end(Path.of(args[0]), secret, code, report)).run();
     }
@@ -160,17 +160,12 @@ public final class StudentProcess {
      * can crash the process, as it can with Unsafe.
      */
     private static ProcessBuilder builder(Path verdict) {
-        List<String> line = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+        return new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-Xmx" + MEGABYTES + "m", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC",
                 "-XX:+IgnoreUnrecognizedVMOptions", "-XX:+UnlockDiagnosticVMOptions",
-                "-XX:-BytecodeVerificationRemote", "-Djava.awt.headless=true", "-cp",
-                System.getProperty("java.class.path")));
-        String startedBy = System.getProperty(OptionStyle.STARTED_BY);
-        if (startedBy != null) {                        // null where it was not set
-            line.add("-D" + OptionStyle.STARTED_BY + "=" + startedBy);
-        }
-        line.addAll(List.of(StudentProcess.class.getName(), verdict.toString()));
-        return new ProcessBuilder(line);
+                "-XX:-BytecodeVerificationRemote", "-Djava.awt.headless=true",
+                "-D" + OptionStyle.STARTED_BY + "=" + System.getProperty(OptionStyle.STARTED_BY, ""), "-cp",
+                System.getProperty("java.class.path"), StudentProcess.class.getName(), verdict.toString());
     }
 
     /** @return the outcome of a process that did not end by itself */

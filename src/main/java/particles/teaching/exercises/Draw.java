@@ -2,12 +2,9 @@ package particles.teaching.exercises;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
-import java.nio.charset.StandardCharsets;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
 import java.util.Locale;
 import particles.law.SeededRandom;
+import particles.spec.Digest;
 
 /**
  * A student's numbers in one exercise. They are the same on every machine and at every call, because they are derived
@@ -57,18 +54,8 @@ public record Draw(String student, int exercise) {
 
     /** @return the sequence, from its beginning */
     public Picks picks() {
-        String digest = digest("exercise " + exercise + " of " + student);
+        String digest = Digest.of("exercise " + exercise + " of " + student);
         return new Picks(new SeededRandom(Long.parseUnsignedLong(digest, 0, 16, 16)));
-    }
-
-    /** @return the SHA-256 of a text, in hexadecimal: a short text that no other text has */
-    public static String digest(String text) {
-        try {
-            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(
-                    text.getBytes(StandardCharsets.UTF_8)));
-        } catch (NoSuchAlgorithmException e) {
-            throw new AssertionError("every Java has SHA-256", e);
-        }
     }
 
     /** @return a drawn number as people write it */

@@ -27,7 +27,7 @@ class StudentLoaderTest {
                     + namesAndBodies[k] + " {\n"
                     + namesAndBodies[k + 1] + "\n}\n");
         }
-        return new StudentLoader(classes, getClass().getClassLoader());
+        return new StudentLoader(classes);
     }
 
     private static void assertFails(String message, StudentLoader loader, String name) {
@@ -61,7 +61,7 @@ class StudentLoaderTest {
         Map<String, String> sources = Map.of(name, "package exercises; class " + name + " {" + body + "}", "Mine", """
                 package exercises; import deSolvers.EulerSolver;
                 public class Mine { public static int of() { %s } }""".formatted(use));
-        Class<?> mine = new StudentLoader(() -> sources, getClass().getClassLoader()).loadClass("exercises.Mine");
+        Class<?> mine = new StudentLoader(() -> sources).loadClass("exercises.Mine");
         assertEquals(2, mine.getMethod("of").invoke(null));
     }
 
