@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.Collectors;
 import particles.ParticleSystem;
+import particles.StridedRecorder;
 import particles.law.Effect;
 import particles.law.Effect.Trait;
 import particles.law.Particles;
@@ -102,7 +103,7 @@ public final class EnergyHistory extends StridedRecorder {
     }
 
     @Override
-    void record(ParticleSystem system, double[] state, double time) {
+    protected void record(ParticleSystem system, double[] state, double time) {
         double motion = system.getKineticEnergy(state);
         double sum = 0;
         internal = motion;

@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import particles.Motion;
 import particles.ParticleSystem;
 import particles.Rule;
+import particles.StridedRecorder;
 import particles.law.Effect;
 import particles.law.Effect.Trait;
 import particles.law.Particles;

@@ -27,7 +27,7 @@ public final class EnergyLedgerRecorder extends EnergyLedger {
     }
 
     @Override
-    void record(ParticleSystem system, double[] state, double time) {
+    protected void record(ParticleSystem system, double[] state, double time) {
         error.add(time, getNumericalError());
         getWork().forEach((name, joules) -> work.computeIfAbsent(name, unknown -> began()).add(time, joules));
     }

@@ -7,10 +7,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
-import particles.Motion;
-import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
+import particles.StridedRecorder;
 import particles.law.Particles;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
@@ -23,7 +22,7 @@ import particles.view.ChartData.Series;
  * every 2nd, 4th, ... state, and then drawn as points, since lines between distant states would show a motion that did
  * not happen.
  */
-public final class PhaseHistory implements Observer {
+public final class PhaseHistory extends StridedRecorder {
     private static final int CAPACITY = 1 << 15;
     /** A path of at most this number of states shows each of them. */
     private static final int FEW = 150;
@@ -55,19 +54,9 @@ public final class PhaseHistory implements Observer {
     }
 
     @Override
-    public void started(ParticleSystem system) {
-        add(system, system.getOwnState());
-    }
-
-    @Override
-    public void moved(Motion motion) {
-        add(motion.getSystem(), motion.getEndState());
-    }
-
-    @Override
     public void changed(ParticleSystem system, Rule rule) {
         int size = path.size();
-        add(system, system.getOwnState());
+        super.changed(system, rule);
         if (size > 0 && path.size() > size && !Arrays.equals(path.get(size), 0, Particles.STRIDE,
                 path.get(size - 1), 0, Particles.STRIDE)) {
             path.get(size)[COLUMNS - 1] = 1;
@@ -75,7 +64,8 @@ public final class PhaseHistory implements Observer {
     }
 
     /** Adds a state. Births and deaths may move the particle to another index; when it is removed, its path ends. */
-    private void add(ParticleSystem system, double[] state) {
+    @Override
+    protected void record(ParticleSystem system, double[] state, double time) {
         Particles particles = system.getParticles();
         index = find(particles, id, index);
         pivot = about.isPresent() ? find(particles, about.get(), pivot) : index;

@@ -5,35 +5,19 @@ import java.util.List;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import particles.Motion;
-import particles.Observer;
 import particles.ParticleSystem;
-import particles.Rule;
+import particles.StridedRecorder;
 import particles.law.Particles;
 import particles.law.Vector3;
 
 /**
  * The box in which a run takes place: from the lowest to the highest coordinates that any particle had after any step.
  */
-public final class Extent implements Observer {
+public final class Extent extends StridedRecorder {
     private final List<DoubleSummaryStatistics> axes = Stream.generate(DoubleSummaryStatistics::new).limit(3).toList();
 
     @Override
-    public void started(ParticleSystem system) {
-        include(system, system.getOwnState());
-    }
-
-    @Override
-    public void moved(Motion motion) {
-        include(motion.getSystem(), motion.getEndState());
-    }
-
-    @Override
-    public void changed(ParticleSystem system, Rule rule) {
-        include(system, system.getOwnState());
-    }
-
-    private void include(ParticleSystem system, double[] state) {
+    protected void record(ParticleSystem system, double[] state, double time) {
         for (int i = 0, x = 0; i < system.getParticles().count(); i++, x += Particles.STRIDE) {
             for (int c = 0; c < 3; c++) {
                 axes.get(c).accept(state[x + c]);

@@ -3,10 +3,9 @@ package particles.output.frames;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
-import particles.Motion;
-import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
+import particles.StridedRecorder;
 import particles.law.Particles;
 import particles.law.Vector3;
 import particles.output.raster.CameraProjection;
@@ -16,7 +15,7 @@ import particles.view.Camera;
  * Keeps the last steps of a run, so that a blow-up can be shown one step at a time: it often takes fewer steps than
  * there are between two frames. Nothing is kept once all moving particles have left the picture.
  */
-public final class LastSteps implements Observer {
+public final class LastSteps extends StridedRecorder {
     /** More steps than this would take too long to watch, one at a time. */
     private static final int MOST_STEPS = 12;
     /** All kept states together have at most this many numbers, 8 MB; of a system too large for two, none is kept. */
@@ -44,16 +43,6 @@ public final class LastSteps implements Observer {
         view = new CameraProjection(camera, width, height);
     }
 
-    @Override
-    public void started(ParticleSystem system) {
-        keep(system, system.getTime(), system.getOwnState());
-    }
-
-    @Override
-    public void moved(Motion motion) {
-        keep(motion.getSystem(), motion.getEndTime(), motion.getEndState());
-    }
-
     /**
      * Replaces the last state. The one before the rule needs no picture of its own, and one of other particles cannot
      * be drawn.
@@ -63,10 +52,11 @@ public final class LastSteps implements Observer {
         if (!steps.isEmpty() && !gone) {
             steps.removeLast();
         }
-        keep(system, system.getTime(), system.getOwnState());
+        super.changed(system, rule);
     }
 
-    private void keep(ParticleSystem system, double time, double[] state) {
+    @Override
+    protected void record(ParticleSystem system, double[] state, double time) {
         int numbers = system.getStateSize();            // the system's own array may be longer
         int most = Math.min(MOST_STEPS, MOST_NUMBERS / Math.max(1, numbers));
         if (most < 2) {

@@ -1,18 +1,20 @@
-package particles.energy;
-
-import particles.Motion;
-import particles.Observer;
-import particles.ParticleSystem;
-import particles.Rule;
+package particles;
 
 /**
- * Base class of observers that record every n-th step of a run, the changes by rules after it, and the run's end.
+ * Base class of observers that record states: the first one, that after every n-th step, after the changes by rules at
+ * its end, and the last one.
  */
-abstract class StridedRecorder implements Observer {
+public abstract class StridedRecorder implements Observer {
     private final long stride;
     private long step;
 
-    StridedRecorder(long stride) {
+    /** Creates a recorder of every step. */
+    protected StridedRecorder() {
+        this(1);
+    }
+
+    /** @param stride the number of steps from one record to the next, 1 or more */
+    protected StridedRecorder(long stride) {
         if (stride < 1) {
             throw new IllegalArgumentException("the stride has to be 1 or more, not " + stride);
         }
@@ -20,7 +22,7 @@ abstract class StridedRecorder implements Observer {
     }
 
     /** Records a state; by default nothing. */
-    void record(ParticleSystem system, double[] state, double time) {
+    protected void record(ParticleSystem system, double[] state, double time) {
     }
 
     @Override
