@@ -6,8 +6,8 @@ import particles.output.painters.FrameState.FrameStructure;
 import particles.output.raster.Backdrop.Foreground;
 import particles.output.raster.CameraProjection;
 import particles.output.raster.CameraProjection.Place;
+import particles.output.raster.Capsule;
 import particles.output.raster.Colours;
-import particles.output.raster.Raster;
 
 /**
  * Draws particles as spots of light, whose colour and brightness depend on their age relative to their lifetime. Added
@@ -80,26 +80,18 @@ public final class GlowPainter {
      * @param brightness the brightness of its centre; 1 turns black into most of the colour
      */
     private void add(Place at, double radius, int rgb, double brightness, Foreground foreground) {
-        int x0 = Raster.first(at.x() - radius, 0);
-        int x1 = Raster.last(at.x() + radius, view.width - 1);
-        int y1 = Raster.last(at.y() + radius, view.height - 1);
         float[] colour = new float[3];
         for (int c = 0; c < 3; c++) {
             colour[c] = (float) (brightness * (rgb >> SHIFTS[c] & 255) / 255);
         }
-        for (int y = Raster.first(at.y() - radius, 0); y <= y1; y++) {
-            double dy = (y + 0.5 - at.y()) / radius;
-            for (int x = x0; x <= x1; x++) {
-                double dx = (x + 0.5 - at.x()) / radius;
-                double rest = 1 - dx * dx - dy * dy;
-                if (rest > 0 && foreground.shows(at.near(), x, y)) {
-                    float share = (float) (rest * rest);
-                    for (int c = 0; c < 3; c++) {
-                        light[3 * (y * view.width + x) + c] += share * colour[c];
-                    }
-                }
+        new Capsule(at, at, radius).draw(view.width, view.height, (x, y, along, dx, dy) -> {
+            double rest = 1 - dx / radius * (dx / radius) - dy / radius * (dy / radius);
+            boolean seen = foreground.shows(at.near(), x, y);
+            for (int c = 0; seen && c < 3; c++) {
+                light[3 * (y * view.width + x) + c] += (float) (rest * rest) * colour[c];
             }
-        }
+            return seen;
+        });
     }
 
     private int brighter(int channel, float amount) {
