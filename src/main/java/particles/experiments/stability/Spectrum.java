@@ -11,7 +11,6 @@ import org.ejml.dense.row.NormOps_DDRM;
 import org.hipparchus.complex.Complex;
 import org.hipparchus.linear.EigenDecompositionNonSymmetric;
 import org.hipparchus.linear.MatrixUtils;
-import org.hipparchus.linear.RealMatrix;
 import particles.ParticleSystem;
 
 /**
@@ -143,13 +142,10 @@ public record Spectrum(List<Mode> modes, int products, double error) {
         private Spectrum modes(double least) {
             int m = basis.numRows;
             double scale = NormOps_DDRM.normF(hessenberg);          // the decomposition tells zeros by their size
-            RealMatrix square = MatrixUtils.createRealMatrix(m, m);
-            for (int row = 0; row < m; row++) {
-                for (int column = 0; column < m; column++) {
-                    square.setEntry(row, column, hessenberg.get(row, column) / scale);
-                }
-            }
-            EigenDecompositionNonSymmetric ritz = new EigenDecompositionNonSymmetric(square);
+            DMatrixRMaj square = CommonOps_DDRM.extract(hessenberg, 0, m, 0, m);
+            CommonOps_DDRM.divide(square, scale);
+            EigenDecompositionNonSymmetric ritz = new EigenDecompositionNonSymmetric(
+                    MatrixUtils.createRealMatrix(square.get2DData()));
             List<Complex> values = Arrays.stream(ritz.getEigenvalues()).map(value -> value.multiply(scale)).toList();
             double largest = values.stream().mapToDouble(Complex::norm).max().orElse(0);
             List<Mode> modes = new ArrayList<>();
