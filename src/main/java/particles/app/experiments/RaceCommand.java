@@ -192,7 +192,7 @@ public final class RaceCommand extends ExperimentCommand {
             FrameSetup stage = new FrameSetup(camera.orElseThrow(), scene.description().drawing().look(),
                     scene.scenery(), "", "");
             RaceFilm made = film.orElseThrow();
-            return List.of(solver.isPresent() ? made.watch(solver.get().label(), stage) : made.watchReference(stage));
+            return List.of(made.watch(solver.map(SolverChoice::label), stage));
         }
 
         /** A scene's own camera shows what it does in pictures of the scene; otherwise one is placed here. */

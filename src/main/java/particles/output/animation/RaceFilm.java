@@ -100,23 +100,12 @@ public final class RaceFilm implements AutoCloseable {
     }
 
     /**
-     * @param stage the frame settings of the reference's run, in the scene's own colours
+     * @param solver the name of the solver; none for the reference, whose run is the first
+     * @param stage  the frame settings of the run, in the scene's own colours
      * @return the observer that records the run
      */
-    public Observer watchReference(FrameSetup stage) {
-        return film(stage, GREY);
-    }
-
-    /**
-     * @param name  the name of the solver
-     * @param stage the frame settings of its run, in the scene's own colours
-     * @return the observer that records the run
-     */
-    public Observer watch(String name, FrameSetup stage) {
-        return film(stage, SolverStyle.orGrey(name).rgb());
-    }
-
-    private Observer film(FrameSetup stage, int colour) {
+    public Observer watch(Optional<String> solver, FrameSetup stage) {
+        int colour = solver.map(name -> SolverStyle.orGrey(name).rgb()).orElse(GREY);
         FrameSetup coloured = new FrameSetup(stage.camera(), stage.look().inOneColour(colour), stage.scenery(), "", "");
         films.add(new PanelFilm(coloured, scaled(page.panelWidth()), scaled(page.panelHeight()), rate));
         return films.get(films.size() - 1).observer;

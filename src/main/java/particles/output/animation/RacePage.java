@@ -173,8 +173,7 @@ record RacePage(int columns, int panelWidth, int panelHeight, Rectangle2D strip)
             g.setFont(area.getWidth() > SMALL_PANEL ? NAME : SMALL);
             double width = g.getFontMetrics().stringWidth(text) + 36.0;
             RoundRectangle2D box = new RoundRectangle2D.Double(area.getCenterX() - width / 2, area.getMaxY() - 40,
-                    width,
-                    26, 8, 8);
+                    width, 26, 8, 8);
             g.setColor(Color.WHITE);
             g.fill(box);
             g.setColor(Color.RED.darker());

@@ -19,6 +19,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Random;
 import javax.imageio.ImageIO;
@@ -115,9 +116,9 @@ class RaceFilmTest {
         ChartData strip = strip();
         int parts;
         try (OutputFolder folder = OutputFolder.open(top.resolve("race")); RaceFilm film = new RaceFilm(2, 1, 5, 10)) {
-            falling(0.01, film.watchReference(stage())).run();
-            falling(0.25, film.watch("rk4", stage())).run();
-            Simulation fails = falling(0.25, film.watch("euler", stage()));
+            falling(0.01, film.watch(Optional.empty(), stage())).run();
+            falling(0.25, film.watch(Optional.of("rk4"), stage())).run();
+            Simulation fails = falling(0.25, film.watch(Optional.of("euler"), stage()));
             fails.addObserver(new Observer() {
                 @Override
                 public void moved(particles.Motion motion) {
@@ -164,7 +165,7 @@ class RaceFilmTest {
         }
         for (double aspect : new double[] {4096 / 16.0, 16 / 4096.0}) {        // the extremes that a scene may have
             try (RaceFilm film = new RaceFilm(16, aspect, 5, 10)) {
-                film.watchReference(stage());         // throws if a panel is too small
+                film.watch(Optional.empty(), stage());         // throws if a panel is too small
             }
         }
     }
