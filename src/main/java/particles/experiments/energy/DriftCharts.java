@@ -100,7 +100,7 @@ public final class DriftCharts {
                 .map(Drift::label).toList();
         Comparison near = comparison.of(comparison.drifts().stream()
                 .filter(drift -> drift.largest() <= limit).toList());
-        return start(comparison) + (far.isEmpty() ? "" : said(far, "exceeds " + part(limit)))
+        return start(comparison) + (far.isEmpty() ? "" : SolverChoice.all(far, "exceeds " + part(limit)))
                 + (far.isEmpty() || near.drifts().isEmpty() ? "" : "; ") + parts(near) + end(comparison);
     }
 
@@ -119,14 +119,10 @@ public final class DriftCharts {
                 Collectors.groupingBy(DriftCharts::verdict, LinkedHashMap::new, Collectors.toList()));
         int places = verdicts.size() <= NAMED + 1 ? verdicts.size() : NAMED;
         List<Drift> others = verdicts.values().stream().skip(places).flatMap(List::stream).toList();
-        return verdicts.entrySet().stream().limit(places).map(place -> said(place.getValue().stream()
-                .map(Drift::label).toList(), place.getKey())).collect(Collectors.joining("; "))
+        return verdicts.entrySet().stream().limit(places).map(place -> SolverChoice.all(place.getValue()
+                .stream().map(Drift::label).toList(), place.getKey())).collect(Collectors.joining("; "))
                 + (others.isEmpty() ? "" : "; the other " + others.size() + " are off by at most "
                 + part(others.stream().mapToDouble(DriftCharts::size).max().orElse(0)));
-    }
-
-    private static String said(List<String> solvers, String verdict) {
-        return SolverChoice.together(solvers) + " " + SolverChoice.verb(solvers.size(), verdict);
     }
 
     /** A drift is measured at its end, an oscillation by its largest amplitude. */

@@ -101,8 +101,7 @@ public final class RaceCharts {
         List<String> parts = new ArrayList<>();
         List<String> nearest = nearest(race);
         if (!nearest.isEmpty()) {
-            parts.add(SolverChoice.together(nearest) + " "
-                    + SolverChoice.verb(nearest.size(), "stays nearest to the reference"));
+            parts.add(SolverChoice.all(nearest, "stays nearest to the reference"));
         }
         List<Lane> left = race.lanes().stream().filter(lane -> lane.left().isPresent()).toList();
         if (!left.isEmpty()) {

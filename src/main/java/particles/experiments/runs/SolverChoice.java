@@ -72,6 +72,11 @@ public record SolverChoice(String name, Optional<SolverInfo> info) {
         return solvers == 1 ? does : does.replaceFirst("^is ", "are ").replaceFirst("^(\\w+)s ", "$1 ");
     }
 
+    /** @return all names, and what they do */
+    public static String all(List<String> names, String does) {
+        return together(names) + " " + verb(names.size(), does);
+    }
+
     /** @return a few names, or their number, and what they do; empty for no names */
     public static String said(List<String> names, String does) {
         return names.isEmpty() ? "" : few(names) + " " + verb(names.size(), does);

@@ -214,9 +214,8 @@ public final class EffectCost {
     private static String finding(List<Cost> costs) {
         List<String> dear = dear(costs);
         double rest = costs.stream().mapToDouble(Cost::overBase).filter(times -> times < DEAR).max().orElse(1);
-        String expensive = (dear.isEmpty() ? "nothing" : SolverChoice.together(dear).replace("+ ", "")) + " "
-                + SolverChoice.verb(Math.max(1, dear.size()), "makes a step of springs more than "
-                + DEAR + " times as long");
+        String expensive = SolverChoice.all(dear.isEmpty() ? List.of("nothing") : dear,
+                "makes a step of springs more than " + DEAR + " times as long").replace("+ ", "");
         return expensive.substring(0, 1).toUpperCase(Locale.ROOT) + expensive.substring(1) + "; all else less than "
                 + (rest * SPREAD < NOT_DEAR ? NOT_DEAR : DEAR) + " times";
     }
