@@ -9,7 +9,6 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import particles.output.charts.SolverStyle.SolverFamily;
 import particles.view.ChartData;
-import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 import particles.view.ChartData.VectorField;
 
@@ -71,14 +70,8 @@ public record Panel(List<ChartData> charts, Kind kind, Optional<VectorField> fie
 
     /** @return the number of different solvers in its fullest chart */
     public int curves() {
-        return charts.stream().mapToInt(chart -> (int) chart.series().stream().filter(Panel::isCurve)
-                .map(Series::name).distinct().count()).max().orElse(0);
-    }
-
-    /** Whether a series counts as a solver's curve: it has a line, and is not grey beside the others. */
-    private static boolean isCurve(Series series) {
-        return series.mark() != Mark.FAILURES && series.mark() != Mark.GIVEN_UP
-                && SolverStyle.of(series.name()).isPresent();
+        return charts.stream().mapToInt(chart -> (int) chart.series().stream().map(Series::name)
+                .filter(name -> SolverStyle.of(name).isPresent()).distinct().count()).max().orElse(0);
     }
 
     /**
