@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Systems.afterStep;
 import static particles.Systems.onMove;
+import static particles.Texts.assertHas;
+import static particles.Texts.assertStarts;
 
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
@@ -443,7 +445,7 @@ class CollisionsTest {
             return true;
         }));
         SimulationException e = assertThrows(SimulationException.class, run::run);
-        assertTrue(e.getMessage().startsWith("'a' and 'b' overlap by 0.05 m"), e.getMessage());
+        assertStarts(e.getMessage(), "'a' and 'b' overlap by 0.05 m");
     }
 
     /** A contact ends with the death of a ball, and rods stay rods. */
@@ -511,6 +513,6 @@ class CollisionsTest {
                   - {id: a, position: [0, 0, 0]}
                   - {id: b, position: [1, 0, 0]}
                 """ + more.replace("; ", "\n")));
-        assertTrue(e.getMessage().contains(message), e.getMessage());
+        assertHas(e.getMessage(), message);
     }
 }

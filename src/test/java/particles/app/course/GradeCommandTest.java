@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Texts.assertHas;
+import static particles.Texts.assertStarts;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -96,7 +97,8 @@ class GradeCommandTest {
     @Test
     void anExerciseIsShownAndMarked() {
         String text = run(ExitCode.DONE, "exercise", "--number=2", "--student=" + STUDENT);
-        assertTrue(text.startsWith("2. Why Euler spirals") && text.contains("Give five significant digits"), text);
+        assertStarts(text, "2. Why Euler spirals");
+        assertHas(text, "Give five significant digits");
         assertEquals("This is right.", run(ExitCode.DONE, "exercise", "--number=2", "--student=" + STUDENT, "--answer="
                 + spiral(text, 1)).strip());
         assertEquals("This is the factor of the amplitude; energy goes with its square.",
@@ -119,8 +121,8 @@ class GradeCommandTest {
     @Test
     void whatIsNoExerciseOrStudentIsRefused() {
         for (String none : List.of("0", "13", "two", "-1", "2.0", "")) {
-            assertTrue(run(ExitCode.BAD_INPUT, "exercise", "--number=" + none,
-                    "--student=a").startsWith("option -Pnumber: '" + none + "' is not an exercise"), none);
+            assertStarts(run(ExitCode.BAD_INPUT, "exercise", "--number=" + none, "--student=a"),
+                    "option -Pnumber: '" + none + "' is not an exercise");
         }
         assertEquals("option -Pstudent: the id is empty", run(ExitCode.BAD_INPUT, "exercise", "--number=1",
                 "--student= ").strip());
@@ -310,8 +312,7 @@ class GradeCommandTest {
                     + "\r\n")) {
                 Files.write(folder.resolve("answers.yaml"), text.getBytes(StandardCharsets.ISO_8859_1));
                 String screen = grade(ExitCode.BAD_INPUT);
-                assertTrue(screen.contains("mark      2. Why Euler spirals"), bad + ": " + screen);
-                assertTrue(screen.contains("answers.yaml:2:"), bad + ": " + screen);
+                assertHas(bad + ": " + screen, "mark      2. Why Euler spirals", "answers.yaml:2:");
                 assertEquals(text.contains("1: 7") ? 10 : 11, screen.lines().filter(line ->
                         line.startsWith("missing ")).count(), bad + ": " + screen);
             }

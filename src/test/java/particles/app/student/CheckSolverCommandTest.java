@@ -168,7 +168,7 @@ class CheckSolverCommandTest {
         assertTrue(screen.lines().count() <= 12, screen);
         String report = Files.readString(folder.resolve("report/checkSolver.md"));
         for (String picture : List.of("order.png", "region.png", "energy.png", "work-precision.png")) {
-            assertTrue(report.contains("(" + picture + ")"), picture);
+            assertHas(report, "(" + picture + ")");
             assertTrue(Files.size(folder.resolve("report").resolve(picture)) > 1000, picture);
         }
     }

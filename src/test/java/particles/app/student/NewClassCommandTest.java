@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Texts.assertHas;
+import static particles.Texts.assertStarts;
 
 import deSolvers.DESolver;
 import java.io.IOException;
@@ -86,8 +87,7 @@ class NewClassCommandTest {
         for (Map.Entry<String, String> entry : names.entrySet()) {
             for (String name : entry.getValue().split(" ")) {
                 run(ExitCode.DONE, "newSolver", name);
-                assertTrue(Files.readString(folder.resolve("exercises").resolve(name + ".java")).contains(
-                        entry.getKey()), name);
+                assertHas(Files.readString(folder.resolve("exercises").resolve(name + ".java")), entry.getKey());
             }
         }
     }
@@ -98,7 +98,7 @@ class NewClassCommandTest {
         Class<?> law = compiled("MyGravity");
         List<Finding> wrong = EffectCheck.check(particles -> made(Effect.class, law, particles, 2.0));
         assertEquals(1, wrong.size(), wrong.toString());
-        assertTrue(wrong.get(0).toString().startsWith("not yet: there is no force on any particle"), wrong.toString());
+        assertStarts(wrong.get(0).toString(), "not yet: there is no force on any particle");
     }
 
     /** Filled in as the comments of the skeletons suggest. */
@@ -155,7 +155,7 @@ class NewClassCommandTest {
             """)
     void whatCannotBeWrittenIsRefused(String name, String option, String why) {
         String[] options = option == null ? new String[0] : new String[] {option};     // null: an empty cell
-        assertTrue(run(ExitCode.BAD_INPUT, "newSolver", name, options).startsWith("option -P" + why), name);
+        assertStarts(run(ExitCode.BAD_INPUT, "newSolver", name, options), "option -P" + why);
         assertFalse(Files.exists(folder.resolve("exercises/Mine.java")));
     }
 }

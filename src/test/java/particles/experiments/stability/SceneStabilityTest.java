@@ -170,7 +170,7 @@ class SceneStabilityTest {
         Limit limit = limits(TestScenes.named("03"), "midpoint").get(0);
         assertEquals(1.389e-6, limit.predictedGrowth(), 1e-8);
         assertEquals(0, limit.measuredGrowth(), 2e-5, limit.toString());
-        assertTrue(limit.note().startsWith("the motion soon leaves the modes of its start"), limit.toString());
+        assertStarts(limit.note(), "the motion soon leaves the modes of its start");
     }
 
     /** A skydiver at rest feels no drag that is quadratic: its derivative, by differences, is 1e-9 /s. */
