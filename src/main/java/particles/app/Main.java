@@ -12,6 +12,7 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Program;
 import particles.app.cli.ProgramCommand;
+import particles.app.cli.ResultsCommand;
 import particles.app.course.AutogradingCommand;
 import particles.app.course.GradeClassCommand;
 import particles.app.course.GradeCommand;
@@ -48,7 +49,6 @@ import particles.output.report.ResultsIndex;
  */
 public final class Main {
     private static final Path SCENES = Path.of("scenes");
-    private static final Path RESULTS = Path.of("build", "out");
     private static final Path EXERCISES = Path.of("src", "main", "java", "exercises");
 
     private Main() {
@@ -64,7 +64,7 @@ public final class Main {
                 new PrintWriter(new StandardOutput(), true), new PrintWriter(System.err, true));
         ExitCode code = program.execute(args);
         try {
-            ResultsIndex.update(RESULTS);
+            ResultsIndex.update(ResultsCommand.RESULTS);
         } catch (OutputException e) {                   // the results themselves are written
             System.err.println(e.getMessage());
         }

@@ -9,7 +9,8 @@ import picocli.CommandLine.Option;
 
 /** A command with its own folder of results, build/out/NAME. */
 public abstract class ResultsCommand extends ProgramCommand {
-    private static final Path RESULTS = Path.of("build", "out");
+    /** The folder of all results. */
+    public static final Path RESULTS = Path.of("build", "out");
 
     @Option(names = "--out", paramLabel = "FOLDER",
             description = "Where the results go (default: a folder of its own in build/out).")

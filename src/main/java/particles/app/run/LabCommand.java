@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import particles.app.cli.ProgramCommand;
+import particles.app.cli.ResultsCommand;
 import particles.app.student.PageClasses;
 import particles.app.student.StudentClasses;
 import particles.app.student.StudentProcess;
@@ -28,7 +29,7 @@ import picocli.CommandLine.Option;
 /** {@code gradle lab}: one page that runs scenes in a browser. */
 @Command(name = "lab", description = "Writes a page that runs scenes in a browser: build/out/lab/index.html.")
 public final class LabCommand extends ProgramCommand {
-    private static final Path PAGE = Path.of("build", "out", "lab", "index.html");
+    private static final Path PAGE = ResultsCommand.RESULTS.resolve("lab/index.html");
     private static final String BUILDER = "particles.lab.compile.PageBuilder";
 
     @Option(names = "--scene", paramLabel = "NAME",

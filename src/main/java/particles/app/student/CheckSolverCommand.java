@@ -73,9 +73,8 @@ public final class CheckSolverCommand extends CheckCommand {
             run.run();
             throw new IllegalStateException("the check itself is not wanted");
         }, name), () -> PlainRuns.ends(full))) {
-            verdict = new SolverVerdict(verdict.identity(), List.of(new Finding(Kind.FAILURE,
-                    "outside this check, or after many calls, its steps differ from those in this check")),
-                    verdict.multistep());
+            return new Checked(name, verdict.identity(), List.of(new Finding(Kind.FAILURE,
+                    "outside this check, or after many calls, its steps differ from those in this check")));
         }
         List<Finding> findings = new ArrayList<>(verdict.findings());
         Optional<Kind> wrong = verdict.wrong().stream().map(Finding::kind).findFirst();

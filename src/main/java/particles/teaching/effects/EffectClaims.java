@@ -33,8 +33,7 @@ public record EffectClaims(EffectTrial trial, double[] force, List<String> broke
         List<String> broken = new ArrayList<>();
         Random random = new Random(seed);
         for (int j = 0; j < TRIALS; j++) {
-            EffectTrial here = EffectTrial.random(system, effect, random, 0);
-            EffectTrial trial = new EffectTrial(system, effect, here.state(), 3 * random.nextDouble());
+            EffectTrial trial = EffectTrial.random(system, effect, random, 3 * random.nextDouble());
             new EffectClaims(trial, trial.force(), broken).check();
         }
         return broken;

@@ -74,8 +74,8 @@ public final class EffectSample {
         Sample scene = new Sample(particles);
         kind.build(kind.samples(), scene);
         if (scene.effects.isEmpty()) {                  // wind has no force of its own
-            checkedThrough(name).flatMap(EffectSample::named).stream()
-                    .forEach(other -> other.build(other.samples(), scene));
+            checkedThrough(name).flatMap(EffectSample::named)
+                    .ifPresent(other -> other.build(other.samples(), scene));
         }
         if (scene.effects.isEmpty()) {
             throw new IllegalArgumentException("the Keys of " + name + " add no effect to the scene");
