@@ -247,7 +247,7 @@ class GradeClassCommandTest {
                 """.replace("%s", folder.toString());
         handIn("ann", "MySolver.java", EULER.replaceFirst("\\{\n", "{\n" + plant));
         handIn("zoe", "answers.yaml", answer("zoe"));
-        assertHas(gradeAll(), "\nzoe changed while classes ran; marked as before, but download");
+        assertHas(gradeAll(), "zoe changed while classes ran; marked as before, but download");
         points(1, "zoe");
         points(1, "ann");
         assertHas(made("zoe/grade.md"), "1 of 13 points for zoe");
