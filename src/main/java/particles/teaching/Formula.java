@@ -6,6 +6,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /** Formats coefficients and formulas as people write them: 1/6, deltaT/2, s + k1/2. */
 public final class Formula {
@@ -64,13 +66,9 @@ public final class Formula {
      * @return the sum, such as {@code s + k1/2}
      */
     public static String sum(double[] weights, List<String> names) {
-        StringBuilder text = new StringBuilder();
-        for (int j = 0; j < weights.length; j++) {
-            if (!same(weights[j], 0)) {
-                text.append(term(weights[j], names.get(j), number(Math.abs(weights[j]))));
-            }
-        }
-        return text.isEmpty() ? "0" : text.toString().replaceFirst("^ \\+ ", "").replaceFirst("^ - ", "-");
+        String text = IntStream.range(0, weights.length).filter(j -> !same(weights[j], 0)).mapToObj(j -> term(
+                weights[j], names.get(j), number(Math.abs(weights[j])))).collect(Collectors.joining());
+        return text.isEmpty() ? "0" : text.replaceFirst("^ \\+ ", "").replaceFirst("^ - ", "-");
     }
 
     private static String term(double coefficient, String name, String size) {

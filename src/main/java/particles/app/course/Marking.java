@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Program;
@@ -153,13 +154,10 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
 
     private List<Item> classes() {
         List<Item> items = new ArrayList<>();
-        for (Map.Entry<String, Assignment.Asked> asked : assignment.solvers(sources.keySet()).entrySet()) {
-            items.add(check("solver", CheckSolverCommand.NAME, asked.getKey(), asked.getValue().method(),
-                    asked.getValue().weight()));
-        }
-        for (Map.Entry<String, Double> effect : assignment.effects().entrySet()) {
-            items.add(check("effect", CheckEffectCommand.NAME, effect.getKey(), "", effect.getValue()));
-        }
+        assignment.solvers(sources.keySet()).forEach((name, asked) -> items.add(check("solver", CheckSolverCommand.NAME,
+                name, asked.method(), asked.weight())));
+        assignment.effects().forEach((name, weight) -> items.add(check("effect", CheckEffectCommand.NAME, name, "",
+                weight)));
         return items;
     }
 
@@ -174,12 +172,8 @@ record Marking(Assignment assignment, List<String> numbers, Path answers, Map<St
 
     /** Joins lines for a table's cell; sentences and headings stay on lines of their own. */
     private static String paragraph(List<String> lines) {
-        StringBuilder text = new StringBuilder();
-        for (String line : lines) {
-            text.append(text.length() == 0 ? "" : text.toString().matches("(?s).*[.:]") ? " "
-                    : "; ").append(line.strip().replaceAll(" {2,}", ": "));     // columns of the check's table
-        }
-        return text.toString();
+        return lines.stream().map(line -> line.strip().replaceAll(" {2,}", ": "))      // columns of the check's table
+                .collect(Collectors.joining("; ")).replaceAll("(?<=[.:]); ", " ");
     }
 
     /**

@@ -5,6 +5,7 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Collectors;
 import particles.app.cli.ProgramCommand;
 import particles.app.student.StudentClasses;
 import particles.output.files.OutputFile;
@@ -132,11 +133,9 @@ public final class GalleryCommand extends ProgramCommand {
      * @return the page, in Markdown
      */
     public static String page(Path folder) {
-        StringBuilder page = new StringBuilder(BEGINNING);
-        for (Path file : SceneFiles.list(folder)) {
-            page.append(row(SceneName.of(file), SceneReader.read(file, new StudentClasses())));
-        }
-        return page + KEYS + Reference.of(SceneFormat.SCENE, "###");
+        return SceneFiles.list(folder).stream().map(file -> row(SceneName.of(file), SceneReader.read(file,
+                new StudentClasses()))).collect(Collectors.joining("", BEGINNING, KEYS + Reference.of(
+                SceneFormat.SCENE, "###")));
     }
 
     private static String row(SceneName name, SceneDescription scene) {

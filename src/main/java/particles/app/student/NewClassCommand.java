@@ -2,7 +2,6 @@ package particles.app.student;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -59,7 +58,7 @@ public abstract class NewClassCommand extends ProgramCommand {
         Path file = folder.resolve(name + ".java");
         Files.createDirectories(folder);
         try {
-            Files.write(file, text(name).getBytes(StandardCharsets.UTF_8), StandardOpenOption.CREATE_NEW);
+            Files.writeString(file, text(name), StandardOpenOption.CREATE_NEW);
         } catch (FileAlreadyExistsException e) {
             throw new InvalidInputException(file
                     + " exists already and was not changed; choose another name or remove it first");
