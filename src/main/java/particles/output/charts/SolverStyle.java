@@ -40,11 +40,7 @@ public record SolverStyle(SolverFamily family, Color colour, Stroke stroke, Shap
      * @return the style of the solver with whose name it begins, if there is one
      */
     public static Optional<SolverStyle> of(String series) {
-        int end = 0;
-        while (end < series.length() && (Character.isLetterOrDigit(series.charAt(end)) || series.charAt(end) == '-')) {
-            end++;
-        }
-        return Optional.ofNullable(LOOKS.get(series.substring(0, end)));
+        return Optional.ofNullable(LOOKS.get(series.split("[^\\p{L}\\p{Nd}-]", 2)[0]));
     }
 
     /**

@@ -7,6 +7,7 @@ import java.awt.Shape;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
+import java.util.Arrays;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
@@ -66,13 +67,7 @@ public final class StripChart {
     /** @return the last point at or before a time; -1 before the first and after the end of a line that ends early */
     public static int at(Series series, double time) {
         double[] t = series.x();
-        if (t.length == 0 || time > t[t.length - 1] * (1 + 1e-9)) {
-            return -1;
-        }
-        int k = -1;
-        while (k + 1 < t.length && t[k + 1] <= time * (1 + 1e-12)) {
-            k++;
-        }
-        return k;
+        return t.length == 0 || time > t[t.length - 1] * (1 + 1e-9) ? -1
+                : (int) Arrays.stream(t).takeWhile(earlier -> earlier <= time * (1 + 1e-12)).count() - 1;
     }
 }
