@@ -80,7 +80,7 @@ public final class DriftCharts {
                 column("deltaT (s)", drift -> drift.setting().deltaT()),
                 column("tolerance", drift -> drift.setting().tolerance().orElse(Double.NaN)),
                 column("end drift", 2, Drift::end), column("largest", 2, Drift::extreme),
-                column("slope (1/s)", 3, Drift::slope), column("error over time", drift -> drift.kind().words()),
+                column("slope (1/s)", 3, Drift::slope), column("error over time", drift -> drift.kind().words),
                 column("evaluations", drift -> drift.outcome().evaluations()),
                 column("CPU time (s)", 2, drift -> drift.outcome().seconds()),
                 column("why it ended", drift -> drift.outcome().failure().orElse(""))).withoutEmptyColumns();

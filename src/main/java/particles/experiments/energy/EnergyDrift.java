@@ -52,15 +52,11 @@ public final class EnergyDrift {
         /** The run failed. */
         FAILED("failed");
 
-        private final String words;
+        /** Its name in tables. */
+        final String words;
 
         Kind(String words) {
             this.words = words;
-        }
-
-        /** @return its name in tables */
-        public String words() {
-            return words;
         }
     }
 

@@ -85,7 +85,7 @@ public final class WorkCharts {
         List<Curve> failing = curves.stream().filter(curve -> curve.points().stream().anyMatch(point ->
                 point.failure().isPresent())).toList();
         return errors.above("no result", failing.stream().map(Curve::label).toList(), Arrays.stream(Failure.values())
-                .map(kind -> Series.of(kind.words(), kind == Failure.UNSTABLE ? Mark.FAILURES : Mark.GIVEN_UP,
+                .map(kind -> Series.of(kind.words, kind == Failure.UNSTABLE ? Mark.FAILURES : Mark.GIVEN_UP,
                         failing.stream().flatMap(curve -> curve.failures(kind).map(point -> new double[] {
                             work.applyAsDouble(point), failing.indexOf(curve)})).toList())).toList());
     }
@@ -204,7 +204,7 @@ public final class WorkCharts {
                 column("time (s)", 2, row -> row.point.seconds()),
                 column("lower quartile (s)", 2, row -> row.point.lower()),
                 column("upper quartile (s)", 2, row -> row.point.upper()),
-                column("no result", row -> row.point.failure().map(Failure::words).orElse("")),
+                column("no result", row -> row.point.failure().map(kind -> kind.words).orElse("")),
                 column("why", row -> row.point.why()));
     }
 }

@@ -50,15 +50,11 @@ public record WorkPrecision(WorkProblem problem, SolverChoice solver, int timed)
         /** An iteration within the step did not converge, or the sub-steps became too short. */
         NOT_CONVERGED("did not converge");
 
-        private final String words;
+        /** Its name in charts and tables. */
+        final String words;
 
         Failure(String words) {
             this.words = words;
-        }
-
-        /** @return its name in charts and tables */
-        public String words() {
-            return words;
         }
     }
 

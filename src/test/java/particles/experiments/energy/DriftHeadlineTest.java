@@ -49,7 +49,7 @@ class DriftHeadlineTest {
         DataTable table = DriftCharts.table(comparison);
         List<String> columns = table.columns().stream().map(DataTable.Column::name).toList();
         for (int k = 0; k < drifts.length; k++) {
-            assertEquals(drifts[k].kind().words(), table.rows().get(k).get(columns.indexOf("error over time")),
+            assertEquals(drifts[k].kind().words, table.rows().get(k).get(columns.indexOf("error over time")),
                     "the table has the same verdict");
         }
         assertFalse(columns.contains("tolerance"), "a column that would be empty");
