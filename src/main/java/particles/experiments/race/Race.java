@@ -71,7 +71,7 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
     public record Lane(Match match, Drift drift, List<double[]> states, double[] distance) {
         /** @return the solver's name in charts */
         public String label() {
-            return match.label();
+            return match.setting().label();
         }
 
         /** @return the time at which it left the race (s): it failed, or went far from any place of the reference */

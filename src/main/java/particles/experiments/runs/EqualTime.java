@@ -147,7 +147,7 @@ public final class EqualTime {
             this.solver = solver;
             loosest = solver.adaptive() ? cheapest() : EqualWork.LOOSEST;
             find(evaluations);
-            seconds(match.setting(), WARM_RUNS, WARM);
+            seconds(match.setting(), WARM_RUNS);
         }
 
         /**
@@ -156,10 +156,10 @@ public final class EqualTime {
          */
         private double cheapest() {
             double best = EqualWork.LOOSEST;
-            seconds(work.setting(solver, best), WARM_RUNS, WARM);
-            double least = seconds(work.setting(solver, best), FEWEST_REPEATS, WARM);
+            seconds(work.setting(solver, best), WARM_RUNS);
+            double least = seconds(work.setting(solver, best), FEWEST_REPEATS);
             for (double next = best / 10; next > 0.5 * EqualWork.LEAST_LOOSE; next /= 10) {
-                double seconds = seconds(work.setting(solver, next), FEWEST_REPEATS, WARM);
+                double seconds = seconds(work.setting(solver, next), FEWEST_REPEATS);
                 if (seconds < least) {
                     best = next;
                     least = seconds;
@@ -174,9 +174,9 @@ public final class EqualTime {
          * @return the median time of this number of runs (s), or of fewer if they take long enough; infinite if a run
          *         fails
          */
-        private double seconds(Setting setting, int repeats, double enough) {
+        private double seconds(Setting setting, int repeats) {
             List<Double> some = new ArrayList<>();
-            for (double all = 0; some.size() < repeats && all < enough; all += some.get(some.size() - 1)) {
+            for (double all = 0; some.size() < repeats && all < WARM; all += some.get(some.size() - 1)) {
                 Outcome outcome = EqualTime.this.run(setting, MOST * evaluations);
                 some.add(outcome.failure().isEmpty() ? clock.applyAsDouble(outcome) : Double.POSITIVE_INFINITY);
             }

@@ -44,10 +44,6 @@ public record EqualWork(SceneDescription scene, long target, List<Long> adaptive
      * @param whole       whether the run came to its end; if not, its cost is that of the whole duration by proportion
      */
     public record Match(Setting setting, long evaluations, double seconds, double aStep, boolean whole) {
-        /** @return the solver's name in charts */
-        public String label() {
-            return setting.label();
-        }
     }
 
     /**
