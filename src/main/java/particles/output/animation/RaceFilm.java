@@ -4,8 +4,8 @@ import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
@@ -14,7 +14,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.DoubleConsumer;
 import java.util.zip.Deflater;
-import java.util.zip.DeflaterOutputStream;
+import java.util.zip.DeflaterInputStream;
 import java.util.zip.InflaterInputStream;
 import particles.Observer;
 import particles.output.charts.ChartPage;
@@ -252,16 +252,15 @@ public final class RaceFilm implements AutoCloseable {
         public Runnable prepare(int index, int[] rgb) {
             ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES * rgb.length);
             bytes.asIntBuffer().put(rgb);
-            ByteArrayOutputStream frame = new ByteArrayOutputStream();
             Deflater fast = new Deflater(Deflater.BEST_SPEED);
-            try (DeflaterOutputStream out = new DeflaterOutputStream(frame, fast)) {
-                out.write(bytes.array());
+            try (InputStream in = new DeflaterInputStream(new ByteArrayInputStream(bytes.array()), fast)) {
+                byte[] frame = in.readAllBytes();
+                return () -> packed.add(frame);
             } catch (IOException e) {
-                throw new UncheckedIOException("memory takes all that is written", e);
+                throw new UncheckedIOException("memory gives all that was written", e);
             } finally {
                 fast.end();
             }
-            return () -> packed.add(frame.toByteArray());
         }
     }
 }

@@ -2,6 +2,7 @@ package particles.output.files;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
@@ -92,18 +93,16 @@ final class OutputManifest {
         if (!Files.isDirectory(frames, LinkOption.NOFOLLOW_LINKS)) {
             return;
         }
-        boolean empty = true;
         try (DirectoryStream<Path> entries = Files.newDirectoryStream(frames)) {
             for (Path entry : entries) {
                 if (FRAME.matcher(entry.getFileName().toString()).matches()) {
                     remove(entry);
                 }
-                empty &= !Files.exists(entry, LinkOption.NOFOLLOW_LINKS);
             }
         }
-        if (empty) {
+        try {
             Files.delete(frames);
-        } else {
+        } catch (DirectoryNotEmptyException e) {        // of files that no run made
             names.add(OutputFolder.FRAMES);
         }
     }
