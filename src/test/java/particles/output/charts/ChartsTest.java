@@ -19,6 +19,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.LegendItemCollection;
@@ -48,11 +49,8 @@ class ChartsTest {
     }
 
     private static Series series(String name, double... y) {
-        double[] x = new double[y.length];
-        for (int k = 0; k < x.length; k++) {
-            x[k] = k + 1;
-        }
-        return new Series(name, Mark.LINE_AND_POINTS, x, y);
+        return new Series(name, Mark.LINE_AND_POINTS,
+                IntStream.rangeClosed(1, y.length).asDoubleStream().toArray(), y);
     }
 
     private static XYPlot plot(boolean log, Series... series) {

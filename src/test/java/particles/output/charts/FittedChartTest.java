@@ -13,6 +13,7 @@ import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
@@ -25,6 +26,7 @@ import javax.xml.parsers.DocumentBuilderFactory;
 import org.jfree.chart.ChartRenderingInfo;
 import org.jfree.chart.entity.TitleEntity;
 import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.title.TextTitle;
 import org.jfree.data.Range;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -112,8 +114,8 @@ class FittedChartTest {
     void otherOrbitsSayTheirScale(double omega) {
         FittedChart chart = Charts.of(Panel.phase(ellipse(omega), Optional.empty()));
         assertTrue(aspect(chart, 900, 560) > 4, "stretched");
-        String key = chart.getSubtitles().stream().filter(org.jfree.chart.title.TextTitle.class::isInstance)
-                .map(title -> ((org.jfree.chart.title.TextTitle) title).getText()).findFirst().orElse("");
+        String key = chart.getSubtitles().stream().filter(TextTitle.class::isInstance)
+                .map(title -> ((TextTitle) title).getText()).findFirst().orElse("");
         assertTrue(key.matches("1 m is drawn as long as [\\d.]+ m/s"), key);
         double factor = Double.parseDouble(key.replaceAll(".*as ([\\d.]+) m/s", "$1"));
         assertEquals(aspect(chart, 900, 560), factor, 0.06 * factor, "two digits");
@@ -154,7 +156,7 @@ class FittedChartTest {
     /** Two runs of one solver, and more lines of none than there are colours. */
     @Test
     void noTwoLinesOfAChartLookTheSame() {
-        List<Series> series = new java.util.ArrayList<>();
+        List<Series> series = new ArrayList<>();
         for (String name : List.of("rk4, 1 s", "rk4, 2 s", "rk4, 3 s", "mine", "yours", "verlet")) {
             series.add(new Series(name, Mark.LINE, new double[] {0, 1}, new double[] {series.size(), 1}));
         }

@@ -10,14 +10,15 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntToLongFunction;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import particles.Motion;
-import particles.Observer;
 import particles.ParticleSystem;
 import particles.Simulation;
+import particles.StridedRecorder;
 import particles.Systems;
 import particles.law.Vector3;
 import particles.output.TestEffects;
@@ -83,22 +84,11 @@ class TrajectoryWriterTest {
         List<double[]> states = new ArrayList<>();
         List<Double> times = new ArrayList<>();
         Simulation simulation = thrown(0.55, false);
-        simulation.addObserver(new Observer() {
+        simulation.addObserver(new StridedRecorder() {
             @Override
-            public void started(ParticleSystem system) {
-                keep(system);
-            }
-
-            @Override
-            public void moved(Motion motion) {
-                keep(motion.getSystem());
-            }
-
-            private void keep(ParticleSystem system) {
-                double[] state = new double[system.getStateSize()];
-                system.getState(state);
-                states.add(state);
-                times.add(system.getTime());
+            protected void record(ParticleSystem system, double[] state, double time) {
+                states.add(Arrays.copyOf(state, system.getStateSize()));
+                times.add(time);
             }
         });
         List<String> lines = linesOf(simulation, "out");
@@ -111,14 +101,8 @@ class TrajectoryWriterTest {
                 String id = i == 0 ? "a" : "\"b, \"\"the\"\" second\"";
                 String start = times.get(k) + "," + id + ",";
                 assertEquals(start, line.substring(0, start.length()));
-                String[] fields = line.substring(start.length()).split(",");
-                double[] read = new double[6];
-                double[] expected = new double[6];
-                for (int c = 0; c < 6; c++) {
-                    read[c] = Double.parseDouble(fields[c]);
-                    expected[c] = states.get(k)[6 * i + c];
-                }
-                assertArrayEquals(expected, read, line);
+                assertArrayEquals(Arrays.copyOfRange(states.get(k), 6 * i, 6 * i + 6), Stream.of(
+                        line.substring(start.length()).split(",")).mapToDouble(Double::parseDouble).toArray(), line);
             }
         }
         assertEquals("0.0,a,0.0,1.0,0.0,0.3,0.0,-0.0", lines.get(1));
