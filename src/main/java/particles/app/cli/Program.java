@@ -60,7 +60,10 @@ public record Program(List<ProgramCommand> commands, OptionStyle style, PrintWri
         List<String> mistakes = mistakes(errors);
         ProgramCommand command = chosen.commandSpec().userObject() instanceof ProgramCommand one ? one : null;
         if (command != null) {
-            mistakes.addAll(command.mistakes(style));
+            // after any other error than an unknown option the parser sets no default values
+            if (errors.stream().allMatch(UnmatchedArgumentException.class::isInstance)) {
+                mistakes.addAll(command.mistakes(style));
+            }
         } else if (mistakes.isEmpty()) {
             mistakes.add("a command is missing; commands: " + commands(program));
         }

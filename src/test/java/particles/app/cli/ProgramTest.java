@@ -106,6 +106,14 @@ class ProgramTest {
                 execute(style, typed.isEmpty() ? new String[0] : typed.split(" ")));
     }
 
+    /** After such an error the parser sets no default values, so that nothing else can be said of the options. */
+    @ParameterizedTest
+    @CsvSource({"run, frames", "workPrecision, svg", "report, svg", "stiffGallery, slide", "effectCost, slide"})
+    void aFlagIsTrueOrFalse(String name, String flag) {
+        assertEquals(new Screen(ExitCode.BAD_INPUT, "", "option --" + flag + " has to be true or false, not 'maybe'"),
+                execute(OptionStyle.SHELL, name, "--" + flag + "=maybe"));
+    }
+
     @Test
     void allWrongOptionsOfAnExperimentAreReported() {
         Screen screen = execute(OptionStyle.GRADLE, "energyDrift", "--scene=no-such-scene", "--deltaT=-1",
