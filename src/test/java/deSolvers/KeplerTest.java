@@ -2,8 +2,8 @@ package deSolvers;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import deSolvers.problems.Kepler;
 import deSolvers.problems.Orbit;
-import deSolvers.problems.SecondOrderProblem.Kepler;
 import deSolvers.symplectic.VelocityVerletSolver;
 import org.junit.jupiter.api.Test;
 

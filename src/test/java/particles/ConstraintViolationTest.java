@@ -21,7 +21,7 @@ import particles.law.Reaction;
 import particles.law.Vector3;
 import particles.law.Violation;
 import particles.reactions.ContactSurface;
-import particles.reactions.ContactSurface.Friction;
+import particles.reactions.Friction;
 import particles.reactions.RestingContacts;
 import particles.reactions.RigidConstraints;
 import particles.scene.Scene;

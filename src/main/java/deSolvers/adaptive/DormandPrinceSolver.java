@@ -2,7 +2,7 @@ package deSolvers.adaptive;
 
 import deSolvers.StepTransaction;
 import deSolvers.rungeKutta.ButcherTableau;
-import deSolvers.rungeKutta.ButcherTableau.Stages;
+import deSolvers.rungeKutta.RungeKuttaStages;
 
 /**
  * The Runge-Kutta pair of Dormand and Prince: one result of order 5, one of order 4 from the same stages, and their
@@ -36,7 +36,7 @@ public final class DormandPrinceSolver extends AdaptiveSolver {
                  | 5179/57600           0  7571/16695   393/640 -92097/339200  187/2100  1/40
             """);
 
-    private final Stages stages = new Stages(TABLEAU);
+    private final RungeKuttaStages stages = new RungeKuttaStages(TABLEAU);
     private final double[] errorWeights = TABLEAU.weights(0);
     private double[] error = {};
 

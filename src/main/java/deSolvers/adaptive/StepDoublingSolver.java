@@ -2,7 +2,7 @@ package deSolvers.adaptive;
 
 import deSolvers.StepTransaction;
 import deSolvers.rungeKutta.ButcherTableau;
-import deSolvers.rungeKutta.ButcherTableau.Stages;
+import deSolvers.rungeKutta.RungeKuttaStages;
 
 /**
  * The slides' adaptive step: "take two steps of &Delta;t, one step of 2 &Delta;t, compare results", with RK4 for both.
@@ -40,7 +40,7 @@ public final class StepDoublingSolver extends AdaptiveSolver {
             """);
     private static final double[] WEIGHTS = RK4.weights(0);
 
-    private final Stages stages = new Stages(RK4);
+    private final RungeKuttaStages stages = new RungeKuttaStages(RK4);
     private double[] once = {};
     private double[] middle = {};
     private double[] middleSlope = {};

@@ -2,7 +2,6 @@ package deSolvers.extrapolation;
 
 import deSolvers.StepTransaction;
 import deSolvers.adaptive.AdaptiveSolver;
-import deSolvers.extrapolation.OrderControl.Verdict;
 
 /**
  * The Bulirsch-Stoer extrapolation method (also Gragg-Bulirsch-Stoer), one of the slides' "high-strung racehorses". It
@@ -72,10 +71,10 @@ public final class BulirschStoerSolver extends AdaptiveSolver {
     @Override
     protected double attempt(StepTransaction source, double[] state, double[] slope, double offset, double h,
                              double[] newState) {
-        Verdict verdict = Verdict.CONTINUE;
+        OrderControl.Verdict verdict = OrderControl.Verdict.CONTINUE;
         double ratio = Double.POSITIVE_INFINITY;
         midpoint.begin(state, slope, offset, h);
-        for (int j = 0; verdict == Verdict.CONTINUE; j++) {
+        for (int j = 0; verdict == OrderControl.Verdict.CONTINUE; j++) {
             midpoint.cover(source, OrderControl.substeps(j), results.begin(j), smoothings.begin(j));
             results.extrapolate(j);
             smoothings.extrapolate(j);
@@ -86,7 +85,7 @@ public final class BulirschStoerSolver extends AdaptiveSolver {
             }
         }
         System.arraycopy(results.result(), 0, newState, 0, newState.length);
-        return verdict == Verdict.ACCEPT ? ratio : Double.POSITIVE_INFINITY;
+        return verdict == OrderControl.Verdict.ACCEPT ? ratio : Double.POSITIVE_INFINITY;
     }
 
     /**
@@ -109,56 +108,5 @@ public final class BulirschStoerSolver extends AdaptiveSolver {
     @Override
     protected int errorExponent() {
         return control.targetExponent();
-    }
-
-    /**
-     * Extrapolation table (Aitken-Neville scheme): extrapolates results whose error has only even powers of the substep
-     * to substeps of length 0. Only the last line is kept:
-     * <pre>
-     *   T_00
-     *   T_10  T_11              T_jk = T_j,k-1 + (T_j,k-1 - T_j-1,k-1) / ((n_j / n_j-k)^2 - 1)
-     *   T_20  T_21  T_22
-     * </pre>
-     */
-    static final class ExtrapolationTable {
-        // from right to left: T_jk in line[j - k]
-        private final double[][] line = new double[OrderControl.COLUMNS][0];
-        private double[] correction = {};
-
-        void resize(int n) {
-            for (int j = 0; j < line.length; j++) {
-                line[j] = new double[n];
-            }
-            correction = new double[n];
-        }
-
-        /** @return the array into which T_j0 is to be written before {@link #extrapolate} */
-        double[] begin(int j) {
-            return line[j];
-        }
-
-        /** Computes line j from line j - 1 and T_j0. */
-        void extrapolate(int j) {
-            for (int k = 1; k <= j; k++) {
-                double n = (double) OrderControl.substeps(j) / OrderControl.substeps(j - k);
-                double divisor = n * n - 1;
-                double[] finer = line[j - k + 1];
-                double[] coarser = line[j - k];
-                for (int i = 0; i < correction.length; i++) {
-                    correction[i] = (finer[i] - coarser[i]) / divisor;
-                    coarser[i] = finer[i] + correction[i];
-                }
-            }
-        }
-
-        /** @return T_jj */
-        double[] result() {
-            return line[0];
-        }
-
-        /** @return T_jj - T_j,j-1 */
-        double[] getCorrection() {
-            return correction;
-        }
     }
 }

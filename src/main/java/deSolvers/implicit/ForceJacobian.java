@@ -3,7 +3,7 @@ package deSolvers.implicit;
 import deSolvers.ForceDerivatives;
 import deSolvers.JacobianStateSource;
 import deSolvers.linear.BlockMatrix;
-import deSolvers.linear.BlockMatrix.Pattern;
+import deSolvers.linear.BlockPattern;
 import deSolvers.linear.Gmres;
 import deSolvers.linear.SolverWork;
 import java.util.Arrays;
@@ -29,7 +29,7 @@ public final class ForceJacobian implements ForceDerivatives {
     private final NegativeSemidefinitePart projection = new NegativeSemidefinitePart();
     private final double[] projected = new double[9];
     private final double[] row = new double[9];
-    private Pattern pattern;
+    private BlockPattern pattern;
     private BlockMatrix stiffness;
     private BlockMatrix damping;
     private final double[] masses;
@@ -92,7 +92,7 @@ public final class ForceJacobian implements ForceDerivatives {
 
     private void setPattern() {
         known = named;
-        pattern = new Pattern(masses.length, Arrays.copyOf(pairs, named));
+        pattern = new BlockPattern(masses.length, Arrays.copyOf(pairs, named));
         stiffness = new BlockMatrix(pattern, work);
         damping = new BlockMatrix(pattern, work);
     }
@@ -110,7 +110,7 @@ public final class ForceJacobian implements ForceDerivatives {
         return exact;
     }
 
-    Pattern getPattern() {
+    BlockPattern getPattern() {
         return pattern;
     }
 
@@ -202,7 +202,7 @@ public final class ForceJacobian implements ForceDerivatives {
         if (named == pairs.length) {
             pairs = Arrays.copyOf(pairs, 2 * named + 1);
         }
-        pairs[named++] = Pattern.place(i, j);
+        pairs[named++] = BlockPattern.place(i, j);
         int slot = pattern.find(i, j);
         matches &= slot >= 0;
         return slot;

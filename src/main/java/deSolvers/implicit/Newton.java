@@ -2,7 +2,6 @@ package deSolvers.implicit;
 
 import deSolvers.DESolverException;
 import deSolvers.StepTransaction;
-import deSolvers.implicit.ShiftedJacobian.Choice;
 import deSolvers.implicit.ShiftedJacobian.Kind;
 import deSolvers.linear.SolverWork;
 import deSolvers.text.Digits;
@@ -52,7 +51,7 @@ final class Newton {
     private static final double LINEAR_TOLERANCE = 1e-4;
 
     private final SolverWork work = new SolverWork();
-    private final Choice choice = new Choice(work);
+    private final JacobianChoice choice = new JacobianChoice(work);
     private StepTransaction source;
     private ShiftedJacobian jacobian;
     private double[] start;

@@ -1,14 +1,7 @@
 package deSolvers.implicit;
 
-import static deSolvers.implicit.RadauNewton.RadauTableau.MU;
-import static deSolvers.implicit.RadauNewton.RadauTableau.MU_IM;
-import static deSolvers.implicit.RadauNewton.RadauTableau.MU_RE;
-import static deSolvers.implicit.RadauNewton.RadauTableau.MU_SQUARE;
-
 import deSolvers.StepTransaction;
 import deSolvers.adaptive.AdaptiveSolver;
-import deSolvers.implicit.RadauNewton.RadauTableau;
-import deSolvers.implicit.ShiftedJacobian.Choice;
 import deSolvers.linear.SolverWork;
 
 /**
@@ -46,7 +39,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
     private static final double WORTH_FACTORISING = 1.2;
 
     private final SolverWork work = new SolverWork();
-    private final Choice choice = new Choice(work);
+    private final JacobianChoice choice = new JacobianChoice(work);
     private ShiftedJacobian jacobian;
     private RadauNewton newton = new RadauNewton(work, getTolerance(), 0);
     private double[][] z = new double[3][0];
@@ -126,7 +119,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
      */
     private double estimate(double[] state, double[] slope, double h, double[] newState) {
         for (int i = 0; i < state.length; i++) {
-            right[i] = (h * slope[i] - RadauTableau.polynomial(1, z, i)) / MU;
+            right[i] = (h * slope[i] - RadauTableau.polynomial(1, z, i)) / RadauTableau.MU;
         }
         boolean solved = jacobian.solve(right, error, RadauNewton.LINEAR_TOLERANCE);
         return solved ? getTolerance().ratio(error, state, newState) : Double.POSITIVE_INFINITY;
@@ -157,9 +150,9 @@ public final class RadauIIASolver extends AdaptiveSolver {
     }
 
     private boolean prepare(double h) {
-        return jacobian.prepare(h / MU)
-                && jacobian.prepareComplex(h * MU_RE / MU_SQUARE,
-                        -h * MU_IM / MU_SQUARE);
+        return jacobian.prepare(h / RadauTableau.MU)
+                && jacobian.prepareComplex(h * RadauTableau.MU_RE / RadauTableau.MU_SQUARE,
+                        -h * RadauTableau.MU_IM / RadauTableau.MU_SQUARE);
     }
 
     /** The first guess: the last sub-step's polynomial, extrapolated; 0 in the first sub-step. */

@@ -1,13 +1,11 @@
 package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
-import deSolvers.JacobianStateSource;
 import deSolvers.StepTransaction;
-import deSolvers.linear.SolverWork;
 
 /**
  * The matrix I - g J of all implicit methods, with J = df/ds at some state: solves (I - g J) x = b for real and complex
- * g. How it does so depends on the source; {@link Choice} chooses.
+ * g. How it does so depends on the source; {@link JacobianChoice} chooses.
  */
 interface ShiftedJacobian {
 
@@ -101,48 +99,4 @@ interface ShiftedJacobian {
      * @param size  receives for each entry the size of the terms whose sum is rounded
      */
     void terms(double[] state, double[] slope, double g, double[] size);
-
-    /**
-     * Chooses how I - g J is solved, by the kind and the size of the source: particles with blocks by sparse matrices
-     * for the velocities, other sources by a full matrix.
-     */
-    static final class Choice {
-        /**
-         * Up to this size a full matrix, which costs about as many evaluations, serves where blocks are only a
-         * preconditioner, as with rods, wires and balls in contact: its entries tell the round-off of rods between
-         * masses of very different sizes.
-         */
-        private static final int SMALL = 100;
-        /** J, the matrix and its factors then take 600 MB; radau's complex matrix and factors another 800 MB. */
-        static final int LARGEST_DENSE = 5000;
-
-        private final SolverWork work;
-        private int n = -1;
-        private ShiftedJacobian form;
-
-        Choice(SolverWork work) {
-            this.work = work;
-        }
-
-        /** The form of I - g J for a source; it is made anew when its kind or size changes. */
-        ShiftedJacobian of(DEStateSource source) {
-            int size = source.getStateSize();
-            boolean blocks = source instanceof JacobianStateSource known
-                    && (known.hasExactJacobian() || size > SMALL);
-            if (size != n || blocks != form instanceof ReducedVelocitySystem) {
-                form = blocks ? new ReducedVelocitySystem(work, size) : dense(source, size);
-                n = size;
-            }
-            return form;
-        }
-
-        private ShiftedJacobian dense(DEStateSource source, int n) {
-            if (n > LARGEST_DENSE) {
-                throw new IllegalArgumentException("an implicit solver needs a full matrix for "
-                        + source.getClass().getName() + ", whose state has " + n + " entries; at most " + LARGEST_DENSE
-                        + " are possible without " + JacobianStateSource.class.getName() + "'s blocks");
-            }
-            return new DenseSystem(work, n);
-        }
-    }
 }

@@ -11,7 +11,7 @@
  * smaller ones, with a real g and a complex g; solving these costs less.
  *
  * <h2>The matrix</h2>
- * {@code ShiftedJacobian} solves linear systems with I - g J, whatever the form of the matrix. {@code Choice}
+ * {@code ShiftedJacobian} solves linear systems with I - g J, whatever the form of the matrix. {@code JacobianChoice}
  * chooses by the kind and size of the source:
  * <ul>
  * <li>{@code DenseSystem}, for sources of up to 5000 entries: a full matrix, with J by differences; a larger
@@ -39,5 +39,3 @@
  * Cloth Simulation</i>, SIGGRAPH 1998.
  */
 package deSolvers.implicit;
-
-

@@ -1,6 +1,5 @@
 package deSolvers.linear;
 
-import deSolvers.linear.BlockMatrix.Pattern;
 import java.util.Arrays;
 
 /**
@@ -23,7 +22,7 @@ final class BlockFactors implements LinearOperator {
     private static final int NONE = -1;
 
     private final SolverWork work;
-    private final Pattern pattern;
+    private final BlockPattern pattern;
     private final int[] order;                          // the rows in the order of elimination
     private final int[] place;                          // of each row in it
     private final int[] start;                          // of each column of L: where its entries begin
@@ -43,7 +42,7 @@ final class BlockFactors implements LinearOperator {
     private final double[] part = new double[3];
     private double[] solution = {};
 
-    BlockFactors(Pattern pattern, SolverWork work) {
+    BlockFactors(BlockPattern pattern, SolverWork work) {
         this.pattern = pattern;
         this.work = work;
         int n = pattern.rows;

@@ -1,6 +1,5 @@
 package deSolvers.linear;
 
-import deSolvers.linear.BlockMatrix.Pattern;
 import java.util.Arrays;
 
 /**
@@ -95,7 +94,7 @@ public final class BlockSolver {
         if (expected <= FEW_ITERATIONS || !factors().isFit()) {
             return false;
         }
-        Pattern pattern = matrix.getPattern();
+        BlockPattern pattern = matrix.getPattern();
         return factors.products(symmetric) + factors.blocks() < expected * (pattern.countBlocks() + pattern.rows);
     }
 
@@ -177,7 +176,7 @@ public final class BlockSolver {
 
         /** Inverts the diagonal blocks of a matrix; false if one is singular. */
         boolean prepare(BlockMatrix matrix) {
-            Pattern pattern = matrix.getPattern();
+            BlockPattern pattern = matrix.getPattern();
             if (inverse.length != 9 * pattern.rows) {
                 inverse = new double[9 * pattern.rows];
             }

@@ -1,6 +1,5 @@
 package deSolvers.linear;
 
-import deSolvers.linear.BlockMatrix.Pattern;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 
@@ -19,12 +18,12 @@ final class NestedDissection {
     private static final double SMALLEST_PART = 0.3;
     private static final int UNKNOWN = Integer.MAX_VALUE;
 
-    private final Pattern pattern;
+    private final BlockPattern pattern;
     private final int[] order;
     private final int[] queue;
     private final int[] level;                          // of each row, in the last search that found it
 
-    private NestedDissection(Pattern pattern) {
+    private NestedDissection(BlockPattern pattern) {
         this.pattern = pattern;
         order = new int[pattern.rows];
         queue = new int[pattern.rows];
@@ -32,7 +31,7 @@ final class NestedDissection {
     }
 
     /** @return all rows in the order of their elimination */
-    static int[] order(Pattern pattern) {
+    static int[] order(BlockPattern pattern) {
         NestedDissection dissection = new NestedDissection(pattern);
         dissection.dissect(IntStream.range(0, pattern.rows).toArray(), 0);
         return dissection.order;

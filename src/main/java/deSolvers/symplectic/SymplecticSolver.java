@@ -103,91 +103,11 @@ abstract class SymplecticSolver extends FixedStepSolver {
     final double[] closingKick(double[] s, double[] guess, double h) {
         if (secondOrder().accelerationDependsOnVelocity()) {
             double[] a = copy(guess);
-            implicitKick.solve(s, guess, h, a);
+            implicitKick.solve(getTransaction(), s, guess, d, h, a);
             return a;
         }
         double[] a = derivative(s);
         kick(s, a, h);
         return a;
-    }
-
-    /**
-     * A kick with the acceleration at its own end, v = v0 + h a(x, v, t), solved for v by fixed-point iteration. With
-     * the acceleration at v0 instead, a step would no longer be the mirror image of itself, and its order would fall to
-     * 1.
-     */
-    private final class ImplicitKick {
-        /** Relative to the velocities: some hundred times the round-off. */
-        private static final double TOLERANCE = 1e-13;
-        /** Relative to the largest position: how far round-off may move the end of the step. */
-        private static final double ROUND_OFF = 0x1p-50;
-        private static final int MOST_ITERATIONS = 100;
-
-        private double[] before = {};                       // (x, v0)
-        private double change;                              // the largest change of a velocity in the last iteration
-
-        /**
-         * Solves the equation.
-         *
-         * @param s     holds (x, v0); receives (x, v)
-         * @param guess an acceleration nearby
-         * @param h     the kick's length (s)
-         * @param a     receives the acceleration at (x, v)
-         */
-        void solve(double[] s, double[] guess, double h, double[] a) {
-            if (before.length != s.length) {
-                before = new double[s.length];
-            }
-            System.arraycopy(s, 0, before, 0, s.length);
-            kick(s, guess, h);
-            double scale = largest(before, d);
-            for (int iteration = 0; iteration < MOST_ITERATIONS; iteration++) {
-                double last = change;
-                getTransaction().getStateDerivative(s, a);      // at (x, v, t) with the latest v
-                kick(s, a, h);
-                if (iteration == 0) {
-                    getTransaction().requireFinite(a);
-                    scale += change;
-                }
-                if (!(change <= Double.MAX_VALUE)) {
-                    break;                              // diverged until the source overflows: not the source's fault
-                }
-                if (change <= TOLERANCE * Math.max(scale, Double.MIN_NORMAL)) { // smaller numbers have fewer digits
-                    return;
-                }
-                if (iteration > 0 && change >= last
-                        && change * Math.abs(h) <= ROUND_OFF * largest(s, 0)) {
-                    return;                             // near rest, where large forces cancel, only round-off is left
-                }
-            }
-            throw getTransaction().failure(-1, "the velocity at the end of the step did not converge in "
-                    + MOST_ITERATIONS + " iterations", "the last change is " + change + " of " + scale
-                    + "; drag or spring damping is too stiff for this deltaT:"
-                    + " take a smaller one or an implicit solver");
-        }
-
-        /** v = v0 + h a; notes the largest change, NaN if one is. */
-        private void kick(double[] s, double[] a, double h) {
-            double largest = 0;
-            for (int block = d; block < s.length; block += 2 * d) {
-                for (int v = block; v < block + d; v++) {
-                    double kicked = before[v] + h * a[v];
-                    largest = Math.max(largest, Math.abs(kicked - s[v]));
-                    s[v] = kicked;
-                }
-            }
-            change = largest;
-        }
-
-        /** The largest size among the positions, from entry 0 on, or the velocities, from entry d on; NaN if one is. */
-        private double largest(double[] s, int first) {
-            double largest = 0;
-            for (int block = first; block < s.length; block += 2 * d) {
-                for (int i = block; i < block + d; i++) {
-                    largest = Math.max(largest, Math.abs(s[i]));
-                }
-            }
-            return largest;
-        }
     }
 }

@@ -12,7 +12,6 @@ import particles.law.Reaction;
 import particles.law.Vector3;
 import particles.law.Violation;
 import particles.reactions.ContactModes.Mode;
-import particles.reactions.ContactSurface.Friction;
 
 /**
  * The contact force on particles that rest on surfaces, the slides' "Particle/Plane Contact": for N . F &ge; 0 it is 0;

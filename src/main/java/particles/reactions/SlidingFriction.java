@@ -4,7 +4,6 @@ import java.util.Arrays;
 import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.law.Vector3;
-import particles.reactions.ContactSurface.Friction;
 import particles.reactions.Row.Kind;
 
 /**

@@ -5,9 +5,9 @@ import static deSolvers.problems.KnownSolutions.growthInSeason;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.problems.DragInWind;
+import deSolvers.problems.Kepler;
 import deSolvers.problems.Oscillator;
 import deSolvers.problems.ReferenceProblem;
-import deSolvers.problems.SecondOrderProblem.Kepler;
 import deSolvers.problems.WorkCurve;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;

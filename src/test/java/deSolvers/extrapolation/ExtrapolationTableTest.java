@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.StepTransaction;
-import deSolvers.extrapolation.BulirschStoerSolver.ExtrapolationTable;
 import deSolvers.problems.ReferenceProblem;
 import org.junit.jupiter.api.Test;
 

@@ -5,8 +5,8 @@ import static deSolvers.problems.Bounds.assertBelow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import deSolvers.catalog.SolverCatalog;
+import deSolvers.problems.Kepler;
 import deSolvers.problems.Orbit;
-import deSolvers.problems.SecondOrderProblem.Kepler;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

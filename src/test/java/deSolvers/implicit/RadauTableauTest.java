@@ -1,10 +1,9 @@
 package deSolvers.implicit;
 
-import static deSolvers.implicit.RadauNewton.RadauTableau.S6;
+import static deSolvers.implicit.RadauTableau.S6;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.implicit.RadauNewton.RadauTableau;
 import org.hipparchus.linear.Array2DRowRealMatrix;
 import org.junit.jupiter.api.Test;
 

@@ -6,10 +6,10 @@ import static deSolvers.problems.KnownSolutions.END_OF_VAN_DER_POL;
 import static deSolvers.problems.KnownSolutions.protheroRobinson;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import deSolvers.problems.Kepler;
 import deSolvers.problems.KnownSolutions;
 import deSolvers.problems.Oscillator;
 import deSolvers.problems.ReferenceProblem;
-import deSolvers.problems.SecondOrderProblem.Kepler;
 import deSolvers.problems.WorkCurve;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;

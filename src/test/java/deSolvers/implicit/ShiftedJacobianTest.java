@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.EulerSolver;
 import deSolvers.StepTransaction;
-import deSolvers.implicit.ShiftedJacobian.Choice;
 import deSolvers.linear.SolverWork;
 import deSolvers.problems.Law;
 import deSolvers.problems.PlainSource;
@@ -80,7 +79,7 @@ class ShiftedJacobianTest {
     /** Particles with blocks keep them sparse, exact or not; other sources get a full matrix. */
     @Test
     void theFormDependsOnTheSource() {
-        Choice choice = new Choice(work);
+        JacobianChoice choice = new JacobianChoice(work);
         BlockParticles particles = new BlockParticles(20, 10, true, false);
         assertEquals(ReducedVelocitySystem.class, choice.of(particles).getClass());
         assertEquals(DenseSystem.class, choice.of(new PlainSource(particles)).getClass());

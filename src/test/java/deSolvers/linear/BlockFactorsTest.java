@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.linear.BlockMatrix.Pattern;
 import java.util.Arrays;
 import java.util.Random;
 import java.util.stream.IntStream;
@@ -61,7 +60,7 @@ class BlockFactorsTest {
     /** Factors serve any number of matrices of one pattern, symmetric ones and others in turn. */
     @Test
     void factorsCanBeMadeAnew() {
-        Pattern pattern = SparseCases.grid(6);
+        BlockPattern pattern = SparseCases.grid(6);
         BlockFactors factors = new BlockFactors(pattern, work);
         double[] b = SparseCases.vector(108);
         double[] x = new double[108];
@@ -90,7 +89,7 @@ class BlockFactorsTest {
                 assertArrayEquals(IntStream.range(0, rows).toArray(), order, rows + " rows, " + pairs + " pairs");
             }
         }
-        assertEquals(0, NestedDissection.order(new Pattern(0)).length);
+        assertEquals(0, NestedDissection.order(new BlockPattern(0)).length);
     }
 
     /**
@@ -114,8 +113,8 @@ class BlockFactorsTest {
     @Test
     void aChainFillsInLittle() {
         int n = 1000;
-        Pattern chain = new Pattern(n, IntStream.range(0, n - 1)
-                .mapToLong(i -> Pattern.place(i, i + 1)).toArray());
+        BlockPattern chain = new BlockPattern(n, IntStream.range(0, n - 1)
+                .mapToLong(i -> BlockPattern.place(i, i + 1)).toArray());
         assertBelow(7 * n, new BlockFactors(chain, work).blocks());
     }
 

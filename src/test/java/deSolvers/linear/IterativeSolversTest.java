@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.linear.BlockMatrix.Pattern;
 import deSolvers.linear.BlockSolver.BlockJacobi;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -108,7 +107,7 @@ class IterativeSolversTest {
     /** Factors of another matrix are a preconditioner: more iterations, the same solution, until they are too old. */
     @Test
     void oldFactorsServeUntilTheyCostTooMuch() {
-        Pattern pattern = SparseCases.grid(8);
+        BlockPattern pattern = SparseCases.grid(8);
         BlockSolver solver = new BlockSolver(work);
         double[] b = SparseCases.vector(192);
         double[] x = new double[192];

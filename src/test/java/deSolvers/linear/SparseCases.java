@@ -1,6 +1,5 @@
 package deSolvers.linear;
 
-import deSolvers.linear.BlockMatrix.Pattern;
 import java.util.Arrays;
 import java.util.Random;
 import java.util.stream.LongStream;
@@ -11,29 +10,29 @@ final class SparseCases {
     }
 
     /** The pattern of a square grid whose points touch those next to them and across. */
-    static Pattern grid(int edge) {
+    static BlockPattern grid(int edge) {
         LongStream.Builder pairs = LongStream.builder();
         for (int i = 0; i < edge * edge; i++) {
             for (int[] step : new int[][] {{0, 1}, {1, 0}, {1, 1}, {1, -1}}) {
                 int row = i / edge + step[0];
                 int column = i % edge + step[1];
                 if (row < edge && column >= 0 && column < edge) {
-                    pairs.add(Pattern.place(i, row * edge + column));
+                    pairs.add(BlockPattern.place(i, row * edge + column));
                 }
             }
         }
-        return new Pattern(edge * edge, pairs.build().toArray());
+        return new BlockPattern(edge * edge, pairs.build().toArray());
     }
 
     /** A pattern of random pairs, some of them twice, and some rows alone. */
-    static Pattern random(int rows, int pairs, Random random) {
+    static BlockPattern random(int rows, int pairs, Random random) {
         int[] first = random.ints(pairs, 0, rows).toArray();
-        return new Pattern(rows, Arrays.stream(first).mapToLong(i -> Pattern.place(i,
+        return new BlockPattern(rows, Arrays.stream(first).mapToLong(i -> BlockPattern.place(i,
                 (i + 1 + random.nextInt(rows - 1)) % rows)).toArray());
     }
 
     /** Springs of this stiffness between all that touch, and a mass of 1 on each: positive definite. */
-    static BlockMatrix springs(Pattern pattern, double stiffness, boolean symmetric, SolverWork work) {
+    static BlockMatrix springs(BlockPattern pattern, double stiffness, boolean symmetric, SolverWork work) {
         Random random = new Random(pattern.rows);
         BlockMatrix matrix = new BlockMatrix(pattern, work);
         double[] value = matrix.getValues();
@@ -58,7 +57,7 @@ final class SparseCases {
 
     /** The same matrix in full, by rows. */
     static double[] full(BlockMatrix matrix) {
-        Pattern pattern = matrix.getPattern();
+        BlockPattern pattern = matrix.getPattern();
         int n = 3 * pattern.rows;
         double[] full = new double[n * n];
         for (int i = 0; i < pattern.rows; i++) {

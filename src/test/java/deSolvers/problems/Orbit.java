@@ -1,7 +1,5 @@
 package deSolvers.problems;
 
-import deSolvers.problems.SecondOrderProblem.Kepler;
-
 /** What tests ask of a {@link Kepler} orbit. */
 public final class Orbit {
     private Orbit() {

@@ -7,8 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import deSolvers.DESolver;
 import deSolvers.DESolverException;
+import deSolvers.problems.LinearPair;
 import deSolvers.problems.SecondOrderProblem;
-import deSolvers.problems.StepMatrix.LinearPair;
 import deSolvers.problems.Steps;
 import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;

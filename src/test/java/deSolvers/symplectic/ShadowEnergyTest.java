@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
-import deSolvers.problems.SecondOrderProblem.Pendulum;
+import deSolvers.problems.Pendulum;
 import org.junit.jupiter.api.Test;
 
 /** How long "does not drift" is true where forces are not linear: a pendulum that swings to 2.9 rad, omega = 1. */

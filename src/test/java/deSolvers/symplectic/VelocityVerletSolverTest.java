@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import deSolvers.DESolverException;
 import deSolvers.SecondOrderStateSource;
+import deSolvers.problems.LinearPair;
 import deSolvers.problems.Oscillator;
 import deSolvers.problems.PlainSource;
-import deSolvers.problems.StepMatrix.LinearPair;
 import deSolvers.problems.Steps;
 import org.junit.jupiter.api.Test;
 

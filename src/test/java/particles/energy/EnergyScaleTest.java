@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import particles.energy.EnergyRecorder.NumericalErrorLimit;
 import particles.scene.Scene;
 import particles.scene.TestScenes;
 

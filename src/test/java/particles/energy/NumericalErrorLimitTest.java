@@ -20,7 +20,6 @@ import particles.Simulation;
 import particles.SimulationException;
 import particles.Systems;
 import particles.effects.springs.SpringForce;
-import particles.energy.EnergyRecorder.NumericalErrorLimit;
 import particles.law.ParticleForce;
 import particles.law.Vector3;
 import particles.scene.Scene;

@@ -29,7 +29,7 @@ import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.reactions.ContactModes.Mode;
 import particles.reactions.ContactSurface;
-import particles.reactions.ContactSurface.Friction;
+import particles.reactions.Friction;
 import particles.reactions.RestingContacts;
 
 /** The force derivatives of a particle system against central differences, on random systems. */

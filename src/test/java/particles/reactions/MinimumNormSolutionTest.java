@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.reactions.ActiveSetMethod.MinimumNormSolution;
 
 /** Minimum-norm solutions of singular systems, one after another. */
 class MinimumNormSolutionTest {

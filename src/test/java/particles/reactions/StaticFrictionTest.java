@@ -18,7 +18,6 @@ import particles.Systems;
 import particles.law.Obstacle;
 import particles.law.Plane;
 import particles.law.Vector3;
-import particles.reactions.ContactSurface.Friction;
 import particles.rules.ClampedImpacts;
 import particles.scene.ShortRun;
 

@@ -6,7 +6,6 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import particles.scene.RunLimits.MemoryEstimate;
 import particles.scene.format.SceneDescription;
 import particles.spec.messages.Problems;
 

@@ -1,7 +1,6 @@
 package particles.app.student;
 
 import java.io.PrintWriter;
-import java.util.List;
 import particles.app.cli.ProgramCommand;
 import particles.spec.messages.InvalidInputException;
 import particles.teaching.exercises.Draw;
@@ -58,19 +57,5 @@ public final class ExerciseCommand extends ProgramCommand {
             throw new InvalidInputException(mark.lines());
         }
         mark.lines().forEach(out::println);
-    }
-
-    /** {@code gradle exercises}: lists the exercises, one line each. */
-    @Command(name = "exercises", description = "Lists the exercises.")
-    public static final class ExercisesCommand extends ProgramCommand {
-        @Override
-        public void run(PrintWriter out) {
-            List<Exercise> all = Exercises.ALL;
-            for (int number = 1; number <= all.size(); number++) {
-                out.printf("%2d  %s%n", number, all.get(number - 1).title());
-            }
-            out.println("the text with your own numbers: " + getStyle().task("exercise") + " "
-                    + getStyle().option("number") + "=1 " + getStyle().option("student") + "=YOUR-ID");
-        }
     }
 }

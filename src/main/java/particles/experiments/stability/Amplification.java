@@ -3,8 +3,8 @@ package particles.experiments.stability;
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
+import deSolvers.problems.LinearPair;
 import deSolvers.problems.StepMatrix;
-import deSolvers.problems.StepMatrix.LinearPair;
 import java.util.function.Supplier;
 
 /**

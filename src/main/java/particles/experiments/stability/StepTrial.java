@@ -1,8 +1,8 @@
 package particles.experiments.stability;
 
 import deSolvers.DESolver;
+import deSolvers.problems.LinearPair;
 import deSolvers.problems.StepMatrix;
-import deSolvers.problems.StepMatrix.LinearPair;
 import java.util.Optional;
 import java.util.function.Supplier;
 

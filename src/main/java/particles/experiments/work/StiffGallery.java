@@ -2,7 +2,7 @@ package particles.experiments.work;
 
 import deSolvers.DESolver;
 import deSolvers.DESolverException;
-import deSolvers.problems.SecondOrderProblem.StiffSpringPair;
+import deSolvers.problems.StiffSpringPair;
 import java.util.List;
 import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;

@@ -18,7 +18,7 @@ import particles.law.Obstacle;
 import particles.law.Plane;
 import particles.law.Vector3;
 import particles.reactions.ContactSurface;
-import particles.reactions.ContactSurface.Friction;
+import particles.reactions.Friction;
 import particles.rules.Collisions;
 import particles.spec.Key;
 import particles.spec.Kind;

@@ -1,8 +1,8 @@
 package particles.teaching.figures;
 
 import deSolvers.DESolver;
+import deSolvers.problems.LinearPair;
 import deSolvers.problems.StepMatrix;
-import deSolvers.problems.StepMatrix.LinearPair;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

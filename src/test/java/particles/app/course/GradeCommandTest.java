@@ -24,7 +24,7 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
 import particles.app.student.ExerciseCommand;
-import particles.app.student.ExerciseCommand.ExercisesCommand;
+import particles.app.student.ExercisesCommand;
 import particles.teaching.effects.EffectSkeleton;
 import particles.teaching.exercises.Exercises;
 

@@ -26,7 +26,6 @@ import particles.app.cli.OptionStyle;
 import particles.app.cli.PrintedProgress;
 import particles.app.cli.ProgramCommand.Mistakes;
 import particles.app.cli.Screen;
-import particles.app.experiments.StiffGalleryCommand.StiffClothCommand;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.work.WorkProblem;
 import particles.output.files.OutputException;

@@ -35,7 +35,6 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Program;
 import particles.app.cli.Screen;
-import particles.app.run.ListCommands.ScenesCommand;
 import particles.scene.SceneFiles;
 
 /** Runs through the program: files, output and exit codes. */

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.problems.SecondOrderProblem.StiffSpringPair;
+import deSolvers.problems.StiffSpringPair;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
