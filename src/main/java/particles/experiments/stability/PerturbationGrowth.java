@@ -122,7 +122,6 @@ record PerturbationGrowth(SceneDescription scene) {
     }
 
     private static void displace(ParticleSystem system, Mode mode) {
-        Particles particles = system.getParticles();
         double[] state = system.getOwnState();
         double[] shape = mode.shape();
         double largest = 0;
@@ -135,8 +134,8 @@ record PerturbationGrowth(SceneDescription scene) {
         }
         double step = NEAR * (size > 0 ? size : 1);
         SplittableRandom random = new SplittableRandom(SEED);
-        for (int i = 0, x = 0; i < particles.count(); i++, x += Particles.STRIDE) {
-            for (int c = x; c < x + 3 && !particles.isFixed(i); c++) {
+        for (int i : system.getParticles().free().toArray()) {
+            for (int c = Particles.STRIDE * i; c < Particles.STRIDE * i + 3; c++) {
                 state[c] += step * (shape[c] / largest + OTHERS * (random.nextDouble() - 0.5));
                 state[c + 3] += step * shape[c + 3] / largest;
             }

@@ -65,7 +65,8 @@ public final class LastSteps extends StridedRecorder {
         if (!steps.isEmpty() && steps.peekLast().state.length != numbers) {
             steps.clear();
         }
-        boolean outside = !isAnyInPicture(system.getParticles(), state);
+        boolean outside = system.getParticles().free().noneMatch(i ->
+                view.isInPicture(Vector3.at(state, Particles.STRIDE * i)));
         if (outside && gone) {
             return;
         }
@@ -74,15 +75,6 @@ public final class LastSteps extends StridedRecorder {
         double[] copy = full ? steps.removeFirst().state : new double[numbers];
         System.arraycopy(state, 0, copy, 0, numbers);
         steps.addLast(new Step(time, copy));
-    }
-
-    private boolean isAnyInPicture(Particles particles, double[] state) {
-        for (int i = 0, x = 0; i < particles.count(); i++, x += Particles.STRIDE) {
-            if (!particles.isFixed(i) && view.isInPicture(Vector3.at(state, x))) {
-                return true;
-            }
-        }
-        return false;
     }
 
     /** @return the steps, the first one first; the last one may be the first at which nothing was in the picture */
