@@ -53,9 +53,6 @@ public final class RaceFilm implements AutoCloseable {
 
     /** What one thread draws on; a chart cannot be drawn by two threads at a time. */
     private record Canvas(BufferedImage image, StripChart chart) {
-        Canvas(ChartData strip) {
-            this(new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB), new StripChart(strip));
-        }
     }
 
     /**
@@ -107,8 +104,9 @@ public final class RaceFilm implements AutoCloseable {
     public Observer watch(Optional<String> solver, FrameSetup stage) {
         int colour = solver.map(name -> SolverStyle.orGrey(name).rgb()).orElse(GREY);
         FrameSetup coloured = new FrameSetup(stage.camera(), stage.look().inOneColour(colour), stage.scenery(), "", "");
-        films.add(new PanelFilm(coloured, scaled(page.panelWidth()), scaled(page.panelHeight()), rate));
-        return films.get(films.size() - 1).observer;
+        PanelFilm film = new PanelFilm(coloured, scaled(page.panelWidth()), scaled(page.panelHeight()), rate);
+        films.add(film);
+        return film.observer;
     }
 
     /**
@@ -125,7 +123,8 @@ public final class RaceFilm implements AutoCloseable {
         int[] backdrop = ghost.renderer.renderBackdrop();
         try (GifAnimation gif = new GifAnimation(folder, WIDTH, HEIGHT, WIDTH, playback);
                 Pipeline<Canvas> pipeline = new Pipeline<>(Pipeline.threads(BYTES_PER_PIXEL * WIDTH * HEIGHT), () ->
-                        new Canvas(strip))) {
+                        new Canvas(new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB),
+                                new StripChart(strip)))) {
             for (int k = 0; k < ghost.packed.size(); k++) {
                 int index = k;
                 pipeline.add(canvas -> {

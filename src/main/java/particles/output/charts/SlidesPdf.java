@@ -13,7 +13,7 @@ import java.awt.Font;
 import java.awt.Paint;
 import java.io.ByteArrayOutputStream;
 import java.util.List;
-import particles.output.files.OutputFolder;
+import java.util.stream.Stream;
 
 /**
  * All slides of a task as one PDF file: vectors, and text that can be searched if the font is found. Otherwise letters
@@ -27,7 +27,7 @@ final class SlidesPdf {
 
         private Fonts() {
             FontFactory.registerDirectories();
-            areFound = List.of(ChartStyle.TITLE, ChartStyle.LABEL).stream()
+            areFound = Stream.of(ChartStyle.TITLE, ChartStyle.LABEL)
                     .allMatch(font -> FontFactory.isRegistered(font.getFontName()));
         }
 

@@ -79,7 +79,8 @@ public record SolverStyle(SolverFamily family, Color colour, Stroke stroke, Shap
         /** Solvers of one's own. */
         OWN("your own");
 
-        private final String title;
+        /** The title of its panel. */
+        public final String title;
 
         SolverFamily(String title) {
             this.title = title;
@@ -88,11 +89,6 @@ public record SolverStyle(SolverFamily family, Color colour, Stroke stroke, Shap
         /** @return a word for it, in names of files */
         public String word() {
             return name().toLowerCase(Locale.ROOT);
-        }
-
-        /** @return the title of its panel */
-        public String title() {
-            return title;
         }
     }
 }

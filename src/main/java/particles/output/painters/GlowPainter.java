@@ -66,7 +66,8 @@ public final class GlowPainter {
             if (light[k] > 0) {
                 int shift = SHIFTS[k % 3];
                 int channel = pixels[k / 3] >> shift & 255;
-                pixels[k / 3] += brighter(channel, light[k]) - channel << shift;
+                int step = (int) Math.min(passed.length - 1, light[k] * STEPS_PER_UNIT);
+                pixels[k / 3] += Math.round(255 - (255 - channel) * passed[step]) - channel << shift;
             }
         }
     }
@@ -92,10 +93,5 @@ public final class GlowPainter {
             }
             return seen;
         });
-    }
-
-    private int brighter(int channel, float amount) {
-        int step = (int) Math.min(passed.length - 1, amount * STEPS_PER_UNIT);
-        return Math.round(255 - (255 - channel) * passed[step]);
     }
 }

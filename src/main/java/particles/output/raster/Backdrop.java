@@ -165,8 +165,7 @@ public final class Backdrop {
     /** The depth at which a ray meets a plane's outer side; infinity if it does not. */
     static double depth(Plane plane, Ray ray) {
         double fall = -ray.direction().dot(plane.normal());
-        Vector3 start = ray.start();
-        return fall > 1e-6 ? plane.distance(start) / fall : Double.POSITIVE_INFINITY;
+        return fall > 1e-6 ? plane.distance(ray.start()) / fall : Double.POSITIVE_INFINITY;
     }
 
     /** The colour of the sky: with a ground it has a horizon; without one, it is a screen behind the scene. */

@@ -145,7 +145,7 @@ public record Picture(String name, String caption, String title, List<Panel> pan
                     add(pictures, file, part, List.of(part.titled(heading(part))));
                 } else if (!format.slide()) {
                     add(pictures, file, part, part.families().stream().map(family ->
-                            member(part, family, true).titled(family.title())).toList());
+                            member(part, family, true).titled(family.title)).toList());
                 } else {
                     for (SolverFamily family : part.families()) {
                         Panel some = member(part, family, false);
