@@ -51,7 +51,7 @@ public final class LectureFiguresCommand extends ExperimentCommand {
             });
         }
         if (solver != null) {
-            mistakes.check(() -> made("solver", () -> SolverCatalog.create(solver)));
+            mistakes.check(() -> made("solver", () -> SolverCatalog.info(solver)));
         }
         super.read(mistakes);
     }
@@ -80,7 +80,7 @@ public final class LectureFiguresCommand extends ExperimentCommand {
             panels.add(panel);
             pictures.add(Picture.of(fileName(result.figure()), panel.title() + ".", panel).again());
         }
-        // a solver of one's own may end farther out by chance, as symplectic ones do
+        // the solver that is added may end farther out by chance, as symplectic ones do
         String finding = LectureFigures.finding(results.subList(0, LectureFigures.ON_SLIDES.size()));
         pictures.add(0, Picture.panels("all-figures", "All figures beside each other; each has its own scale.", finding,
                 panels).onSlides(List.of()));

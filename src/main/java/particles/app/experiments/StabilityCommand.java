@@ -149,7 +149,8 @@ public final class StabilityCommand extends ExperimentCommand {
         String caption = """
                 Each point is deltaT times an eigenvalue of the scene's linearised start: the fastest, and what else \
                 the iteration found. A step is safe where all points to the left of the imaginary axis, or on it, \
-                lie inside the solver's outline.""";
+                lie where the solver is stable: inside the outline of an explicit one, and outside or left of that of \
+                an implicit one.""";
         pictures.add(Picture.of("eigenvalues", caption, Panel.map(plane.get(0))).onSlides(List.of(
                 Picture.of("eigenvalues", caption, Panel.map(plane.get(1))))));
         List<Limit> finite = limits.stream().filter(Limit::isFinite).toList();

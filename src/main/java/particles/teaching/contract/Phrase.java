@@ -20,7 +20,7 @@ public enum Phrase {
     LAYOUT, ADDS, DRAG, DRAG_DIVERGES, PRINTED, MATRIX, NO_CONVERGENCE, UNUSED, USES_STEPS_BEFORE, KEPT_ARRAY,
     KEPT_DERIVATIVE, KEPT_SOMETHING, OTHER_SOURCE, STATIC, DELTA_T_CHANGES, DELTA_T_KEPT, TURNS_BACK, CLOCK_IGNORED,
     SIZE_FAILS, SIZE_UNLIKE, NOTHING_BACK, STEP_BACK, LOOPS, MOVES_AT_ZERO, NAN_AT_ZERO, SWALLOWS, FOR_PARTICLES,
-    REFUSES_BACK, REFUSES_ZERO, LEFT_WITHIN, NAN_UNNOTICED, NAN_UNSAID, NAN_HIDDEN;
+    REFUSES_BACK, REFUSES_ZERO, LEFT_WITHIN, NAN_UNNOTICED, NAN_UNSAID, NAN_HIDDEN, NAN_ENDS;
 
     private static final String BOOK = """
             # the class
@@ -58,7 +58,7 @@ public enum Phrase {
             state LEFT_AT_TRIAL: the state is left at a trial state, %s, that of the last evaluation: setState with \
                 the new state is missing at the end
             state OLDER_STATE: the new state is %s, the one at which %s is evaluated: an older array is set at the \
-                end, and not the one with the last sum (where two arrays are exchanged, which of them is the new one?)
+                end; set the one with the last sum
             state SET_TOO_EARLY: the state is set before the derivative is known, and never to the new state: \
                 setState(state) is missing at the end
             state OLD_STATE: %s %s, with %s times %s in it instead of once: %s
@@ -84,9 +84,9 @@ public enum Phrase {
                 The last sub-step has to be cut to what is left of deltaT; lengths and signs of the other \
                 parts have to be those of the book
             method WEIGHTS_SUM: the weights of the new state add up to %s; they have to add up to 1
-            method MOMENT: the order is %s; %s: there the weights of the new state, %s, each multiplied by its \
-                evaluation's (time/deltaT)^%s, add up to %s, and here to %s, so that this error is not cancelled; \
-                results of different sub-steps have to enter with weights that cancel it
+            method MOMENT: the order is %s; %s: the new state is %s. For that order its weights, \
+                each multiplied by its evaluation's (time/deltaT)^%s, have to add up to %s, and they add up to %s: \
+                choose the weights with which the results are combined so that they do
             method LOW_ORDER: the order is %s with %s%s: %s %s; compare the coefficients and the weights with those \
                 of the book
             method OTHER_STEPS: the measured order is %s, and the coefficients of a step are those of a method of \
@@ -139,16 +139,16 @@ public enum Phrase {
             method UNCONTROLLED: sub-steps are made, and the error is still %s after a step of %s s, and %s after %s \
                 steps over the same time: a sub-step with too large an error has to be made again from the state \
                 before it, with a shorter length
-            method LARGEST_ERROR: two springs swing alike, one as the first coordinate of the first particle and one \
-                as the last of the last, and after a step of %s s they are %s apart: every loop, also that of a \
-                matrix, has to reach all entries, and the error of a sub-step has to be the largest of all entries
-            method ABSOLUTE_ERROR: two springs start at 1 and at -1, and after a step of %s s one is not the mirror \
-                image of the other, but %s off: an error may be negative, and its size counts, Math.abs
+            method LARGEST_ERROR: two springs swing alike, x of the first particle and z of the last, and after \
+                a step of %s s they are %s apart: every loop, also that of a matrix, has to reach \
+                all entries, and the error of a sub-step has to be the largest of all entries
+            method ABSOLUTE_ERROR: two springs start as mirror images, and after a step of %s s one is not that of \
+                the other any more, but %s off: an error may be negative, and its size counts, Math.abs
             method ELSEWHERE: after a step of %s s the state is that of %s: either the weights add up to %s and not \
                 to 1, or a part of the step is missing or made once too often (count sub-steps with an int, as sums \
                 of fractions are rounded)
-            method STAYS: a step of %s s evaluates no derivative and leaves the state where it was, and a longer one \
-                moves it: the number of sub-steps is cut to 0, or what is left after whole sub-steps is not made
+            method STAYS: a step of %s s leaves the state where it was, and a longer one moves it: the number of \
+                sub-steps is cut to 0, or what is left after whole sub-steps is not made
             method STAYS_AT_GUESS: a step of %s s leaves the state where it was, and a longer one moves it: the \
                 iteration ends at its guess, the old state, as its tolerance is larger than all that the step moves; \
                 iterate until the change is below about 1e-10
@@ -176,8 +176,8 @@ public enum Phrase {
             state DELTA_T_KEPT: deltaT changes from one step to the next, and the step is not the one that a new \
                 solver makes with it: deltaT of an earlier step is kept. It is an argument of each call, and may \
                 differ in each
-            state TURNS_BACK: deltaT is negative after steps forward, and the step is not the one that a new solver \
-                makes: a length of sub-steps or a direction is kept from the step before, with its sign
+            state TURNS_BACK: after steps forward, a step of negative deltaT is not the one that a new solver makes: \
+                a length of sub-steps or a direction that is kept from the step before still has the old sign
             style CLOCK_IGNORED: what is remembered of earlier steps is used although the clock was set from outside: \
                 compare source.getTime() as well, since forces may depend on the time
             # every source, every deltaT
@@ -214,6 +214,9 @@ public enum Phrase {
                 deSolvers.FixedStepSolver puts them back
             style NAN_UNNOTICED: this check made the derivative NaN on purpose, and the NaN goes unnoticed into the \
                 state; deSolvers.FixedStepSolver reports it
+            style NAN_ENDS: this check made the derivative NaN on purpose, and the iteration ends early, as \
+                comparisons with NaN are false: the new state has no NaN, and nothing is said; \
+                deSolvers.FixedStepSolver reports it
             style NAN_UNSAID: this check made the derivative NaN on purpose, and the exception that the solver throws \
                 says nothing
             """.replaceAll(" +", " ").replace("FORGET", "What is remembered of earlier steps may be used only while"

@@ -14,6 +14,7 @@ import particles.teaching.Formula;
 import particles.teaching.GuardedRun.EndlessLoop;
 import particles.teaching.StudentFailure;
 import particles.teaching.sources.Probe;
+import particles.teaching.sources.Springs;
 import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 
@@ -32,6 +33,8 @@ public record SolverContract(Supplier<DESolver> maker) {
     /** So small that an adaptive method accepts its first step. */
     public static final double TINY = StrictMath.pow(2, -40);
     private static final double SAME = 1e-6;
+    /** A tolerance shows in so long a step. */
+    private static final double LONG = 1;
     private static final int SIZE = 12;
     private static final int MOST = 2000;
     private static final int LARGEST = 100_000;
@@ -87,6 +90,26 @@ public record SolverContract(Supplier<DESolver> maker) {
             return IntStream.range(0, SIZE).filter(k -> k != j && (k != j - 3 || k % 6 > 2) && Math.abs(other[k]
                     - usual[k]) > SAME * TINY).mapToObj(k -> Phrase.LAYOUT.of(k, j));
         }).findFirst();
+    }
+
+    /**
+     * @return the mistake of a method that makes a spring swing otherwise in another entry of the state, also where
+     *         the first particle is at rest, or from the other side
+     */
+    public Optional<Finding> asymmetric() {
+        return Stream.of(0, 3).flatMap(kind -> {        // displaced, or in motion: signs of errors are alike in one
+            double[] first = swing(0, kind, 1);
+            double other = distance(first, swing(8, kind, 1));
+            double mirrored = distance(first, swing(0, kind, -1));
+            return Phrase.LARGEST_ERROR.when(other > SAME, LONG, other).or(() -> Phrase.ABSOLUTE_ERROR.when(
+                    mirrored > SAME, LONG, mirrored)).stream();
+        }).findFirst();
+    }
+
+    /** @return position and velocity of a spring after a step, times the sign of its start */
+    private double[] swing(int entry, int kind, double start) {
+        double[] end = StudentSource.after(new Springs(entry + kind, start), maker.get(), 1, LONG).getState();
+        return new double[] {start * end[entry], start * end[entry + 3]};
     }
 
     /** @return the mistake if a state and derivatives of 0 do not stay 0 */
@@ -217,7 +240,8 @@ public record SolverContract(Supplier<DESolver> maker) {
         try {
             source.step(maker.get(), H);
             boolean hidden = Arrays.stream(source.getState()).noneMatch(Double::isNaN);
-            return Optional.of((hidden ? Phrase.NAN_HIDDEN : Phrase.NAN_UNNOTICED).of());
+            return Optional.of((!hidden ? Phrase.NAN_UNNOTICED : source.getEvaluations() < evaluations(1, H)
+                    ? Phrase.NAN_ENDS : Phrase.NAN_HIDDEN).of());
         } catch (EndlessLoop e) {
             return loops("this check made the derivative NaN on purpose, and the step", "end a loop that waits for a"
                     + " small error when the error is NaN", e);

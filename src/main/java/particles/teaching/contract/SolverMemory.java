@@ -39,7 +39,7 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
         WindyOscillators source = WindyOscillators.nonlinear(2);
         boolean remembers = !IntStream.range(0, STEPS).allMatch(step -> memory.isFresh(solver, source, H));
         return new SolverMemory(contract.maker(), remembers, remembers && contract.evaluations(1, H)
-                == contract.evaluations(1, LONG));
+                == contract.evaluations(1, LONG) && !contract.solvesWithMatrix());
     }
 
     /** @return the first mistake */
@@ -143,7 +143,7 @@ public record SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean 
     /** A length of sub-steps that is remembered has the sign of the step before. */
     private boolean turnsBack(DESolver solver, WindyOscillators source) {
         try {
-            return isFresh(solver, source, -H) || multistep && error(-1) < error(-2);
+            return isFresh(solver, source, -H) || multistep && error(-0.5) < error(-1);
         } catch (RuntimeException e) {
             return false;
         }

@@ -12,8 +12,12 @@ import particles.teaching.Finding;
 import particles.teaching.Formula;
 import particles.teaching.contract.Phrase;
 
-/** A step that was read, compared with a known method: what differs, each in a sentence. */
-final class Comparison {
+/**
+ * A step that was read, compared with a known method: what differs, each in a sentence.
+ *
+ * @param step the reading of the found step
+ */
+record Comparison(Scheme known, Scheme found, StepReading step, List<Difference> differences) {
     private static final double FLOAT_ROUNDING = 1e-6;
     /** A method is nearest to a known one where no more stages, times and weights differ. */
     private static final int FEW = 2;
@@ -26,11 +30,6 @@ final class Comparison {
     private static final Map<String, String> FACTORS = Map.of("-1", ": the sign is wrong", "2", ": the half is missing",
             "1/2", ": it is halved once too often", "-2", ": the sign is wrong, and the half is missing");
 
-    private final Scheme known;
-    private final Scheme found;
-    private final StepReading step;
-    private final List<Difference> differences = new ArrayList<>();
-
     /**
      * A difference.
      *
@@ -38,13 +37,11 @@ final class Comparison {
      * @param hint    the known mistake behind it, after a colon; empty for none
      * @param cost    how far it takes the methods apart
      */
-    private record Difference(Supplier<Finding> finding, String hint, int cost) {
+    record Difference(Supplier<Finding> finding, String hint, int cost) {
     }
 
     private Comparison(Scheme known, Scheme found, StepReading step) {
-        this.known = known;
-        this.found = found;
-        this.step = step;
+        this(known, found, step, new ArrayList<>());
         int more = found.size() - known.size();
         for (int i = 0; i < Math.abs(more); i++) {
             wrong(() -> (more < 0 ? Phrase.MISSING : Phrase.TOO_MANY).of(found.size(), known.source(), known.size(),
@@ -77,13 +74,14 @@ final class Comparison {
                 one.differences.stream().mapToInt(Difference::cost).sum())).orElseThrow();
     }
 
-    Scheme known() {
-        return known;
-    }
-
     /** @return whether little differs, or all of it by known mistakes */
     boolean isNear() {
-        return differences.size() <= FEW || differences.stream().noneMatch(one -> one.hint.isEmpty());
+        return differences.size() <= FEW || isNamed();
+    }
+
+    /** @return whether all of the differences are known mistakes */
+    boolean isNamed() {
+        return differences.stream().noneMatch(one -> one.hint.isEmpty());
     }
 
     /** @return whether the first seven digits of all weights are those of the method */

@@ -12,6 +12,7 @@ import particles.teaching.Formula;
 import particles.teaching.contract.Phrase;
 import particles.teaching.contract.SolverContract;
 import particles.teaching.sources.OrderMeasurement;
+import particles.teaching.sources.Probe;
 import particles.teaching.sources.Springs;
 import particles.teaching.sources.StiffDecay;
 import particles.teaching.sources.StudentSource;
@@ -30,6 +31,8 @@ record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<Or
     private static final double H = 0.2;
     /** Up to this number of evaluations a method should have full order; one with more may aim at stability instead. */
     private static final int MANY = 4;
+    /** Four results of Gragg's method take 24 evaluations; no other method is read so far. */
+    private static final int MORE = 8;
     private static final double ALMOST = 0.3;
 
     /**
@@ -38,15 +41,17 @@ record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<Or
      * @return the diagnosis; empty if its steps have no fixed coefficients
      */
     Optional<Diagnosis> diagnosis(double size) {
-        Optional<StepReading> once = StepReading.of(maker, H, size, 1);
-        Optional<StepReading> twice = StepReading.of(maker, 2 * H, size, 1);
-        Optional<StepReading> back = StepReading.of(maker, -H, size, 1).filter(reading -> reading.evaluations() > 0);
+        int most = Probe.MOST_EVALUATIONS + (promise.extrapolates() ? MORE : 0);
+        Optional<StepReading> once = StepReading.of(maker, H, size, 1, most, false);
+        Optional<StepReading> twice = StepReading.of(maker, 2 * H, size, 1, most, false);
+        Optional<StepReading> back = StepReading.of(maker, -H, size, 1, most, false).filter(reading ->
+                reading.evaluations() > 0);
         if (once.isEmpty() || twice.isEmpty() || Stream.concat(twice.stream(), back.stream()).anyMatch(other ->
                 other.evaluations() != once.get().evaluations())) {
             return Optional.empty();
         }
-        boolean rejects = size == 1 && once.get().isStill() && StepReading.of(maker, H, SolverContract.TINY, 1).stream()
-                .noneMatch(StepReading::isStill);
+        boolean rejects = size == 1 && once.get().isStill() && StepReading.of(maker, H, SolverContract.TINY, 1, most,
+                false).stream().noneMatch(StepReading::isStill);
         return Optional.of(rejects ? new Diagnosis("This is a method with step-size control", Optional.of(
                 Phrase.REJECTED_CLOCK.of())) : diagnosis(once.get(), new StepRules(once.get(), twice.get(), back)));
     }
@@ -106,7 +111,8 @@ record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<Or
     private Diagnosis unknown(Scheme scheme, Comparison nearest, Optional<Finding> note) {
         boolean particles = scheme.isOfParticles();
         OrderMeasurement full = measured.get();
-        int wanted = Math.max(promise.order(), nearest.isNear() ? nearest.known().order() : 1);
+        long results = scheme.stages().stream().filter(stage -> stage.increment() == 0).count();
+        int wanted = Math.max(promise.order((int) results), nearest.isNear() ? nearest.known().order() : 1);
         int order = (int) Math.max(0, Math.round(full.order()));     // 0 for NaN
         boolean keepsArea = particles && Math.abs(StudentSource.after(new Springs(), maker.get(), 1, 1).steps()
                 .determinant() - 1) < 1e-10;
@@ -128,9 +134,10 @@ record ExplicitMethod(Supplier<DESolver> maker, NamePromise promise, Supplier<Or
                 row.increment(), 1), row.increment()), () ->
                 IntStream.range(1, particles ? 0 : wanted).filter(power -> !Formula.same(scheme.moment(power), 1.0
                 / (power + 1))).mapToObj(power -> Phrase.MOMENT.of(full.digits(),
-                promise.saysWithOrder(), row.formula(), power, 1.0 / (power + 1), scheme.moment(power))).findFirst(),
+                promise.saysWithOrder(wanted), row.formula(), power, 1.0 / (power + 1), scheme.moment(power)))
+                .findFirst(),
                 () -> Optional.of(Phrase.LOW_ORDER.of(full.digits(), count(
-                scheme), promise.isGiven() ? "; " + promise.saysWithOrder() : "", row.what(), row.formula()))));
+                scheme), promise.isGiven() ? "; " + promise.saysWithOrder(wanted) : "", row.what(), row.formula()))));
     }
 
     private static Optional<Finding> offTime(Combination stage, double time) {

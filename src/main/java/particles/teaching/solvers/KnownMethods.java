@@ -101,7 +101,7 @@ final class KnownMethods {
             Nystrom's method of order 4 | 4 | 1 0; 1 1/2 1/8; 1 1 0 1/2; 1 1 1/6 1/3 0; 0 1 1/6 2/3 1/6 | 0 1/2 1
             """;
 
-    /** Implicit methods, all rows in which have weights of later stages, too. */
+    /** Implicit methods: a row may have weights of its own stage and of later ones. */
     private static final String IMPLICIT_STAGES = """
             Gauss's method of order 4 | 4 | 1/4 -0.038675134594812866; 0.5386751345948129 1/4 | 1/2 1/2
             Gauss's method of order 6 | 6 | 5/36 -0.03597666752493894 0.009789444015308318; 0.3002631949808646 2/9 \

@@ -55,7 +55,7 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
             | symplectic Euler, the slides' simple particle system algorithm; \
             symplectic Euler with the position first |
             backward Euler | 1 | backward-euler implicit-euler newton-euler implizit-euler \
-            rueckwaerts-euler rckwrts-euler \
+            rueckwaerts-euler rckwrts-euler atras-euler arriere-euler indietro-euler \
             stiff-euler fixedpoint-euler iterat-euler | backward Euler | implicit
             the midpoint method | 2 | midpoint | the midpoint method; the implicit midpoint method |
             the midpoint method | 2 | explicit-midpoint | the midpoint method |
@@ -148,7 +148,9 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
             Radau IIA of order 5 | implicit
             Radau IIA of order 5 | 5 | radau5 radauiia5 | Radau IIA of order 5 | implicit
             a diagonally implicit method of order 2 | 2 | sdirk2 dirk2 | the implicit midpoint method; \
-            Alexander's method of order 2 | implicit
+            the implicit trapezoidal rule; Alexander's method of order 2 | implicit
+            Alexander's method | 2 | alexander | Alexander's method of order 2; Alexander's method of order 3 | implicit
+            a Hermite method | 4 | hermite | |
             a diagonally implicit method of order 3 | 3 | sdirk3 dirk3 | Alexander's method of order 3; \
             Norsett's method of order 3 | implicit
             a diagonally implicit method of order 4 | 4 | sdirk4 dirk4 | | implicit
@@ -202,6 +204,20 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
                 true, adapts));
     }
 
+    /**
+     * @param results how often a step begins at the old state; each further one of Gragg's results gains two orders,
+     *                and each of Euler's one
+     * @return the lowest order that the name promises
+     */
+    int order(int results) {
+        return order + (extrapolates() ? (order - 1) * Math.max(0, results - 2) : 0);
+    }
+
+    /** @return whether it is an extrapolation method whose order grows with its results */
+    boolean extrapolates() {
+        return says.equals("an extrapolation method");
+    }
+
     /** @return whether the name promises something */
     boolean isGiven() {
         return order > 0;
@@ -214,8 +230,8 @@ record NamePromise(String says, int order, List<String> methods, String kind, bo
                 || high && (methods.isEmpty() || changed);
     }
 
-    /** @return the meaning of the name, with the order */
-    String saysWithOrder() {
+    /** @return the meaning of the name, with this order */
+    String saysWithOrder(int order) {
         return "the name promises " + says + (says.contains("order") ? "" : ", of order " + order);
     }
 

@@ -17,6 +17,7 @@ import particles.teaching.Formula;
 import particles.teaching.contract.Phrase;
 import particles.teaching.contract.SolverContract;
 import particles.teaching.sources.OrderMeasurement;
+import particles.teaching.sources.Probe;
 import particles.teaching.sources.WindyOscillators;
 
 /**
@@ -77,8 +78,9 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
      *         is all that is left of it where nothing moves, after its first round
      */
     static Optional<String> near(Supplier<DESolver> maker) {
-        Optional<Scheme> round = StepReading.of(maker, NEAR_STEP, SolverContract.TINY, 1).map(StepReading::scheme)
-                .filter(scheme -> !scheme.isOfParticles()).map(Scheme::ofTheEnd);
+        Optional<Scheme> round = StepReading.of(maker, NEAR_STEP, SolverContract.TINY, 1,
+                Probe.MOST_EVALUATIONS, false).map(StepReading::scheme).filter(scheme ->
+                !scheme.isOfParticles()).map(Scheme::ofTheEnd);
         return ALL.stream().filter(known -> known.isOneStep() && (known.residual(maker, NEAR_STEP, 1) < NEAR
                 || round.filter(scheme -> Arrays.equals(scheme.times(), known.times) && Combination.same(scheme.rows()
                 .get(scheme.size()), known.weights)).isPresent())).map(SolvedEquation::name).findFirst();
@@ -86,7 +88,8 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
 
     /** @return the weights of the seventh step of a multistep method; empty if they are not fixed */
     static Optional<SolvedEquation> ofEarlierSteps(Supplier<DESolver> maker) {
-        return StepReading.of(maker, 1.0 / 16, 1, 7).filter(reading -> !reading.scheme().isOfParticles()).map(step -> {
+        return StepReading.of(maker, 1.0 / 16, 1, 7, Probe.MOST_EVALUATIONS, false).filter(reading ->
+                !reading.scheme().isOfParticles()).map(step -> {
             int n = step.evaluations();
             TreeMap<Double, Double> found = new TreeMap<>(Comparator.reverseOrder());
             IntStream.range(0, n).forEach(j -> found.merge(Math.rint(step.scheme().times()[j] * 1e9) / 1e9,
@@ -95,7 +98,7 @@ record SolvedEquation(String name, String mistake, double[] places, double[] tim
             double[] times = found.keySet().stream().mapToDouble(t -> t).toArray();         // better state
             return new SolvedEquation("", "", times, times, DoubleStream.concat(DoubleStream.of(1), found.values()
                     .stream().mapToDouble(weight -> weight)).toArray());
-        });
+        }).filter(found -> found.times.length > 0);
     }
 
     /**

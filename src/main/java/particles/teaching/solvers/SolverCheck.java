@@ -173,14 +173,14 @@ public final class SolverCheck {
         return found.map(SolvedEquation::name).or(() -> Optional.of(promise.says()).filter(name ->
                 promise.isImplicit() && KnownMethods.IMPLICIT.contains(name))).or(() -> unread.makesSubSteps()
                 ? Optional.empty() : SolvedEquation.near(maker)).map(name -> new Diagnosis("This is " + name,
-                Search.first(() -> found.flatMap(one -> one.wrong(promise)), this::unstable, () -> SolvedEquation.loose(
-                maker, name, contract.solvesWithMatrix())), 0, found.isPresent() ? name : ""));
+                Search.first(() -> found.flatMap(one -> one.wrong(promise)), contract::asymmetric, this::unstable, () ->
+                SolvedEquation.loose(maker, name, contract.solvesWithMatrix())), 0, found.isPresent() ? name : ""));
     }
 
     /** The diagnosis of a method whose coefficients cannot be read. */
     private Diagnosis measured() {
         return new Diagnosis(UNREAD, clock.or(() -> Search.first(unread::entryByEntry, () -> firstSubStep(finding ->
-                finding.kind() != Finding.Kind.METHOD), unread::asymmetric, this::stageClocks, unread::uncut, () ->
+                finding.kind() != Finding.Kind.METHOD), contract::asymmetric, this::stageClocks, unread::uncut, () ->
                 unread.stages(promise, measurement().order()), () -> poorOrder(this::unstable), unread::elsewhere,
                 unread::uncontrolled, () ->
                 promise.kind().equals("implicit") || measurement().order() < UnreadMethod.SECOND ? unstable()
@@ -233,7 +233,8 @@ public final class SolverCheck {
                 : Search.first(() -> far ? unread.elsewhere() : Optional.empty(), () -> firstSubStep(finding ->
                 true), cause, () ->
                 Phrase.NO_CONVERGENCE.when(far, order.smallest()[1], order.smallest()[0]), () ->
-                Optional.of(Phrase.NAME_ORDER.of(order.digits(), promise.isGiven() ? promise.saysWithOrder()
+                Optional.of(Phrase.NAME_ORDER.of(order.digits(), promise.isGiven()
+                ? promise.saysWithOrder(promise.order())
                 : "a method that uses derivatives of earlier steps has at least order 2")));
     }
 }

@@ -73,23 +73,19 @@ record StepReading(Scheme scheme, double h, int steps, Probe calls, double[] bef
     }
 
     /**
-     * @param size  the size of the derivatives: 1, or so small that an adaptive method accepts its first step
-     * @param steps the number of steps that are made; the last one is read
-     * @return the reading; empty if a step is not a combination with fixed weights
-     */
-    static Optional<StepReading> of(Supplier<DESolver> maker, double h, double size, int steps) {
-        return of(maker, h, size, steps, false);
-    }
-
-    /**
+     * @param size    the size of the derivatives: 1, or so small that an adaptive method accepts its first step
+     * @param steps   the number of steps that are made; the last one is read
+     * @param most    the largest number of evaluations in a step
      * @param byClock whether the derivative depends on the clock alone, so that iterations for stages end; the last
      *                evaluation at each clock is read, in the order in which the clocks are first seen
+     * @return the reading; empty if a step is not a combination with fixed weights
      */
-    static Optional<StepReading> of(Supplier<DESolver> maker, double h, double size, int steps,
+    static Optional<StepReading> of(Supplier<DESolver> maker, double h, double size, int steps, int most,
             boolean byClock) {
         for (boolean particles : new boolean[] {false, true}) {
             try {
-                return Optional.of(new Reader(maker, h, size, steps, particles, byClock, new ArrayList<>()).read());
+                return Optional.of(new Reader(maker, h, size, steps, most, particles, byClock, new ArrayList<>())
+                        .read());
             } catch (RuntimeException e) {
                 continue;                               // with velocities, adaptive or implicit
             }
@@ -98,17 +94,17 @@ record StepReading(Scheme scheme, double h, int steps, Probe calls, double[] bef
     }
 
     /** Reads a step, of all entries alike or of positions and velocities; throws an exception if that is not all. */
-    private record Reader(Supplier<DESolver> maker, double h, double size, int steps, boolean particles,
+    private record Reader(Supplier<DESolver> maker, double h, double size, int steps, int most, boolean particles,
             boolean byClock, List<Finding> findings) {
         private int first() {
             return particles ? 2 : 1;
         }
 
-        private double[][] numbers(Random random, double most) {
-            double[][] numbers = new double[2 + Probe.MOST_EVALUATIONS * steps][];
+        private double[][] numbers(Random random, double largest) {
+            double[][] numbers = new double[2 + most * steps][];
             Arrays.setAll(numbers, c -> {
-                double least = c < first() ? Math.min(1, most) : -most;
-                double[] row = random.doubles(SIZE, least, c < first() ? 2 * least : most).toArray();
+                double least = c < first() ? Math.min(1, largest) : -largest;
+                double[] row = random.doubles(SIZE, least, c < first() ? 2 * least : largest).toArray();
                 return IntStream.range(0, SIZE).mapToDouble(k -> particles ? row[k - k % 6 + 3 + k % 3] : row[k])
                         .toArray();
             });
@@ -185,9 +181,9 @@ record StepReading(Scheme scheme, double h, int steps, Probe calls, double[] bef
             for (double[] entry : weights) {
                 Arrays.setAll(entry, c -> Math.abs(entry[c]) < DOUBLE_ROUNDING + MORE * rounded ? 0 : entry[c]);
             }
-            List<Integer> same = entries(kind);
+            List<Integer> same = entries(kind);             // by the clock, some entries are moved for differences
             double[] row = same.stream().map(k -> weights[k]).sorted(Comparator.comparingDouble(one -> sum(one, 1)))
-                    .skip(byClock ? same.size() / 2 : same.size() - 1).findFirst().orElseThrow();    // but differences
+                    .skip(byClock ? same.size() / 2 : same.size() - 1).findFirst().orElseThrow();
             if (same.stream().anyMatch(k -> !stays(weights[k], row) && !(SolverContract.distance(weights[k], row)
                     <= ROUNDED + MORE * MORE * rounded))) {
                 throw new IllegalStateException("each entry has other weights");

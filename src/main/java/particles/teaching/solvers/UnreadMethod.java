@@ -119,13 +119,14 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
      *         those that its name stands for; without a name, from a near one of higher order
      */
     Optional<Finding> stages(NamePromise promise, double order) {
-        return StepReading.of(maker, H, 1, 1, true).flatMap(step -> {
+        return StepReading.of(maker, H, 1, 1, Probe.MOST_EVALUATIONS, true).flatMap(step -> {
             Scheme found = step.scheme().ofTheEnd();
             Comparison nearest = Comparison.nearest(KnownMethods.STAGES.stream().filter(known -> known.size()
                     == found.size() && known.isOfParticles() == found.isOfParticles() && (!promise.isGiven()
                     || promise.methods().contains(known.name()))).toList(), found, step);
             return nearest.first().filter(difference -> order < (promise.isGiven() ? promise.order()
-                    : nearest.known().order()) - 0.5 && (promise.isGiven() || nearest.isNear()));
+                    : nearest.known().order()) - 0.5 && (promise.isGiven() || nearest.isNamed()
+                    || nearest.differences().size() == 1));
         });
     }
 
@@ -150,7 +151,7 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
     Optional<Finding> elsewhere() {
         return Stream.of(BRIEF, H).flatMap(deltaT -> otherTime(deltaT, MUCH_BETTER).stream().map(place -> place != 0
                 ? Phrase.ELSEWHERE.of(deltaT, Formula.time(place), place) : (contract.evaluations(1, deltaT) > 0
-                ? Phrase.STAYS_AT_GUESS : Phrase.STAYS).of(deltaT))).findFirst();
+                && !makesSubSteps() ? Phrase.STAYS_AT_GUESS : Phrase.STAYS).of(deltaT))).findFirst();
     }
 
     /** The time, in units of deltaT, that suits the state after a step far better than the step's end. */
@@ -173,18 +174,6 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
     }
 
     /**
-     * @return the mistake of a method that makes a spring swing otherwise in another entry of the state, also where
-     *         the first particle is at rest, or from the other side
-     */
-    Optional<Finding> asymmetric() {
-        double[] first = swing(0, 1);
-        double other = SolverContract.distance(first, swing(8, 1));
-        double mirrored = SolverContract.distance(first, swing(0, -1));
-        return Phrase.LARGEST_ERROR.when(other > ALIKE, 2 * SWING, other).or(() -> Phrase.ABSOLUTE_ERROR.when(mirrored
-                > ALIKE, 2 * SWING, mirrored));
-    }
-
-    /**
      * @return the mistake of a method that does not end where it began after a step and one back, as a symmetric one
      *         does; empty if it refuses such a step
      */
@@ -196,11 +185,5 @@ record UnreadMethod(Supplier<DESolver> maker, SolverContract contract) {
     /** @return the exponent with which the error of the first step falls with deltaT */
     double firstOrder() {
         return StrictMath.log(after(windy(1), H).error() / after(windy(1), H / 4).error()) / StrictMath.log(4);
-    }
-
-    /** @return position and velocity of a spring after a step, times the sign of its start */
-    private double[] swing(int entry, double start) {
-        double[] end = after(new Springs(entry, start), 2 * SWING).getState();
-        return new double[] {start * end[entry], start * end[entry + 3]};
     }
 }

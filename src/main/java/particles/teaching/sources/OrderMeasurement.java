@@ -54,7 +54,7 @@ public record OrderMeasurement(double order, List<double[]> points) {
             double error = error(maker.get(), source, TIME, steps);
             double cost = (double) source.getEvaluations() / steps;
             points.add(new double[] {TIME / steps, error});
-            if (error > ROUNDING && last > ROUNDING && Math.abs(cost - lastCost) < 0.05 * cost + 0.5) {
+            if (error > ROUNDING && last > ROUNDING && Math.abs(cost - lastCost) < 0.12 * cost + 0.5) {
                 slopes.add(StrictMath.log(last / error) / StrictMath.log(2));
             }
             last = error;

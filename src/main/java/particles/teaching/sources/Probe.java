@@ -9,7 +9,7 @@ import particles.teaching.sources.StudentSource.SecondOrderSource;
  * and keeps no reference, as the contract says.
  */
 public class Probe extends StudentSource {
-    /** The largest number of evaluations in a step that is read. */
+    /** The largest number of evaluations in a step that is usually read. */
     public static final int MOST_EVALUATIONS = 16;
     private static final double ROUNDING = 1e-14;
     private static final double SAME_TIME = 1e-9;

@@ -114,10 +114,10 @@ final class HandwrittenSolvers {
                 increment("NaN", "^state: the new state is NaN", (f, h) -> Math.sqrt(-1 - f * f)),
                 wrong("HeunSolver", "1/2 of whole numbers", "no derivative is in it.*1/2 is 0", () ->
                         new HeunOnFixedStep(0)),
-                wrong("Mine", "stops when the first entry is still", "the iteration ends too early", (source, h) ->
-                        fixedPoint(source, h, change -> 1e-6 * Math.abs(change[0]))),
-                wrong("Mine", "sub-steps of 0.001 s, and the rest is lost", "evaluates no derivative and leaves the"
-                        + " state where it was", (source, h) -> {
+                wrong("Mine", "stops when the first entry is still", "has to reach all entries", (source, h) ->
+                        fixedPoint(source, h, change -> Math.abs(change[0]))),
+                wrong("Mine", "sub-steps of 0.001 s, and the rest is lost", "leaves the state where it was",
+                        (source, h) -> {
                     double end = source.getTime() + h;
                     for (int k = (int) (Math.abs(h) / 0.001); k > 0; k--) {
                         euler(source, Math.copySign(0.001, h));
@@ -217,7 +217,7 @@ final class HandwrittenSolvers {
                     System.arraycopy(state(source), 0, next, 0, Math.min(12, next.length));
                     source.setState(next);
                 }),
-                wrong("Mine", "the first matrix is kept", "still uses the steps before it", () -> {
+                wrong("Mine", "the first matrix is kept", "something is kept from the step", () -> {
                     List<double[][]> kept = new ArrayList<>();
                     return PlantedSolvers.solver((source, h) -> {
                         double[] s = state(source);
@@ -227,7 +227,7 @@ final class HandwrittenSolvers {
                         source.incTime(h);
                     });
                 }),
-                wrong("Mine", "the first direction is kept", "negative after steps forward", () -> {
+                wrong("Mine", "the first direction is kept", "^state: after steps forward", () -> {
                     double[] kept = {0};
                     return PlantedSolvers.euler((f, h) -> f * Math.abs(h) * (kept[0] = kept[0] == 0 ? Math.signum(h)
                             : kept[0]));

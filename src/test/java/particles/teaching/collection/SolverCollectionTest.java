@@ -77,6 +77,9 @@ class SolverCollectionTest {
                 NewmarkSolver | average acceleration | | TRAPEZOID NEWTON
                 NewmarkSolver | central differences | | LEAPFROG
                 ImpliziterEulerSolver | its name | | BACKWARD NEWTON
+                EulerHaciaAtras | its name | | BACKWARD NEWTON
+                Mine | two halves of backward Euler | | irk 1/2; 1/2 1/2 -> 1/2 1/2 NEWTON
+                DirkTwo | the trapezoidal rule | | TRAPEZOID NEWTON
                 RueckwaertsEuler | its name | | BACKWARD NEWTON
                 SymplektischerEuler | its name | | turns 0 1 -> 1
                 ThirdRungeKuttaSolver | its name | | rk 1/2; -1 2 -> 1/6 2/3 1/6

@@ -517,8 +517,19 @@ final class SolverSpecimens {
                 | irk 5/12 3/4; -1/12 1/4 -> 3/4 1/4 @ 1/3 1 SIMPLE
                 Mine | a sign | k1 is evaluated at s \\+ 5/12 k1 \\+ k2/12; Radau IIA of order 3 says \
                 | irk 5/12 1/12; 3/4 1/4 -> 3/4 1/4 @ 1/3 1 NEWTON
-                RichardsonOrder3 | 2 and -1 | order is 2.* order 3: .* add up to 1/3, and here to 3/8, \
+                RichardsonOrder3 | 2 and -1 | order is 2.* order 3: .* add up to 1/3, and they add up to 3/8: \
                 | rk 1/2; 0; 0 0 1/4; 0 0 0 1/2; 0 0 0 1/2 1/4 -> 0 -1 0 1 0 1
+                GraggBulirschStoer | the ratio is not squared | an extrapolation method, of order 5: .* choose the \
+                weights with which the results are combined | rk 1/2; 0 1; 0; 0 0 0 1/4; 0 0 0 0 1/2; 0 0 0 1/4 0 1/2; \
+                0 0 0 0 1/2 0 1/2; 0; 0 0 0 0 0 0 0 0 1/6; 0 0 0 0 0 0 0 0 0 1/3; 0 0 0 0 0 0 0 0 1/6 0 1/3; \
+                0 0 0 0 0 0 0 0 0 1/3 0 1/3; \
+                0 0 0 0 0 0 0 0 \
+                1/6 0 1/3 0 1/3; 0 0 0 0 0 0 0 0 0 1/3 0 1/3 0 1/3 -> 1/8 1/4 1/8 -1/2 -1 -1 -1 -1/2 3/8 3/4 3/4 3/4 \
+                3/4 3/4 3/8
+                AlexanderSolver | two digits are exchanged | k1 is evaluated at s \\+ 0.4539 k1; Alexander's method of \
+                order 3 says s \\+ 0.4359 k1 | irk 0.4538665215084590; 0.2730667392457705 0.4538665215084590; \
+                1.2564738570145533 -0.7103403785230122 0.4538665215084590 \
+                -> 1.2564738570145533 -0.7103403785230122 0.4538665215084590 SIMPLE
                 Mine | the array before | which k3 is evaluated: an older array is set \
                 | rk 1/4; 0 1/2; 0 1/2 1/4 -> 0 1/2
                 Mine | to 1e-3, from an Euler step | iteration ends too early | BACKWARD : simple 1e-3 500
