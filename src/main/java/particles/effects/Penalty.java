@@ -3,7 +3,6 @@ package particles.effects;
 import deSolvers.ForceDerivatives;
 import java.util.Set;
 import particles.law.DifferentiableEffect;
-import particles.law.Obstacle;
 import particles.law.Particles;
 import particles.law.PerParticleEffect;
 import particles.law.Plane;
@@ -36,7 +35,7 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
     private final double radius;
     private final double side;
     private final double[] origin = new double[3];      // a ball's centre, or a point of a plane
-    private final double[] facing = new double[3];      // a plane's normal
+    private final double[] facing = new double[3];      // a plane's normal; 0 for a ball
     private final double stiffness;
     private final double loss;
     private final double[] normal = new double[3];
@@ -46,19 +45,35 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
 
     /**
      * @param particles the particles on which it acts
-     * @param solid     the solid, a plane or a sphere
+     * @param solid     the solid
      * @param stiffness k, the force per metre of depth (N/m), 0 or more
      * @param loss      b, the relative increase of the force per m/s of inward speed (s/m), 0 or more; 0 loses no
      *                  energy
      * @throws IllegalArgumentException if a number is out of its range
      */
-    public Penalty(Particles particles, Obstacle solid, double stiffness, double loss) {
+    public Penalty(Particles particles, Plane solid, double stiffness, double loss) {
+        this(particles, solid.point(), solid.normal(), 0, 1, stiffness, loss);
+    }
+
+    /**
+     * @param particles the particles on which it acts
+     * @param solid     the solid
+     * @param stiffness k (N/m), 0 or more
+     * @param loss      b (s/m), 0 or more
+     * @throws IllegalArgumentException if a number is out of its range
+     */
+    public Penalty(Particles particles, Sphere solid, double stiffness, double loss) {
+        this(particles, solid.centre(), Vector3.ZERO, solid.radius(), solid.hollow() ? -1 : 1, stiffness, loss);
+    }
+
+    private Penalty(Particles particles, Vector3 origin, Vector3 facing, double radius, double side, double stiffness,
+            double loss) {
         this.particles = particles;
-        round = solid instanceof Sphere;
-        radius = solid instanceof Sphere ball ? ball.radius() : 0;
-        side = solid instanceof Sphere ball && ball.hollow() ? -1 : 1;
-        (solid instanceof Sphere ball ? ball.centre() : ((Plane) solid).point()).put(origin, 0);
-        solid.normal(Vector3.ZERO).put(facing, 0);
+        round = radius > 0;
+        this.radius = radius;
+        this.side = side;
+        origin.put(this.origin, 0);
+        facing.put(this.facing, 0);
         this.stiffness = Require.notNegative("a penalty's stiffness", stiffness);
         this.loss = Require.notNegative("a penalty's loss", loss);
     }
@@ -188,9 +203,10 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
 
     /** Penalty planes in scenes. */
     public static final class PlaneKeys extends EffectKind {
-        private static final Key<Double> STIFFNESS = NumberType.notNegative("N/m").required("stiffness",
+        // not private: to check the access from another class, Java would load the law itself
+        static final Key<Double> STIFFNESS = NumberType.notNegative("N/m").required("stiffness",
                 "k, the push per metre of depth (N/m).");
-        private static final Key<Double> LOSS = NumberType.notNegative("s/m").withDefault("loss", 0.0,
+        static final Key<Double> LOSS = NumberType.notNegative("s/m").withDefault("loss", 0.0,
                 "b (s/m): at depth d and inward speed v the push is k d (1 + b v), and never negative;"
                 + " 0 loses no energy.");
         private static final Key<Vector3> POINT = VectorType.of("m").withDefault("point", Vector3.ZERO,
@@ -211,13 +227,9 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
         public void build(Values values, EffectContext scene) {
             Plane plane = new Plane(values.get(POINT), values.get(NORMAL));
             Vector3 lifted = plane.point().plus(plane.normal().times(values.get(BALL_RADIUS)));
-            add(values, scene, new Plane(lifted, plane.normal()), plane);
-        }
-
-        /** Adds the force of one solid and draws another. */
-        private static void add(Values values, EffectContext scene, Obstacle solid, Obstacle shown) {
-            scene.add(new Penalty(scene.particles(), solid, values.get(STIFFNESS), values.get(LOSS)));
-            scene.show(shown);
+            scene.add(new Penalty(scene.particles(), new Plane(lifted, plane.normal()), values.get(STIFFNESS),
+                    values.get(LOSS)));
+            scene.show(plane);
         }
 
         @Override
@@ -237,7 +249,9 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
         @Override
         public void build(Values values, EffectContext scene) {
             Sphere sphere = SharedKeys.sphere(values);
-            PlaneKeys.add(values, scene, sphere, sphere);
+            scene.add(new Penalty(scene.particles(), sphere, values.get(PlaneKeys.STIFFNESS),
+                    values.get(PlaneKeys.LOSS)));
+            scene.show(sphere);
         }
 
         @Override
