@@ -15,7 +15,6 @@ import particles.law.DifferentiableEffect;
 import particles.law.Effect;
 import particles.law.Obstacle;
 import particles.law.Reaction;
-import particles.law.Vector3;
 import particles.reactions.ContactSurface;
 import particles.reactions.RestingContacts;
 import particles.reactions.RigidConstraints;
@@ -200,8 +199,8 @@ final class Trial implements Observer {
         double most = 0;
         for (int x = 0; x < end.length; x += STRIDE) {
             if (!system.getParticles().isFixed(x / STRIDE)) {
-                most = Math.max(most, -surface.distance(Vector3.at(end, x)) * (surface.isFlat() ? 1
-                        : Math.abs(surface.curvature(Vector3.at(end, x)))));
+                most = Math.max(most, -surface.distance(end, x) * (surface.isFlat() ? 1
+                        : Math.abs(surface.curvature(end, x))));
             }
         }
         return most;

@@ -2,11 +2,15 @@ package particles.law;
 
 /** The surface of a solid that particles stay outside of: a plane, a ball, the wall of a hollow. */
 public interface Obstacle {
-    /** @return the signed distance of a point from the surface (m): positive outside, negative inside the solid */
-    double distance(Vector3 point);
+    /**
+     * @param values has a point's three coordinates (m)
+     * @param place  the index of the first of them
+     * @return the signed distance from the surface (m): positive outside, negative inside the solid
+     */
+    double distance(double[] values, int place);
 
     /** @return the direction N out of the solid at a point, of length 1: the gradient of the distance */
-    Vector3 normal(Vector3 point);
+    Vector3 normal(double[] values, int place);
 
     /**
      * The curvature of the surface: along a path, the second derivative of the distance is N . a + curvature
@@ -14,7 +18,7 @@ public interface Obstacle {
      *
      * @return 0 for a plane, 1/r for a ball, -1/r for a hollow, with r the point's distance from the centre (1/m)
      */
-    double curvature(Vector3 point);
+    double curvature(double[] values, int place);
 
     /** @return whether the curvature is 0 everywhere */
     boolean isFlat();

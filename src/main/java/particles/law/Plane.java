@@ -19,17 +19,22 @@ public record Plane(Vector3 point, Vector3 normal) implements Obstacle {
     }
 
     @Override
+    public double distance(double[] values, int place) {
+        return distance(Vector3.at(values, place));
+    }
+
+    /** @return the same distance of a point given as a vector */
     public double distance(Vector3 at) {
         return at.minus(point).dot(normal);
     }
 
     @Override
-    public Vector3 normal(Vector3 at) {
+    public Vector3 normal(double[] values, int place) {
         return normal;
     }
 
     @Override
-    public double curvature(Vector3 at) {
+    public double curvature(double[] values, int place) {
         return 0;
     }
 
@@ -42,7 +47,7 @@ public record Plane(Vector3 point, Vector3 normal) implements Obstacle {
     @Override
     public int separation(double[] points, double[] coefficients) {
         for (int k = 0; k < 4; k++) {
-            coefficients[k] = distance(Vector3.at(points, 3 * k));
+            coefficients[k] = distance(points, 3 * k);
         }
         return 4;
     }

@@ -18,22 +18,26 @@ public record Sphere(Vector3 centre, double radius, boolean hollow) implements O
     }
 
     @Override
-    public double distance(Vector3 point) {
-        double outside = point.minus(centre).length() - radius;
+    public double distance(double[] values, int place) {
+        double outside = fromCentre(values, place).length() - radius;
         return hollow ? -outside : outside;
+    }
+
+    private Vector3 fromCentre(double[] values, int place) {
+        return Vector3.at(values, place).minus(centre);
     }
 
     /** {@inheritDoc} At the centre, where it is undefined, it points up. */
     @Override
-    public Vector3 normal(Vector3 point) {
-        Vector3 r = point.minus(centre);
+    public Vector3 normal(double[] values, int place) {
+        Vector3 r = fromCentre(values, place);
         double length = r.length();
         return length == 0 ? new Vector3(0, 1, 0) : r.times((hollow ? -1 : 1) / length);
     }
 
     @Override
-    public double curvature(Vector3 point) {
-        double length = point.minus(centre).length();
+    public double curvature(double[] values, int place) {
+        double length = fromCentre(values, place).length();
         return (hollow ? -1 : 1) / (length > 0 ? length : radius);
     }
 

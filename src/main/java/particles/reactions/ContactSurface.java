@@ -34,17 +34,17 @@ public record ContactSurface(String name, Obstacle obstacle, double restitution,
 
     /** @return the distance of a particle's own surface from the surface (m), negative inside */
     public double distance(double[] state, int particle) {
-        return obstacle.distance(Vector3.at(state, Particles.STRIDE * particle)) - radius.applyAsDouble(particle);
+        return obstacle.distance(state, Particles.STRIDE * particle) - radius.applyAsDouble(particle);
     }
 
     /** @return the normal at a particle, of length 1 */
     public Vector3 normal(double[] state, int particle) {
-        return obstacle.normal(Vector3.at(state, Particles.STRIDE * particle));
+        return obstacle.normal(state, Particles.STRIDE * particle);
     }
 
     /** @return the size of the curvature at a particle (1/m), 0 for a plane */
     public double curvature(double[] state, int particle) {
-        return Math.abs(obstacle.curvature(Vector3.at(state, Particles.STRIDE * particle)));
+        return Math.abs(obstacle.curvature(state, Particles.STRIDE * particle));
     }
 
     /** @return the component of a particle's velocity along the normal (m/s), negative inwards */

@@ -87,7 +87,7 @@ final class Row {
             rate = dot(gradient, 0, state, x + 3);
             value = surface.distance(state, first);
             if (!surface.obstacle().isFlat()) {
-                bend = surface.obstacle().curvature(Vector3.at(state, x))
+                bend = surface.obstacle().curvature(state, x)
                         * (dot(state, x + 3, state, x + 3) - rate * rate);
             }
         }

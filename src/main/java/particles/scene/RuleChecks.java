@@ -138,7 +138,7 @@ record RuleChecks(List<Chosen<RuleKind>> rules, Values scene, Problems problems,
         /** Distance of a ball's surface from the solid (m); round-off counts as 0. */
         double distance(ParticleDescription particle) {
             Vector3 at = particle.position();
-            double distance = obstacle.distance(at) - radius(particle);
+            double distance = obstacle.distance(new double[] {at.x(), at.y(), at.z()}, 0) - radius(particle);
             return Math.abs(distance) <= 1e-9 * (1 + at.length()) ? 0 : distance;
         }
     }
