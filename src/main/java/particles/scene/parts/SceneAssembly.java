@@ -1,11 +1,8 @@
 package particles.scene.parts;
 
 import java.util.ArrayList;
-import java.util.Collections;
-import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.effects.EffectContext;
@@ -13,7 +10,6 @@ import particles.effects.Wind;
 import particles.effects.springs.SpringForce;
 import particles.law.AnchorMotion;
 import particles.law.Effect;
-import particles.law.Effect.Trait;
 import particles.law.Obstacle;
 import particles.law.Particles;
 import particles.law.Plane;
@@ -166,61 +162,10 @@ public final class SceneAssembly implements EffectContext {
     }
 
     /**
-     * Estimates the kinetic energy to expect, before the run; many times more means that it blew up. The estimate is
-     * the largest of
-     * <ul>
-     * <li>kinetic energy plus the energy that springs and other forces store at the start;</li>
-     * <li>the energy that gravity can supply: the sum of m g (H + g T&sup2;/2), with H the extent of all particles
-     *     along g and T the duration, since everything may fall for as long as the run lasts;</li>
-     * <li>the energy that wind, emitters and moving anchors can supply: the sum of m w&sup2;/2, with w the largest of
-     *     their speeds, over all particles, including those born during the run;</li>
-     * <li>the energy that laws without a declared energy can supply, as a student's own may be: the sum of F&sup2;
-     *     T&sup2;/(2 m), with F the force at the start.</li>
-     * </ul>
-     * If all four are 0, nothing in the scene causes motion. The estimate is then the kinetic energy with which every
-     * particle would cross the scene once during the run, the sum of m (L/T)&sup2;/2 with L the scene's extent, or 1 m
-     * if that is 0. Fixed particles do not count, except for H and L; if all are fixed it is 1 J.
-     *
      * @param duration the duration of the run (s), over 0
-     * @return the estimate by the system at its start and all that was noted (J), over 0
+     * @return the kinetic energy to expect, by the system at its start and all that was noted (J), over 0
      */
     public double energyEstimate(double duration) {
-        double mass = particles().freeMass() + births * duration;
-        if (mass == 0) {
-            return 1;
-        }
-        double[] state = system.getOwnState();
-        double[] ownForces = new double[state.length];
-        double atStart = system.getKineticEnergy(state);
-        for (Effect effect : system.getEffects()) {
-            if (!Trait.isUniform(effect)) {
-                atStart += Math.abs(effect.getPotentialEnergy(state, system.getTime()));
-            }
-            if (Collections.disjoint(effect.getTraits(), Trait.OF_ENERGY)) {
-                effect.addForces(state, system.getTime(), ownForces);
-            }
-        }
-        double g = acceleration.length();
-        double height = acceleration.isZero() ? 0 : extent(acceleration.normalized());
-        double byGravity = mass * g * (height + g * duration * duration / 2);
-        double byWind = mass * speed * speed / 2;
-        double byOwnLaws = particles().sumOfFree(i -> {
-            Vector3 f = Vector3.at(ownForces, Particles.STRIDE * i + 3);
-            return f.dot(f) * duration * duration / 2 * particles().getInverseMasses()[i];
-        });
-        double scale = Math.max(Math.max(atStart, byOwnLaws), Math.max(byGravity, byWind));
-        return scale > 0 ? scale : crossing(mass, duration);
-    }
-
-    private double crossing(double mass, double duration) {
-        double extent = Stream.of(new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1))
-                .mapToDouble(this::extent).max().orElseThrow();
-        double crossing = (extent > 0 ? extent : 1) / duration;
-        return Math.max(Double.MIN_NORMAL, mass * crossing * crossing / 2);
-    }
-
-    private double extent(Vector3 direction) {
-        DoubleSummaryStatistics along = particles().along(system.getOwnState(), direction);
-        return along.getMax() - along.getMin();
+        return new EnergyEstimate(system, duration).joules(acceleration, speed, births);
     }
 }

@@ -131,7 +131,7 @@ class ReportTest {
         assertEquals(Set.of("meta", "img"), Pattern.compile("<(\\w+)[^<>]*/>").matcher(html).results()
                 .map(closed -> closed.group(1)).collect(Collectors.toSet()));
         // what a browser reads as it stands has nothing that XML would read otherwise
-        for (String raw : List.of(Report.CSS, Report.SCRIPT)) {
+        for (String raw : List.of(ReportStyle.CSS, ReportStyle.SCRIPT)) {
             assertFalse(raw.contains("<") || raw.contains("&") || raw.contains("]]>"));
         }
     }
@@ -213,7 +213,7 @@ class ReportTest {
         assertEquals("All", page.one("//section[1]//div[@class='folded'][1]//h3"));
         assertEquals(2, page.all("//section[1]//h3").size(), "the short table's stands alone");
         assertEquals("Not printed: All; 200 rows, in costs.csv.", page.one("//section[1]//p[@class='printed']"));
-        String print = Report.CSS.substring(Report.CSS.indexOf("@media print"));
+        String print = ReportStyle.CSS.substring(ReportStyle.CSS.indexOf("@media print"));
         assertHas(print, ".folded { display: none; }", ".printed { display: block; }");
     }
 
