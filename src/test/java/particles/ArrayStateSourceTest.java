@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.effects.AirDrag;
 import particles.effects.Wind;
-import particles.law.AnchorMotion.Circle;
+import particles.law.AnchorMotion.CircleMotion;
 import particles.law.Vector3;
 
 /** A system steps with the same bits whether solvers use its arrays or only the plain interface. */
@@ -22,7 +22,7 @@ class ArrayStateSourceTest {
     private static ParticleSystem cloth() {
         ParticleSystem system = Cloth.hanging(6, 20, 0.01);
         system.addEffect(AirDrag.linear(system.getParticles(), 0.1, Wind.STILL));
-        system.moveAnchor(0, new Circle(Vector3.ZERO, new Vector3(0.3, 0, 0), new Vector3(0, 0, 1), 1.5));
+        system.moveAnchor(0, new CircleMotion(Vector3.ZERO, new Vector3(0.3, 0, 0), new Vector3(0, 0, 1), 1.5));
         return system;
     }
 

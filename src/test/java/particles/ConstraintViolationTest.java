@@ -15,7 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.energy.EnergyRecorder;
-import particles.law.AnchorMotion.Circle;
+import particles.law.AnchorMotion.CircleMotion;
 import particles.law.Plane;
 import particles.law.Reaction;
 import particles.law.Vector3;
@@ -127,7 +127,7 @@ class ConstraintViolationTest {
         RigidConstraints rods = new RigidConstraints(system, 5);
         rods.addRod(0, 1, 1);
         system.addReaction(new Faulty(rods, strength, report));
-        system.moveAnchor(0, new Circle(new Vector3(0.3, 0, 0), Vector3.ZERO, new Vector3(0, 0, 1), 1));
+        system.moveAnchor(0, new CircleMotion(new Vector3(0.3, 0, 0), Vector3.ZERO, new Vector3(0, 0, 1), 1));
         Simulation run = new Simulation(system, RK4Solver::new, 0.001, 1);
         String said = "";
         try {

@@ -17,9 +17,9 @@ public interface AnchorMotion {
      * @param amplitude the vector from the centre to the end point (m)
      * @param period    the period (s), positive
      */
-    record Sine(Vector3 centre, Vector3 amplitude, double period) implements AnchorMotion {
+    record SineMotion(Vector3 centre, Vector3 amplitude, double period) implements AnchorMotion {
         /** @throws IllegalArgumentException if the period is not positive or a number not finite */
-        public Sine {
+        public SineMotion {
             centre.requireFinite("the centre of an oscillation");
             amplitude.requireFinite("its amplitude");
             Require.positive("its period", period);
@@ -37,7 +37,7 @@ public interface AnchorMotion {
     }
 
     /** Uniform motion of an anchor on a circle, as of a crank: counter-clockwise when the axis points at the viewer. */
-    final class Circle implements AnchorMotion {
+    final class CircleMotion implements AnchorMotion {
         private final Vector3 centre;
         private final Vector3 cosine;
         private final Vector3 sine;
@@ -50,7 +50,7 @@ public interface AnchorMotion {
          * @param period the time of one turn (s), not 0; a negative one turns the other way
          * @throws IllegalArgumentException if the axis has no direction, the period is 0 or a number not finite
          */
-        public Circle(Vector3 start, Vector3 centre, Vector3 axis, double period) {
+        public CircleMotion(Vector3 start, Vector3 centre, Vector3 axis, double period) {
             Vector3 unit = axis.normalized();
             Vector3 radius = start.minus(centre).requireFinite("the radius of a circle");
             Vector3 along = unit.times(radius.dot(unit));
@@ -81,9 +81,9 @@ public interface AnchorMotion {
      * @param to       the position at the end (m)
      * @param duration the duration of the motion (s), positive
      */
-    record Glide(Vector3 from, Vector3 to, double duration) implements AnchorMotion {
+    record GlideMotion(Vector3 from, Vector3 to, double duration) implements AnchorMotion {
         /** @throws IllegalArgumentException if the duration is not positive or a number not finite */
-        public Glide {
+        public GlideMotion {
             from.requireFinite("the beginning of a glide");
             to.requireFinite("its end");
             Require.positive("its duration", duration);

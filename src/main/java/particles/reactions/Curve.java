@@ -40,7 +40,7 @@ public interface Curve extends CurveView {
     }
 
     /** A straight wire: two components of x - point, across the line, are 0. */
-    final class Line implements Curve {
+    final class StraightWire implements Curve {
         private final Vector3[] across;
         private final Vector3 point;
         private final Vector3 direction;
@@ -49,7 +49,7 @@ public interface Curve extends CurveView {
          * @param point     any point of the line (m)
          * @param direction the direction of the line; of any length but zero
          */
-        public Line(Vector3 point, Vector3 direction) {
+        public StraightWire(Vector3 point, Vector3 direction) {
             this.point = point;
             this.direction = direction.normalized();
             across = Curve.across(this.direction);
@@ -80,7 +80,7 @@ public interface Curve extends CurveView {
      * A circular wire: in a plane, (x - c) . n = 0, and at distance r from the centre, (|x - c|&sup2; - r&sup2;) / (2
      * r) = 0.
      */
-    final class Circle implements Curve {
+    final class CircularWire implements Curve {
         private final Vector3 centre;
         private final Vector3 axis;
         private final double radius;
@@ -93,7 +93,7 @@ public interface Curve extends CurveView {
          * @param radius r (m), positive
          * @throws IllegalArgumentException if the radius is not positive
          */
-        public Circle(Vector3 centre, Vector3 axis, double radius) {
+        public CircularWire(Vector3 centre, Vector3 axis, double radius) {
             this.centre = centre;
             this.axis = axis.normalized();
             this.radius = Require.positive("the radius of a wire", radius);
@@ -132,7 +132,7 @@ public interface Curve extends CurveView {
     /**
      * A wire in the shape of a graph, y = f(x), in a plane with an origin and two orthogonal directions for x and y.
      */
-    final class Graph implements Curve {
+    final class GraphWire implements Curve {
         /**
          * A smooth function of one variable.
          *
@@ -156,7 +156,7 @@ public interface Curve extends CurveView {
          * @param profile f
          * @throws IllegalArgumentException if the directions are parallel
          */
-        public Graph(Vector3 origin, Vector3 along, Vector3 up, Profile profile) {
+        public GraphWire(Vector3 origin, Vector3 along, Vector3 up, Profile profile) {
             this.origin = origin;
             this.along = along.normalized();
             Vector3 rest = up.minus(this.along.times(up.dot(this.along)));

@@ -14,15 +14,15 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.ParticleSystem;
 import particles.law.AnchorMotion;
-import particles.law.AnchorMotion.Circle;
-import particles.law.AnchorMotion.Glide;
+import particles.law.AnchorMotion.CircleMotion;
+import particles.law.AnchorMotion.GlideMotion;
 import particles.law.Vector3;
 import particles.scene.ShortRun;
 
 /** Moving anchors follow their motions exactly with every solver, which keeps its order and memory. */
 class AnchorsTest {
-    private static final AnchorMotion GLIDE = new Glide(Vector3.ZERO, new Vector3(2, 0, 0), 1.02);
-    private static final AnchorMotion CRANK = new Circle(new Vector3(0.3, 0, 0), Vector3.ZERO,
+    private static final AnchorMotion GLIDE = new GlideMotion(Vector3.ZERO, new Vector3(2, 0, 0), 1.02);
+    private static final AnchorMotion CRANK = new CircleMotion(new Vector3(0.3, 0, 0), Vector3.ZERO,
             new Vector3(0, 0, 1), 1.5);
 
     private static ParticleSystem pulled(AnchorMotion motion, double damping) {

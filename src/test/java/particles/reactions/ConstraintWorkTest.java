@@ -15,8 +15,8 @@ import particles.Rule;
 import particles.Systems;
 import particles.energy.EnergyLedger;
 import particles.law.AnchorMotion;
-import particles.law.AnchorMotion.Circle;
-import particles.law.AnchorMotion.Sine;
+import particles.law.AnchorMotion.CircleMotion;
+import particles.law.AnchorMotion.SineMotion;
 import particles.law.Vector3;
 import particles.rules.ConstraintProjection;
 import particles.scene.ShortRun;
@@ -79,8 +79,8 @@ class ConstraintWorkTest {
         return system;
     }
 
-    private static final AnchorMotion SHAKE = new Sine(Vector3.ZERO, new Vector3(0.2, 0.05, 0), 2);
-    private static final AnchorMotion CRANK = new Circle(Vector3.ZERO, new Vector3(0.3, 0, 0),
+    private static final AnchorMotion SHAKE = new SineMotion(Vector3.ZERO, new Vector3(0.2, 0.05, 0), 2);
+    private static final AnchorMotion CRANK = new CircleMotion(Vector3.ZERO, new Vector3(0.3, 0, 0),
             new Vector3(0, 0, 1), 1.5);
 
     /**

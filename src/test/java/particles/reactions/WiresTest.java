@@ -18,9 +18,9 @@ import org.junit.jupiter.params.provider.MethodSource;
 import particles.ParticleSystem;
 import particles.SimulationException;
 import particles.law.Vector3;
-import particles.reactions.Curve.Circle;
-import particles.reactions.Curve.Graph;
-import particles.reactions.Curve.Line;
+import particles.reactions.Curve.CircularWire;
+import particles.reactions.Curve.GraphWire;
+import particles.reactions.Curve.StraightWire;
 import particles.scene.ShortRun;
 
 /** Beads on wires against closed forms, and the curves' derivatives against differences. */
@@ -44,10 +44,10 @@ class WiresTest {
     }
 
     static Stream<Curve> curves() {
-        return Stream.of(new Line(new Vector3(1, 2, 3), new Vector3(1, -1, 0.5)),
-                new Circle(new Vector3(0.3, 0, 1), new Vector3(1, 2, 3), 0.7),
-                new Graph(new Vector3(0, 1, 0), new Vector3(1, 0, 1), Y, Graph.parabola(1.5)),
-                new Graph(Vector3.ZERO, X, new Vector3(0.2, 1, 0.4), Graph.sine(0.4, 2)));
+        return Stream.of(new StraightWire(new Vector3(1, 2, 3), new Vector3(1, -1, 0.5)),
+                new CircularWire(new Vector3(0.3, 0, 1), new Vector3(1, 2, 3), 0.7),
+                new GraphWire(new Vector3(0, 1, 0), new Vector3(1, 0, 1), Y, GraphWire.parabola(1.5)),
+                new GraphWire(Vector3.ZERO, X, new Vector3(0.2, 1, 0.4), GraphWire.sine(0.4, 2)));
     }
 
     /**
@@ -101,14 +101,14 @@ class WiresTest {
      */
     @Test
     void aBeadAtTheBottomOfAValleyHasItsSpeedAndNormalForce() {
-        for (Graph.Profile profile : new Graph.Profile[] {Graph.parabola(2),
-                Graph.sine(-0.5, Math.PI)}) {
+        for (GraphWire.Profile profile : new GraphWire.Profile[] {GraphWire.parabola(2),
+                GraphWire.sine(-0.5, Math.PI)}) {
             double start = Math.PI / 4;
             boolean parabola = profile.bend().applyAsDouble(0) == 2;
             double bottom = parabola ? 0 : Math.PI / 4;
             double from = parabola ? -start : 0.1;
             ParticleSystem system = bead(new Vector3(from, profile.value().applyAsDouble(from), 0), Vector3.ZERO,
-                    new Graph(Vector3.ZERO, X, Y, profile));
+                    new GraphWire(Vector3.ZERO, X, Y, profile));
             RK4Solver solver = new RK4Solver();
             while (system.getOwnState()[0] < bottom) {
                 solver.stepState(system, 0.001);
@@ -152,10 +152,10 @@ class WiresTest {
     void invalidWiresAreRefused() {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("nail", 1, Vector3.ZERO, Vector3.ZERO, true);
-        Steps.assertRefused(() -> new Circle(Vector3.ZERO, X, 0),
-                () -> new Graph(Vector3.ZERO, X, X, Graph.parabola(1)), () -> Graph.sine(1, 0),
-                () -> Graph.sine(Double.NaN, 1),
-                () -> new RigidConstraints(system, 5).addBead(0, new Line(Vector3.ZERO, X)));
+        Steps.assertRefused(() -> new CircularWire(Vector3.ZERO, X, 0),
+                () -> new GraphWire(Vector3.ZERO, X, X, GraphWire.parabola(1)), () -> GraphWire.sine(1, 0),
+                () -> GraphWire.sine(Double.NaN, 1),
+                () -> new RigidConstraints(system, 5).addBead(0, new StraightWire(Vector3.ZERO, X)));
     }
 
     /**
@@ -164,7 +164,7 @@ class WiresTest {
     @Test
     void projectionWithoutASolutionIsAClearError() {
         ParticleSystem system = bead(new Vector3(1, 0, 0), Vector3.ZERO,
-                new Circle(Vector3.ZERO, new Vector3(0, 0, 1), 1));
+                new CircularWire(Vector3.ZERO, new Vector3(0, 0, 1), 1));
         system.addParticle("nail", 1, new Vector3(5, 0, 0), Vector3.ZERO, true);
         RigidConstraints constraints = (RigidConstraints) system.getReactions().get(0);
         constraints.addRod(0, 1, 1);

@@ -8,18 +8,18 @@ import static particles.Systems.run;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import particles.law.AnchorMotion;
-import particles.law.AnchorMotion.Circle;
-import particles.law.AnchorMotion.Glide;
-import particles.law.AnchorMotion.Sine;
+import particles.law.AnchorMotion.CircleMotion;
+import particles.law.AnchorMotion.GlideMotion;
+import particles.law.AnchorMotion.SineMotion;
 import particles.law.Vector3;
 import particles.scene.ShortRun;
 
 /** Given motions of anchors: their derivatives are right, and a shaken oscillator grows for ever in resonance. */
 class AnchorMotionsTest {
     private static final List<AnchorMotion> MOTIONS = List.of(
-            new Sine(new Vector3(1, 2, 3), new Vector3(0.3, -0.2, 0.1), 1.7),
-            new Circle(new Vector3(1, 2, 3), new Vector3(0, 1, 0), new Vector3(1, 1, 0), 2.3),
-            new Glide(new Vector3(1, 2, 3), new Vector3(-1, 0, 5), 2));
+            new SineMotion(new Vector3(1, 2, 3), new Vector3(0.3, -0.2, 0.1), 1.7),
+            new CircleMotion(new Vector3(1, 2, 3), new Vector3(0, 1, 0), new Vector3(1, 1, 0), 2.3),
+            new GlideMotion(new Vector3(1, 2, 3), new Vector3(-1, 0, 5), 2));
 
     /** Central differences of 1e-4 s; measured at most 4e-8. */
     @Test

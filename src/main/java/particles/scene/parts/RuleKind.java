@@ -11,9 +11,9 @@ import java.util.function.ToDoubleBiFunction;
 import java.util.stream.Stream;
 import particles.effects.SharedKeys;
 import particles.law.AnchorMotion;
-import particles.law.AnchorMotion.Circle;
-import particles.law.AnchorMotion.Glide;
-import particles.law.AnchorMotion.Sine;
+import particles.law.AnchorMotion.CircleMotion;
+import particles.law.AnchorMotion.GlideMotion;
+import particles.law.AnchorMotion.SineMotion;
 import particles.law.Obstacle;
 import particles.law.Plane;
 import particles.law.Vector3;
@@ -201,7 +201,7 @@ public class RuleKind extends Kind {
 
     private static final RuleKind SHAKE = new Motion("shake",
             "Moves a particle to and fro: its displacement is amplitude sin(2 pi t / period).",
-            (values, start) -> new Sine(start, values.get(AMPLITUDE), values.get(PERIOD)),
+            (values, start) -> new SineMotion(start, values.get(AMPLITUDE), values.get(PERIOD)),
             (values, start) -> 2 * Math.PI * values.get(AMPLITUDE).length() / values.get(PERIOD),
             ANCHOR, AMPLITUDE, PERIOD);
 
@@ -211,7 +211,7 @@ public class RuleKind extends Kind {
             + " does not matter.");
 
     private static final RuleKind CIRCLE = new Motion("circle", "Moves a particle round an axis, like a crank.",
-            (values, start) -> new Circle(start, values.get(CENTRE), values.get(AXIS), values.get(PERIOD)),
+            (values, start) -> new CircleMotion(start, values.get(CENTRE), values.get(AXIS), values.get(PERIOD)),
             (values, start) -> 2 * Math.PI * start.minus(values.get(CENTRE)).length() / values.get(PERIOD),
             ANCHOR, CENTRE, AXIS, PERIOD);
 
@@ -221,7 +221,7 @@ public class RuleKind extends Kind {
 
     private static final RuleKind GLIDE = new Motion("glide",
             "Moves a particle straight to another place, starting and stopping smoothly.",
-            (values, start) -> new Glide(start, values.get(TO), values.get(DURATION)),
+            (values, start) -> new GlideMotion(start, values.get(TO), values.get(DURATION)),
             (values, start) -> 1.875 * values.get(TO).minus(start).length() / values.get(DURATION),
             ANCHOR, TO, DURATION);
 
