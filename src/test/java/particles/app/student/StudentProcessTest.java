@@ -30,5 +30,7 @@ class StudentProcessTest {
             Check check = new Check(CheckSolverCommand.NAME, "My", "", format);
             assertEquals(check, Check.of(check.words()));
         }
+        Check effect = new Check(CheckEffectCommand.NAME, "My", "", ChartFormat.PAGE);
+        assertEquals(effect, Check.of(effect.words()));
     }
 }

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import particles.experiments.work.EffectCost.Cost;
 import particles.scene.Scene;
@@ -50,8 +51,8 @@ class EffectCostTest {
         Matcher list = Pattern.compile("(?m)^\\| `effects` \\| a list of: ([^|]*?), or the full name")
                 .matcher(Reference.of(SceneFormat.SCENE, "###"));
         assertTrue(list.find());
-        String measured = EffectCost.measure(2, 1, 1, () -> 0, (part, what) -> { }).toString().replace(" ", "")
-                .toLowerCase(Locale.ROOT);
+        String measured = EffectCost.measure(2, 1, 1, () -> 0, (part, what) -> { }).stream().map(Cost::name)
+                .collect(Collectors.joining(",")).replace(" ", "").toLowerCase(Locale.ROOT);
         for (String effect : list.group(1).replace("`", "").toLowerCase(Locale.ROOT).split(", ")) {
             assertTrue(measured.contains(effect), effect);
         }
