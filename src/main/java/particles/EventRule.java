@@ -17,9 +17,9 @@ public interface EventRule extends Rule {
      *                     before it, true for the first after it. A reversal or release must be complete, or it would
      *                     be found again at once
      * @param function     of the present state and time: positive before the event, 0 at it, negative after it
-     * @param deed         applies the event, when the system is there
+     * @param action       applies the event, when the system is there
      */
-    record Event(double time, boolean happensAfter, DoubleSupplier function, Runnable deed) {
+    record Event(double time, boolean happensAfter, DoubleSupplier function, Runnable action) {
     }
 
     /**

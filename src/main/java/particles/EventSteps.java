@@ -163,7 +163,7 @@ final class EventSteps {
         if (motion.getEndTime() > motion.getStartTime()) {
             motion.showTo(observers);
         }
-        first.get().event().deed().run();
+        first.get().event().action().run();
         solver.reset();
         observers.forEach(observer -> observer.changed(system, first.get().rule()));
         return true;

@@ -22,13 +22,11 @@
  *     particles.energy.EnergyLedger}.</li>
  * <li>Each {@link particles.Rule} may change the state, and add or remove particles and springs. Observers are told of
  *     each change. After a change the solver is {@linkplain deSolvers.DESolver#reset reset}.</li>
- * <li>The last rule, {@link particles.EnergyLimit}, ends a run whose kinetic energy has blown up. (An observer of
- *     {@code particles.energy.EnergyRecorder} ends a run whose energy is almost all numerical error.)</li>
+ * <li>The last rule, {@link particles.EnergyLimit}, ends a run whose kinetic energy has blown up. ({@code
+ *     particles.energy.NumericalErrorLimit}, an observer, ends a run whose energy is almost all numerical error.)</li>
  * </ol>
  *
  * <p>The program creates only the effects and rules that the scene names. Lengths are in metres, masses in kilograms,
  * times in seconds; y points up.
  */
 package particles;
-
-

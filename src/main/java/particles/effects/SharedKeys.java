@@ -25,7 +25,6 @@ public final class SharedKeys {
     public static final Key<Boolean> HOLLOW = FlagType.FLAG.withDefault("hollow", false,
             "true: particles stay inside, as in a bowl or a bubble; false: outside.");
 
-
     private SharedKeys() {
     }
 

@@ -1,8 +1,8 @@
 /**
  * Interfaces for force laws, and the data they use: {@link particles.law.Effect} and {@link
  * particles.law.ParticleForce} for forces that depend on state and time, {@link particles.law.Reaction} for forces that
- * depend on the sum of the others, and {@link particles.law.Particles}, {@link particles.law.Vector3}, planes and
- * spheres.
+ * depend on the sum of the others, and {@link particles.law.Particles}, {@link particles.law.Vector3}, planes,
+ * spheres and the motions of anchors.
  *
  * <p>To write a force law, read {@link particles.law.ParticleForce} or {@link particles.law.Effect}; nothing else is
  * needed. The optional interfaces ({@link particles.law.PerParticleEffect}, {@link particles.law.DivisibleEffect},

@@ -1,7 +1,6 @@
 /**
  * Forces that depend on the sum of all others: contact, friction, rods, wires and balls on balls. They are added after
- * all effects.
- * This page is their theory.
+ * all effects. This page is their theory.
  *
  * <p><b>Letters.</b> The slides': position x, velocity v, mass m, force F, unit normal N, distance d from a surface
  * (m), restitution r, friction k<sub>f</sub> (s/m). Ours: lambda, the force of a constraint (N); mu, Coulomb's

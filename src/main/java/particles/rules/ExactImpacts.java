@@ -32,10 +32,10 @@ public final class ExactImpacts extends Impacts implements EventRule {
      * @param u      the fraction of the motion's time
      * @param begins whether the two touch at the start, and so meet again later
      */
-    static Event meeting(Motion motion, double u, boolean begins, DoubleSupplier function, Runnable deed) {
+    static Event meeting(Motion motion, double u, boolean begins, DoubleSupplier function, Runnable action) {
         double start = motion.getStartTime();
         double time = start + u * (motion.getEndTime() - start);
-        return new Event(begins ? Math.max(time, Math.nextUp(start)) : time, false, function, deed);
+        return new Event(begins ? Math.max(time, Math.nextUp(start)) : time, false, function, action);
     }
 
     /**

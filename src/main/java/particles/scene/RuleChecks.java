@@ -115,7 +115,7 @@ record RuleChecks(List<Chosen<RuleKind>> rules, Values scene, Problems problems,
                 .ifPresent(particle -> problems.add(particle.place(), solid.inside(particle)));
     }
 
-    /** The solid of a rule; the radius of balls without one of their own (m) is NaN if particles are not hard balls. */
+    /** A rule's solid; all is the radius of balls without one of their own (m), NaN if particles are not hard balls. */
     private record Solid(Chosen<RuleKind> rule, Obstacle obstacle, double all) {
         boolean has(ParticleDescription particle) {
             return !particle.fixed() && distance(particle) < 0;

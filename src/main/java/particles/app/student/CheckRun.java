@@ -79,7 +79,11 @@ record CheckRun(Check check, Path folder, BiConsumer<ExitCode, List<String>> scr
         return new Checked(check.subject(), "The check did not finish.", List.of(failure));
     }
 
-    /** Writes the report. @return its file */
+    /**
+     * Writes the report.
+     *
+     * @return its file
+     */
     static Path write(Check check, Checked checked, Path folder) {
         Path report = check.report(folder);
         try (OutputFolder files = OutputFolder.open(folder, report.getFileName().toString())) {

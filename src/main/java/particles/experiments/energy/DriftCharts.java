@@ -19,10 +19,7 @@ import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 import particles.view.DataTable;
 
-/**
- * Charts and table of the energy drift of several solvers, and one sentence about it: each solver's energy error with
- * its size, the worst first.
- */
+/** The energy drift of several solvers, drawn, listed and told: each one's energy error, the worst first. */
 public final class DriftCharts {
     /** The name of the crosses in the legend. */
     public static final String STOPPED = "stopped";

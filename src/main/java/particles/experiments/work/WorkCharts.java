@@ -21,8 +21,8 @@ import particles.view.ChartData.Series;
 import particles.view.DataTable;
 
 /**
- * Work-precision diagrams, the errors above, the runs without a result below, each solver in a row of its own; and the
- * tables behind them.
+ * A work-precision comparison as diagrams and tables. A diagram has the errors above and the runs without a result
+ * below, each solver in a row of its own.
  */
 public final class WorkCharts {
     private static final double ROUGH = 1e-2;
