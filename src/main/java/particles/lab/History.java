@@ -35,7 +35,11 @@ final class History {
         }
     }
 
-    /** Drops every second moment but the last, if there are more than two. @return whether there were */
+    /**
+     * Drops every second moment but the last, if there are more than two.
+     *
+     * @return whether there were
+     */
     boolean thin() {
         List<Frame> all = List.copyOf(frames.values());
         int last = all.size() - 1;

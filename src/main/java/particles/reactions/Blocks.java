@@ -129,7 +129,11 @@ final class Blocks {
         system.putAnchorAccelerations(time, accelerations);
     }
 
-    /** Adds the forces of some blocks. @param force the forces of all effects (N) */
+    /**
+     * Adds the forces of some blocks.
+     *
+     * @param force the forces of all effects (N)
+     */
     void addForces(List<Block> some, double[] state, double time, double[] force) {
         prepare(state, time);
         for (int b = 0; b < some.size(); b++) {

@@ -25,7 +25,11 @@ final class EnvelopeMatrix {
         current = false;
     }
 
-    /** Adds a row and a column of zeros. @param first the first entry that can differ from zero */
+    /**
+     * Adds a row and a column of zeros.
+     *
+     * @param first the first entry that can differ from zero
+     */
     void add(int first) {
         int place = size == 0 ? 0 : begin[size - 1] + size;
         int after = place + size - first + 1;
@@ -108,7 +112,11 @@ final class EnvelopeMatrix {
         return true;
     }
 
-    /** Solves L U x = b. @param x holds b, 0 where a row is not active; receives x */
+    /**
+     * Solves L U x = b.
+     *
+     * @param x holds b, 0 where a row is not active; receives x
+     */
     void solve(double[] x) {
         for (int r = 0; r < size; r++) {
             double sum = x[r];

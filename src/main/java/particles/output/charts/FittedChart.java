@@ -116,7 +116,11 @@ final class FittedChart extends JFreeChart {
         }
     }
 
-    /** Draws the chart. @return the frame of the points, or of those of the uppermost chart */
+    /**
+     * Draws the chart.
+     *
+     * @return the frame of the points, or of those of the uppermost chart
+     */
     Rectangle2D frame(Graphics2D g, Rectangle2D area) {
         ChartRenderingInfo info = new ChartRenderingInfo();
         draw(g, area, null, info);
