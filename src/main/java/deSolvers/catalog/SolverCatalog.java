@@ -28,57 +28,51 @@ import java.util.function.Supplier;
 
 /** The list of all solvers. {@code create("rk4")} creates one; a fully-qualified class name creates a student's own. */
 public final class SolverCatalog {
-    private static final double NONE = Double.NaN;
-    private static final double UNLIMITED = Double.POSITIVE_INFINITY;
-
+    /** Name, order, family, evaluations per step, limits for undamped and for critically damped springs, sentence. */
     private static final Map<String, Entry> ENTRIES = byName(
-            new Entry(new SolverInfo("euler", 1, "slides", "1", false, 0, 2,
-                    "One straight step; every undamped spring gains energy."),
+            new Entry("euler | 1 | slides | 1 | 0 | 2 | One straight step; every undamped spring gains energy.",
                     EulerSolver::new),
-            new Entry(new SolverInfo("midpoint", 2, "slides", "2", false, 0, 2,
-                    "Uses the derivative half way; undamped springs gain energy slowly."),
-                    MidpointSolver::new),
-            new Entry(new SolverInfo("rk4", 4, "slides", "4", false, 2.8284, 2.7853,
-                    "The old workhorse: accurate and stable enough for most scenes."),
-                    RK4Solver::new),
-            new Entry(new SolverInfo("step-doubling", 4, "adaptive", "11 per sub-step", true, 5.6569, 5.5706,
-                    "Compares two RK4 steps with one of twice the length."),
+            new Entry("midpoint | 2 | slides | 2 | 0 | 2 "
+                    + "| Uses the derivative half way; undamped springs gain energy slowly.", MidpointSolver::new),
+            new Entry("rk4 | 4 | slides | 4 | 2.8284 | 2.7853 "
+                    + "| The old workhorse: accurate and stable enough for most scenes.", RK4Solver::new),
+            new Entry("step-doubling | 4 | adaptive | 11 per sub-step | 5.6569 | 5.5706 "
+                    + "| Compares two RK4 steps with one of twice the length.",
                     StepDoublingSolver::new, StepDoublingSolver::new),
-            new Entry(new SolverInfo("dormand-prince", 5, "adaptive", "6 per sub-step", true, 0.9972, 3.3066,
-                    "First choice for smooth motion to a stated accuracy."),
+            new Entry("dormand-prince | 5 | adaptive | 6 per sub-step | 0.9972 | 3.3066 "
+                    + "| First choice for smooth motion to a stated accuracy.",
                     DormandPrinceSolver::new, DormandPrinceSolver::new),
-            new Entry(new SolverInfo("bulirsch-stoer", 18, "extrapolation", "9 to 163 per sub-step", true, NONE, NONE,
-                    "Extrapolates midpoint steps: smooth motion, high accuracy."),
+            new Entry("bulirsch-stoer | 18 | extrapolation | 9 to 163 per sub-step | none | none "
+                    + "| Extrapolates midpoint steps: smooth motion, high accuracy.",
                     BulirschStoerSolver::new, BulirschStoerSolver::new),
-            new Entry(new SolverInfo("adams", 4, "multistep", "2", false, 0, 1.2848,
-                    "Reuses earlier derivatives: order 4 for two evaluations."),
-                    AdamsBashforthMoultonSolver::new),
-            new Entry(new SolverInfo("symplectic-euler", 1, "symplectic", "1", false, 2, 0.8284,
-                    "The slides' simple algorithm; no energy drift in small steps."),
-                    SymplecticEulerSolver::new),
-            new Entry(new SolverInfo("verlet", 2, "symplectic", "1, more with damping", false, 2, 0.74,
-                    "First choice for undamped motion; no energy drift in small steps."),
+            new Entry("adams | 4 | multistep | 2 | 0 | 1.2848 "
+                    + "| Reuses earlier derivatives: order 4 for two evaluations.", AdamsBashforthMoultonSolver::new),
+            new Entry("symplectic-euler | 1 | symplectic | 1 | 2 | 0.8284 "
+                    + "| The slides' simple algorithm; no energy drift in small steps.", SymplecticEulerSolver::new),
+            new Entry("verlet | 2 | symplectic | 1, more with damping | 2 | 0.74 "
+                    + "| First choice for undamped motion; no energy drift in small steps.",
                     VelocityVerletSolver::new),
-            new Entry(new SolverInfo("yoshida4", 4, "symplectic", "3, more with damping", false, 1.5734, 0.438,
-                    "Three verlet steps in one, with order 4."),
-                    Yoshida4Solver::new),
-            new Entry(new SolverInfo("backward-euler", 1, "implicit", "2 to 8, tens with rods", false, UNLIMITED,
-                    UNLIMITED, "Damps vibrations that a step cannot resolve."),
-                    BackwardEulerSolver::new),
-            new Entry(new SolverInfo("linearised-euler", 1, "implicit", "1", false, UNLIMITED, UNLIMITED,
-                    "Backward Euler with one linear system per step; for cloth."),
-                    LinearisedEulerSolver::new),
-            new Entry(new SolverInfo("implicit-midpoint", 2, "implicit", "2 to 8, tens with rods", false, UNLIMITED,
-                    UNLIMITED, "Keeps the energy of linear springs."),
-                    ImplicitMidpointSolver::new),
-            new Entry(new SolverInfo("radau", 5, "implicit", "about 10 per sub-step", true, UNLIMITED, UNLIMITED,
-                    "First choice for stiff systems to a stated accuracy."),
-                    RadauIIASolver::new, RadauIIASolver::new));
+            new Entry("yoshida4 | 4 | symplectic | 3, more with damping | 1.5734 | 0.438 "
+                    + "| Three verlet steps in one, with order 4.", Yoshida4Solver::new),
+            new Entry("backward-euler | 1 | implicit | 2 to 8, tens with rods | unlimited | unlimited "
+                    + "| Damps vibrations that a step cannot resolve.", BackwardEulerSolver::new),
+            new Entry("linearised-euler | 1 | implicit | 1 | unlimited | unlimited "
+                    + "| Backward Euler with one linear system per step; for cloth.", LinearisedEulerSolver::new),
+            new Entry("implicit-midpoint | 2 | implicit | 2 to 8, tens with rods | unlimited | unlimited "
+                    + "| Keeps the energy of linear springs.", ImplicitMidpointSolver::new),
+            new Entry("radau | 5 | implicit | about 10 per sub-step | unlimited | unlimited "
+                    + "| First choice for stiff systems to a stated accuracy.", RadauIIASolver::new,
+                    RadauIIASolver::new));
 
     private record Entry(SolverInfo info, Supplier<DESolver> maker, WithTolerances toleranceMaker) {
         /** A solver that steps by deltaT. */
-        Entry(SolverInfo info, Supplier<DESolver> maker) {
-            this(info, maker, (relative, absolute) -> throwNotAdaptive(info.name()));
+        Entry(String row, Supplier<DESolver> maker) {
+            this(SolverInfo.of(row, false), maker, (relative, absolute) -> throwNotAdaptive(row.split(" ")[0]));
+        }
+
+        /** An adaptive solver. */
+        Entry(String row, Supplier<DESolver> maker, WithTolerances toleranceMaker) {
+            this(SolverInfo.of(row, true), maker, toleranceMaker);
         }
     }
 

@@ -17,6 +17,18 @@ package deSolvers.catalog;
 public record SolverInfo(String name, int order, String family, String evaluations, boolean adaptive,
                          double imaginaryLimit, double dampedLimit, String sentence) {
 
+    /** @return the entry of a printed row: all but {@code adaptive}, with {@code none} for NaN */
+    static SolverInfo of(String row, boolean adaptive) {
+        String[] cells = row.split(" [|] ");
+        return new SolverInfo(cells[0], Integer.parseInt(cells[1]), cells[2], cells[3], adaptive, limit(cells[4]),
+                limit(cells[5]), cells[6]);
+    }
+
+    private static double limit(String cell) {
+        return cell.equals("unlimited") ? Double.POSITIVE_INFINITY : cell.equals("none") ? Double.NaN
+                : Double.parseDouble(cell);
+    }
+
     /** @return whether it needs a {@link deSolvers.SecondOrderStateSource} */
     public boolean secondOrder() {
         return family.equals("symplectic");
