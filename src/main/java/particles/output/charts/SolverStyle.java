@@ -7,6 +7,7 @@ import java.awt.Stroke;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /**
  * The style of a solver in all charts. The hue shows its family; lightness, dashes and shape show the solver, so that
@@ -14,25 +15,29 @@ import java.util.Optional;
  * such as "rk4" or "rk4, deltaT = 0.1 s".
  */
 public record SolverStyle(SolverFamily family, Color colour, Stroke stroke, Shape shape) {
-    private static final Map<String, SolverStyle> LOOKS = Map.ofEntries(
-            look("euler", SolverFamily.EXPLICIT, 0xd55e00, 0),
-            look("midpoint", SolverFamily.EXPLICIT, 0xe69f00, 1),
-            look("rk4", SolverFamily.EXPLICIT, 0x6b2500, 4),
-            look("adams", SolverFamily.EXPLICIT, 0x000000, 3),
-            look("step-doubling", SolverFamily.ADAPTIVE, 0x56b4e9, 1),
-            look("dormand-prince", SolverFamily.ADAPTIVE, 0x0072b2, 0),
-            look("bulirsch-stoer", SolverFamily.ADAPTIVE, 0x0b2f5c, 2),
-            look("symplectic-euler", SolverFamily.SYMPLECTIC, 0x5fcfa4, 1),
-            look("verlet", SolverFamily.SYMPLECTIC, 0x009e73, 0),
-            look("yoshida4", SolverFamily.SYMPLECTIC, 0x00513b, 2),
-            look("backward-euler", SolverFamily.IMPLICIT, 0xcc79a7, 1),
-            look("linearised-euler", SolverFamily.IMPLICIT, 0xe0a8ca, 2),
-            look("implicit-midpoint", SolverFamily.IMPLICIT, 0x9b3f86, 0),
-            look("radau", SolverFamily.IMPLICIT, 0x4b1250, 3));
+    /** Name, family, colour, and the number of its dashes and of its shape. */
+    private static final String TABLE = """
+            euler | EXPLICIT | d55e00 | 0
+            midpoint | EXPLICIT | e69f00 | 1
+            rk4 | EXPLICIT | 6b2500 | 4
+            adams | EXPLICIT | 000000 | 3
+            step-doubling | ADAPTIVE | 56b4e9 | 1
+            dormand-prince | ADAPTIVE | 0072b2 | 0
+            bulirsch-stoer | ADAPTIVE | 0b2f5c | 2
+            symplectic-euler | SYMPLECTIC | 5fcfa4 | 1
+            verlet | SYMPLECTIC | 009e73 | 0
+            yoshida4 | SYMPLECTIC | 00513b | 2
+            backward-euler | IMPLICIT | cc79a7 | 1
+            linearised-euler | IMPLICIT | e0a8ca | 2
+            implicit-midpoint | IMPLICIT | 9b3f86 | 0
+            radau | IMPLICIT | 4b1250 | 3
+            """;
+    private static final Map<String, SolverStyle> LOOKS = TABLE.lines().map(line -> line.split(" [|] ")).collect(
+            Collectors.toMap(cells -> cells[0], cells -> style(SolverFamily.valueOf(cells[1]),
+            Color.decode("#" + cells[2]), Integer.parseInt(cells[3]))));
 
-    private static Map.Entry<String, SolverStyle> look(String name, SolverFamily family, int rgb, int member) {
-        return Map.entry(name, new SolverStyle(family, new Color(rgb), ChartStyle.stroke(member),
-                ChartStyle.shape(member)));
+    private static SolverStyle style(SolverFamily family, Color colour, int member) {
+        return new SolverStyle(family, colour, ChartStyle.stroke(member), ChartStyle.shape(member));
     }
 
     /**
@@ -53,7 +58,7 @@ public record SolverStyle(SolverFamily family, Color colour, Stroke stroke, Shap
 
     /** @return the k-th style without a solver, in this colour */
     static SolverStyle own(Color colour, int k) {
-        return new SolverStyle(SolverFamily.OWN, colour, ChartStyle.stroke(k), ChartStyle.shape(k));
+        return style(SolverFamily.OWN, colour, k);
     }
 
     /** @return whether its line is broken */
