@@ -9,6 +9,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.LongSupplier;
+import java.util.stream.IntStream;
 import particles.effects.springs.SpringForce;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SceneRun;
@@ -52,24 +53,25 @@ public final class EffectCost {
                         structural: {stiffness: 5, damping: 0.001}, shear: {stiffness: 2, damping: 0.001}}
             """;
 
-    /** By name: the lines that a scene has besides the cloth. */
-    private static final String[][] ADDITIONS = {
-        {"springs", ""},
-        {"+ gravity", "effects: [gravity]"},
-        {"+ drag", "effects: [drag: {coefficient: 0.01}]"},
-        {"+ quadratic drag", "effects: [quadraticDrag: {coefficient: 0.01}]"},
-        {"+ drag in wind", "effects: [drag: {coefficient: 0.01}, wind: {mean: [1, 0, 0], gust: [0, 0, 1]}]"},
-        {"+ drag in turbulence", "effects: [drag: {coefficient: 0.01}, turbulence: {strength: 1}]"},
-        {"+ attraction", "effects: [attraction: {strength: 1, centre: [0, -100, 0], softening: 1}]"},
-        {"+ cohesion", "effects: [cohesion: {range: 0.06, depth: 1e-9}]"},
-        {"+ repulsion", "effects: [repulsion: {radius: 0.03, stiffness: 1e-9}]"},
-        {"+ penalty plane", "effects: [penaltyPlane: {point: [0, -100, 0], stiffness: 1}]"},
-        {"+ penalty sphere", "effects: [penaltySphere: {centre: [0, -100, 0], radius: 1, stiffness: 1}]"},
-        {"+ tear", "rules: [tear: {strain: 10}]"},
-        {"+ kill plane", "rules: [kill: {point: [0, -100, 0]}]"},
-        {"+ ground, clamp", "rules: [ground: {height: -100}]"},
-        {"+ ground, exact", "rules: [ground: {height: -100}]\nimpact: exact"},
-        {"+ sphere, exact", "rules: [sphere: {centre: [0, -100, 0], radius: 1}]\nimpact: exact"}};
+    /** Name, and the lines that a scene has besides the cloth. */
+    private static final String ADDITIONS = """
+            springs
+            + gravity | effects: [gravity]
+            + drag | effects: [drag: {coefficient: 0.01}]
+            + quadratic drag | effects: [quadraticDrag: {coefficient: 0.01}]
+            + drag in wind | effects: [drag: {coefficient: 0.01}, wind: {mean: [1, 0, 0], gust: [0, 0, 1]}]
+            + drag in turbulence | effects: [drag: {coefficient: 0.01}, turbulence: {strength: 1}]
+            + attraction | effects: [attraction: {strength: 1, centre: [0, -100, 0], softening: 1}]
+            + cohesion | effects: [cohesion: {range: 0.06, depth: 1e-9}]
+            + repulsion | effects: [repulsion: {radius: 0.03, stiffness: 1e-9}]
+            + penalty plane | effects: [penaltyPlane: {point: [0, -100, 0], stiffness: 1}]
+            + penalty sphere | effects: [penaltySphere: {centre: [0, -100, 0], radius: 1, stiffness: 1}]
+            + tear | rules: [tear: {strain: 10}]
+            + kill plane | rules: [kill: {point: [0, -100, 0]}]
+            + ground, clamp | rules: [ground: {height: -100}]
+            + ground, exact | rules: [ground: {height: -100}] | impact: exact
+            + sphere, exact | rules: [sphere: {centre: [0, -100, 0], radius: 1}] | impact: exact
+            """;
     private static final double SPACING = 0.05;
 
     private EffectCost() {
@@ -111,11 +113,8 @@ public final class EffectCost {
                 fastest[v] = Math.min(fastest[v], (nanoTime.getAsLong() - start) / 1e9 / steps);
             }
         }
-        List<Cost> costs = new ArrayList<>();
-        for (int v = 0; v < fastest.length; v++) {
-            costs.add(new Cost(variants.get(v).name(), fastest[v], fastest[v] / fastest[1]));
-        }
-        return costs;
+        return IntStream.range(0, fastest.length).mapToObj(v -> new Cost(variants.get(v).name(), fastest[v], fastest[v]
+                / fastest[1])).toList();
     }
 
     private static List<Variant> variants(int columns, int steps) {
@@ -127,9 +126,8 @@ public final class EffectCost {
                 loopOverSprings(cloth.springs(), inverseMasses, cloth.system().getOwnState(), dSdt);
             }
         })));
-        for (String[] addition : ADDITIONS) {
-            all.add(new Variant(addition[0], scene(columns, steps, addition[1]).simulation()::run));
-        }
+        ADDITIONS.lines().map(row -> row.split(" [|] ", 2)).forEach(row -> all.add(new Variant(row[0], scene(columns,
+                steps, row.length == 1 ? "" : row[1].replace(" | ", "\n")).simulation()::run)));
         return all;
     }
 

@@ -173,7 +173,7 @@ public final class SolverCheck {
         return found.map(SolvedEquation::name).or(() -> Optional.of(promise.says()).filter(name ->
                 promise.isImplicit() && KnownMethods.IMPLICIT.contains(name))).or(() -> unread.makesSubSteps()
                 ? Optional.empty() : SolvedEquation.near(maker)).map(name -> new Diagnosis("This is " + name,
-                Search.first(() -> found.flatMap(one -> one.wrong(promise)), contract::asymmetric, this::unstable, () ->
+                Search.first(() -> found.flatMap(one -> one.wrong(promise)), this::unstable, contract::asymmetric, () ->
                 SolvedEquation.loose(maker, name, contract.solvesWithMatrix())), 0, found.isPresent() ? name : ""));
     }
 
