@@ -52,7 +52,7 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
      * @throws IllegalArgumentException if a number is out of its range
      */
     public Penalty(Particles particles, Plane solid, double stiffness, double loss) {
-        this(particles, solid.point(), solid.normal(), 0, 1, stiffness, loss);
+        this(particles, solid.point(), solid.normal(), 0, stiffness, loss);
     }
 
     /**
@@ -63,15 +63,16 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
      * @throws IllegalArgumentException if a number is out of its range
      */
     public Penalty(Particles particles, Sphere solid, double stiffness, double loss) {
-        this(particles, solid.centre(), Vector3.ZERO, solid.radius(), solid.hollow() ? -1 : 1, stiffness, loss);
+        this(particles, solid.centre(), Vector3.ZERO, solid.hollow() ? -solid.radius() : solid.radius(), stiffness,
+                loss);
     }
 
-    private Penalty(Particles particles, Vector3 origin, Vector3 facing, double radius, double side, double stiffness,
-            double loss) {
+    /** @param radius 0 for a plane, negative for a hollow sphere (m) */
+    private Penalty(Particles particles, Vector3 origin, Vector3 facing, double radius, double stiffness, double loss) {
         this.particles = particles;
-        round = radius > 0;
-        this.radius = radius;
-        this.side = side;
+        round = radius != 0;
+        this.radius = Math.abs(radius);
+        side = radius < 0 ? -1 : 1;
         origin.put(this.origin, 0);
         facing.put(this.facing, 0);
         this.stiffness = Require.notNegative("a penalty's stiffness", stiffness);
