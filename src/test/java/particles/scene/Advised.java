@@ -2,7 +2,6 @@ package particles.scene;
 
 import java.util.Optional;
 import java.util.function.UnaryOperator;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
@@ -21,14 +20,10 @@ public final class Advised {
      */
     public static Optional<SceneDescription> by(String lines, SceneDescription scene) {
         Overrides options = new Overrides(UnaryOperator.identity());
-        Matcher found = OPTION.matcher(lines);
+        OPTION.matcher(lines).results().forEach(found -> options.with(found.group(1), found.group(2)));
         boolean clamp = lines.contains("impact: clamp in the scene");
-        boolean any = clamp;
-        while (found.find()) {
-            options.with(found.group(1), found.group(2));
-            any = true;
-        }
         SceneDescription changed = options.applyTo(scene);
-        return any ? Optional.of(clamp ? changed.with(SceneFormat.IMPACT, "clamp") : changed) : Optional.empty();
+        return clamp || OPTION.matcher(lines).find() ? Optional.of(clamp ? changed.with(SceneFormat.IMPACT, "clamp")
+                : changed) : Optional.empty();
     }
 }

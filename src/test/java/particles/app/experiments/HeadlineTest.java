@@ -49,6 +49,7 @@ class HeadlineTest {
     /** Names at the end of a claim end where the headline does, or another claim begins. */
     private static final String END = "(?=$|; |, (?:not|stays|is gone|reaches|fades|at no) )";
     private static final String NUMBER = "(-?[0-9.]+(?:e-?[0-9]+)?)";
+    private static final String GROWTH = "× " + NUMBER + " in " + NUMBER + " s with deltaT = " + NUMBER + " s";
 
     /** What a printed report has room for in two lines. */
     private static final int TWO_LINES = 215;
@@ -305,14 +306,21 @@ class HeadlineTest {
                     near(said.number(2), last(drawn.of(solver))[0], 0.05 * said.number(2))),
             Claim.each(NAMES + " spirals? (out|in)wards", (solver, said, drawn) ->
                     said.text(2).equals("out") == amplitude(drawn, solver) > 1),
-            new Claim("how fast depends on the step: (?=\\w)"),
-            new Claim("(?:" + NAME + " )?× " + NUMBER + " in " + NUMBER + " s with deltaT = " + NUMBER + " s",
-                    (said, drawn) -> drawn.of("end").stream().anyMatch(p ->
-                            near(said.number(1), Math.hypot(p[0], p[1]), 0.005))),
+            new Claim("how fast depends on the step: (" + NAME + ") " + GROWTH + ", " + GROWTH, (said, drawn) ->
+                    IntStream.of(2, 5).allMatch(group -> grows(drawn.of(said.text(1)), said.number(group),
+                            said.number(group + 1), said.number(group + 2)))),
             new Claim("Vectors show the vector field \\(v, \u2212x\\); each solution is a circle", (said, drawn) ->
                     drawn.of("exact").stream().allMatch(p -> near(1, Math.hypot(p[0], p[1]), 1e-12))),
             new Claim("(?:The |An? |Euler's )[^:]*?(?:, numerical energy error)?: "),
             new Claim("One frame of stiff cloth: "));
+
+    /** Whether one of the paths from (1, 0) has first steps of this deltaT, and this amplitude after this time. */
+    private static boolean grows(List<double[]> paths, double amplitude, double seconds, double deltaT) {
+        int steps = (int) Math.round(seconds / deltaT);
+        return IntStream.range(0, paths.size() - steps).anyMatch(k -> paths.get(k)[0] == 1
+                && near(deltaT, -paths.get(k + 1)[1], 0.2 * deltaT)
+                && near(amplitude, Math.hypot(paths.get(k + steps)[0], paths.get(k + steps)[1]), 0.005));
+    }
 
     /** The solvers that are named; all if they are only counted. */
     private static Stream<String> named(String names, Drawn drawn) {

@@ -188,8 +188,7 @@ class SceneStabilityTest {
             assertEquals(List.of("imaginary axis", "modes of the scene"), chart.series().stream().map(Series::name)
                     .toList());
         }
-        ChartData chart = SceneStabilityCharts.plane("A chain", spectrum, 1, List.of("rk4", "radau")).get(0);
-        assertEquals(List.of("rk4", "radau", "imaginary axis", "modes of the scene"),
-                chart.series().stream().map(Series::name).toList());
+        assertEquals("A chain", SceneStabilityCharts.plane("A chain", spectrum, 1, List.of("rk4", "radau")).get(0)
+                .title());
     }
 }
