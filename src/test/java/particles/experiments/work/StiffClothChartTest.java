@@ -24,6 +24,8 @@ class StiffClothChartTest {
     @CsvSource(delimiter = '|', textBlock = """
             1 0.001 0.03; 10 0.01 0.04; 100 0.09 0.1; 5000 5 0.1 \
             | rk4 takes less than half the time up to 10 steps, linearised-euler from 5000 on
+            3 0.003 0.05; 10 0.03 0.05; 30 0.08 0.2; 300 0.6 0.2; 1000 0.3 0.2; 5000 5 0.1 \
+            | rk4 takes less than half the time up to 3 steps, linearised-euler from 5000 on
             1 0.001 0.03; 10 0.01 0.04 | rk4 takes less than half the time up to 10 steps
             5000 5 0.1 | linearised-euler takes less than half the time from 5000 on
             100 0.09 0.1 | both take about as long
