@@ -49,8 +49,9 @@ public final class StiffCharts {
         List<Sweep> fixed = stable(sweeps, solver -> !solver.adaptive());
         List<Series> left = series(stable(sweeps, solver -> !solver.adaptive() || solver.implicit()),
                 cost -> Math.max(GONE, cost.vibrationLeft()));
-        List<ChartData> first = chart("evaluations for 1 %", sweeps, Cost::toOnePercent,
-                growth("Evaluations for 1 %", sweeps, Cost::toOnePercent)).above("never", rows, List.of(
+        List<ChartData> first = chart("evaluations for 1 % error of the swing", sweeps, Cost::toOnePercent,
+                growth("Evaluations for 1 % error of the swing", sweeps, Cost::toOnePercent))
+                .above("never", rows, List.of(
                 never("never stable, however short the step", Mark.FAILURES, sweeps, rows, (sweep, cost) ->
                         sweep.neverStable()),
                 never("no 1 % with a million steps", Mark.GIVEN_UP, sweeps, rows, (sweep, cost) ->
@@ -58,7 +59,8 @@ public final class StiffCharts {
         return Stream.concat(first.stream(), Stream.of(
                 chart("evaluations to be stable", fixed, Cost::toBeStable,
                         growth("Evaluations for stability", fixed, Cost::toBeStable)),
-                new ChartData(vibration(left), STIFFNESS, "fast-mode energy, end / start", true, true, left)))
+                new ChartData(vibration(left), STIFFNESS, "fast-mode energy, end / start (\u2265 1e-16)", true, true,
+                        left)))
                 .filter(chart -> !chart.series().isEmpty()).toList();
     }
 
@@ -93,7 +95,7 @@ public final class StiffCharts {
      */
     public static String finding(List<Sweep> sweeps) {
         List<String> never = sweeps.stream().filter(Sweep::neverStable).map(StiffCharts::name).toList();
-        return growth("Evaluations for 1 %", sweeps, Cost::toOnePercent)
+        return growth("Evaluations for 1 % error of the swing", sweeps, Cost::toOnePercent)
                 + (never.isEmpty() ? "" : "; " + SolverChoice.said(never, "is never stable"));
     }
 
@@ -108,29 +110,26 @@ public final class StiffCharts {
         String growing = powers.entrySet().stream().map(power -> "k^" + Digits.few(power.getKey()) + " ("
                 + SolverChoice.few(power.getValue()) + ")").collect(joining(", "));
         return what + (growing.isEmpty() ? flat.isEmpty() ? "" : " stay about the same at any stiffness with " + flat
-                : " grow as " + growing + (flat.isEmpty() ? "" : ", not with " + flat));
+                : " grow from k = 1000 on as " + growing + (flat.isEmpty() ? "" : ", not with " + flat));
     }
 
-    /** What becomes of the stiff vibration, by the last value of each solver, or by the largest if that is more. */
+    /** What becomes of the vibration, told by the last value of each solver. */
     private static String vibration(List<Series> drawn) {
-        double least = drawn.stream().mapToDouble(StiffCharts::largest).filter(most -> most > KEPT).min().orElse(KEPT);
-        String borrowed = "reaches at least " + Digits.roundedDown(least, 1) + " times its initial energy";
-        return "The stiff vibration " + drawn.stream().collect(groupingBy(series -> largest(series) > KEPT ? borrowed
-                : fate(finite(series)), LinkedHashMap::new, mapping(Series::name, toList()))).entrySet().stream()
+        String borrowed = Digits.format("reaches up to %.3g times its initial energy",
+                drawn.stream().mapToDouble(StiffCharts::stiffest).max().orElse(0));
+        return "In the stiffest spring, the vibration " + drawn.stream().collect(groupingBy(series ->
+                stiffest(series) > KEPT ? borrowed : fate(stiffest(series)), LinkedHashMap::new,
+                mapping(Series::name, toList()))).entrySet().stream()
                 .map(fate -> fate.getKey() + " with " + SolverChoice.few(fate.getValue())).collect(joining(", "));
     }
 
-    private static String fate(double[] y) {
-        double last = y.length == 0 ? Double.NaN : y[y.length - 1];
-        return last >= 1 / KEPT ? "stays" : last <= LOST ? "is gone" : "fades";
+    private static String fate(double left) {
+        return left >= 1 / KEPT ? "stays" : left <= LOST ? "is gone" : "fades";
     }
 
-    private static double[] finite(Series series) {
-        return Arrays.stream(series.y()).filter(Double::isFinite).toArray();
-    }
-
-    private static double largest(Series series) {
-        return Arrays.stream(finite(series)).max().orElse(Double.NaN);
+    /** The last value, or 0 where that is not known. */
+    private static double stiffest(Series series) {
+        return Arrays.stream(series.y()).filter(Double::isFinite).reduce(0, (before, last) -> last);
     }
 
     private static boolean unlimited(Sweep sweep) {

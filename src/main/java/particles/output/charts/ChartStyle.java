@@ -72,8 +72,8 @@ public final class ChartStyle {
     }
 
     /**
-     * @return the text in lines of at most this width, if its words are not wider; a number stays with its unit, and
-     *         lines are about equally long
+     * @return the text in lines of at most this width, if its words are not wider; a number stays with its unit and
+     *         its name, and lines are about equally long
      */
     static List<String> wrapped(String text, FontMetrics metrics, double width) {
         List<String> lines = filled(text, metrics, width);
@@ -87,7 +87,8 @@ public final class ChartStyle {
 
     private static List<String> filled(String text, FontMetrics metrics, double width) {
         List<String> lines = new ArrayList<>();
-        for (String word : text.replaceAll("(?<=\\d) (?=(%|[A-Za-z]{1,2})(\\W|$))", "\u00a0").split(" ")) {
+        for (String word : text.replaceAll("(?<=\\d) (?=(%|[A-Za-z]{1,2})(\\W|$))| (?==)|(?<==) ", "\u00a0")
+                .split(" ")) {
             int last = lines.size() - 1;
             if (last >= 0 && metrics.stringWidth(lines.get(last) + " " + word) <= width) {
                 lines.set(last, lines.get(last) + " " + word);

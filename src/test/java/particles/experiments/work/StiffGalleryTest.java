@@ -106,14 +106,14 @@ class StiffGalleryTest {
         assertTrue(StiffCharts.finding(List.of(sweep)).endsWith("; " + solver + " is never stable"));
     }
 
-    /** 530 and 554 times, rounded up, are 600: no solver reaches that. */
+    /** yoshida4 had 530 times at one stiffness, which says nothing of the others. */
     @Test
     void theHeadlineSaysWhatEachSolverReaches() {
-        List<ChartData> charts = StiffCharts.charts(Stream.of("symplectic-euler 554", "yoshida4 530", "verlet 1.5")
+        List<ChartData> charts = StiffCharts.charts(Stream.of("symplectic-euler 285", "yoshida4 51", "verlet 1.5")
                 .map(row -> row.split(" ")).map(row -> new Sweep(SolverChoice.of(row[0]), false, List.of(
-                        new Cost(1, 1, 1, Double.parseDouble(row[1]))))).toList());
-        assertEquals("The stiff vibration reaches at least 500 times its initial energy with symplectic-euler and"
-                + " yoshida4, stays with verlet", charts.get(charts.size() - 1).title());
+                        new Cost(1, 1, 1, 530), new Cost(10, 1, 1, Double.parseDouble(row[1]))))).toList());
+        assertEquals("In the stiffest spring, the vibration reaches up to 285 times its initial energy with"
+                + " symplectic-euler and yoshida4, stays with verlet", charts.get(charts.size() - 1).title());
     }
 
     /** The 1 % is of the slow swing alone: the stiff spring adds a millionth of it, and is at rest but for that. */
