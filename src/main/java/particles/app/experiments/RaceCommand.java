@@ -235,7 +235,7 @@ public final class RaceCommand extends ExperimentCommand {
 
         private static String cost(Lane lane, boolean equalTime) {
             return equalTime ? Digits.few(1000 * lane.match().seconds()) + " ms"
-                    : lane.match().evaluations() + " evaluations";
+                    : lane.drift().outcome().evaluations() + " evaluations";
         }
 
         @Override

@@ -22,7 +22,7 @@ import particles.view.DataTable;
 /** The energy drift of several solvers, drawn, listed and told: each one's energy error, the worst first. */
 public final class DriftCharts {
     /** The name of the crosses in the legend. */
-    public static final String STOPPED = "stopped";
+    public static final String LEFT = "left the race";
     /** The linear chart ends at this part of the energy scale. */
     private static final double LINEAR = 0.1;
     private static final double SMALLEST = 1e-17;
@@ -59,7 +59,7 @@ public final class DriftCharts {
             }
         }
         if (!failures.isEmpty()) {
-            logarithmic.add(Series.of(STOPPED, Mark.FAILURES, failures));
+            logarithmic.add(Series.of(comparison.race() ? LEFT : "stopped", Mark.FAILURES, failures));
         }
         return List.of(new ChartData(finding(comparison), "time (s)",
                         "|energy error| / scale", false, true, logarithmic),
@@ -113,7 +113,8 @@ public final class DriftCharts {
     private static String parts(Comparison comparison) {
         // equal verdicts share a place
         Map<String, List<Drift>> verdicts = comparison.drifts().stream().sorted(WORST_FIRST).collect(
-                Collectors.groupingBy(DriftCharts::verdict, LinkedHashMap::new, Collectors.toList()));
+                Collectors.groupingBy(drift -> verdict(drift, comparison.race()), LinkedHashMap::new,
+                        Collectors.toList()));
         int places = verdicts.size() <= NAMED + 1 ? verdicts.size() : NAMED;
         List<Drift> others = verdicts.values().stream().skip(places).flatMap(List::stream).toList();
         return verdicts.entrySet().stream().limit(places).map(place -> SolverChoice.all(place.getValue()
@@ -127,10 +128,10 @@ public final class DriftCharts {
         return drift.kind() == Kind.SECULAR ? Math.abs(drift.end()) : drift.largest();
     }
 
-    static String verdict(Drift drift) {
+    static String verdict(Drift drift, boolean race) {
         return switch (drift.kind()) {
-            case FAILED -> (drift.largest() > MANY_TIMES ? "blows up" : "stops") + " at t = "
-                    + Digits.few(drift.outcome().endTime()) + " s";
+            case FAILED -> (race ? "leaves the race" : drift.largest() > MANY_TIMES ? "blows up" : "stops")
+                    + " at t = " + Digits.few(drift.outcome().endTime()) + " s";
             case SECULAR -> (drift.end() > 0 ? "gains " : "loses ") + part(size(drift));
             case BOUNDED -> "stays within " + part(size(drift));
             case ROUNDING -> "is exact to round-off";

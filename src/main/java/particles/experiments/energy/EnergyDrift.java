@@ -92,12 +92,13 @@ public final class EnergyDrift {
      * @param scene     the scene's title
      * @param scale     the energy scale by which errors were divided (J)
      * @param equalWork whether the runs were made to cost the same, rather than to have the same step
+     * @param race      whether a run that ends early leaves a race
      * @param drifts    the result of each solver
      */
-    public record Comparison(String scene, double scale, boolean equalWork, List<Drift> drifts) {
+    public record Comparison(String scene, double scale, boolean equalWork, boolean race, List<Drift> drifts) {
         /** @return the comparison of some of the solvers */
         public Comparison of(List<Drift> some) {
-            return new Comparison(scene, scale, equalWork, some);
+            return new Comparison(scene, scale, equalWork, race, some);
         }
     }
 
@@ -123,7 +124,7 @@ public final class EnergyDrift {
             Setting setting = equalWork ? work.find(solver).setting() : Setting.of(solver, scene.deltaT());
             return measure(SceneRun.build(scene, setting), setting, scale, List.of());
         });
-        return new Comparison(scene.title(), scale, equalWork, drifts);
+        return new Comparison(scene.title(), scale, equalWork, false, drifts);
     }
 
     /** @param beside further observers, called after the energy is recorded */

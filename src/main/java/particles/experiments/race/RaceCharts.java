@@ -7,6 +7,7 @@ import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import particles.experiments.energy.DriftCharts;
 import particles.experiments.energy.EnergyDrift.Comparison;
@@ -42,7 +43,7 @@ public final class RaceCharts {
      * @return the energy error of each solver over time, with a cross where a solver left the race
      */
     public static ChartData energy(Result race) {
-        Comparison comparison = new Comparison(race.scene(), race.scale(), !race.equalTime(),
+        Comparison comparison = new Comparison(race.scene(), race.scale(), !race.equalTime(), true,
                 race.lanes().stream().map(Lane::drift).toList());
         return DriftCharts.charts(comparison).get(0);
     }
@@ -64,19 +65,19 @@ public final class RaceCharts {
             }
         }
         if (!left.isEmpty()) {
-            series.add(Series.of(DriftCharts.STOPPED, Mark.FAILURES, left));
+            series.add(Series.of(DriftCharts.LEFT, Mark.FAILURES, left));
         }
         return new ChartData(title(race), "time (s)", "distance from the reference (m)", false, true, series);
     }
 
     /**
      * @param race the result of the race
-     * @return the work of each, such as {@code equal work, 1000 evaluations each}, and how nearly equal it was
+     * @return the work of each, such as {@code equal work, 1000 evaluations to the end}, and how nearly equal it was
      */
     public static String work(Result race) {
         double work = race.shares().work();
         if (!race.equalTime()) {
-            return Digits.format("equal work, %d evaluations each", Math.round(work));
+            return Digits.format("equal work, %d evaluations to the end", Math.round(work));
         }
         double spread = EqualTime.spread(race.shares());
         return spread > TOO_MUCH - 1 ? Digits.format("no equal time, up to %.3g times as long", 1 + spread)
@@ -99,14 +100,12 @@ public final class RaceCharts {
      */
     public static String finding(Result race) {
         List<String> parts = new ArrayList<>();
-        List<String> nearest = nearest(race);
-        if (!nearest.isEmpty()) {
-            parts.add(SolverChoice.all(nearest, "stays nearest to the reference"));
-        }
+        nearest(race).ifPresent(parts::add);
         List<Lane> left = race.lanes().stream().filter(lane -> lane.left().isPresent()).toList();
         if (!left.isEmpty()) {
-            parts.add(left.size() > 3 ? left.size() + " solvers leave" : left.stream().map(lane -> lane.label()
-                    + Digits.format(" leaves at t = %.3g s", lane.left().getAsDouble())).collect(joining(", ")));
+            parts.add(left.size() > 3 ? left.size() + " solvers leave the race" : left.stream().map(lane -> lane.label()
+                    + Digits.format(" leaves the race at t = %.3g s", lane.left().getAsDouble()))
+                    .collect(joining(", ")));
         }
         for (Lane lane : race.lanes()) {
             double cost = share(race, lane);
@@ -118,14 +117,19 @@ public final class RaceCharts {
         return String.join("; ", parts);
     }
 
-    /** The solvers that stay nearest on average. A solver that needed more than its share is left out. */
-    private static List<String> nearest(Result race) {
+    /** The solvers that stay nearest. A solver that needed more than its share is left out. */
+    private static Optional<String> nearest(Result race) {
         List<Lane> compared = race.lanes().stream().filter(lane -> lane.left().isEmpty() && mean(lane) >= 0
                 && share(race, lane) <= TOO_MUCH).toList();
         double nearest = compared.stream().mapToDouble(RaceCharts::mean).min().orElse(0);
         double size = race.reference().stream().flatMapToDouble(Arrays::stream).map(Math::abs).max().orElse(0);
-        return compared.stream().filter(lane -> mean(lane) <= AS_NEAR * nearest + ROUND_OFF * size)
-                .map(Lane::label).toList();
+        if (compared.size() == 1) {
+            return Optional.of(compared.get(0).label() + " is " + Digits.few(nearest)
+                    + " m from the reference on average");
+        }
+        return Optional.of(compared.stream().filter(lane -> mean(lane) <= AS_NEAR * nearest + ROUND_OFF * size)
+                .map(Lane::label).toList()).filter(names -> !names.isEmpty())
+                .map(names -> SolverChoice.all(names, "stays nearest to the reference on average"));
     }
 
     /** The work of a lane, divided by the work that each was to have. */

@@ -169,7 +169,7 @@ record RacePage(int columns, int panelWidth, int panelHeight, Rectangle2D strip)
         if (left.isPresent() && time >= left.getAsDouble()) {
             g.setColor(GONE);
             g.fill(area);
-            String text = String.format(Locale.ROOT, "left at t = %.3g s", left.getAsDouble());
+            String text = String.format(Locale.ROOT, "left the race at t = %.3g s", left.getAsDouble());
             g.setFont(area.getWidth() > SMALL_PANEL ? NAME : SMALL);
             double width = g.getFontMetrics().stringWidth(text) + 36.0;
             RoundRectangle2D box = new RoundRectangle2D.Double(area.getCenterX() - width / 2, area.getMaxY() - 40,

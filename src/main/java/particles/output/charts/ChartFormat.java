@@ -18,8 +18,8 @@ public record ChartFormat(boolean slide, boolean svg, boolean dark, int scale) {
     private static final int CURVES = 6;
     private static final int CURVES_ON_A_SLIDE = 5;
     /** The type keeps its size in the layout: a smaller page with more device pixels has larger type. */
-    private static final int SLIDE_WIDTH = 640;
-    private static final int SLIDE_HEIGHT = 360;
+    static final int SLIDE_WIDTH = 640;
+    static final int SLIDE_HEIGHT = 360;
     private static final int SLIDE_SCALE = 3;
     private static final int SCALE = 2;
 

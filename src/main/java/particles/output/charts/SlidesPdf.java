@@ -68,17 +68,18 @@ final class SlidesPdf {
 
     static byte[] of(List<ChartPage> pages, boolean dark) {
         ByteArrayOutputStream file = new ByteArrayOutputStream();
-        Document document = new Document();
+        Rectangle size = new Rectangle(ChartFormat.SLIDE_WIDTH, ChartFormat.SLIDE_HEIGHT);
+        Document document = new Document(size);
         PdfWriter writer = PdfWriter.getInstance(document, file);
         for (ChartPage page : pages) {
-            Rectangle size = new Rectangle(page.width(), page.height());
-            document.setPageSize(size);
             if (document.isOpen()) {
                 document.newPage();
             } else {
                 document.open();
             }
             PageGraphics g = new PageGraphics(writer.getDirectContent(), size, dark && !page.showsScene());
+            double scale = size.getWidth() / page.width();
+            g.scale(scale, scale);
             page.drawing().accept(g);
             g.dispose();
         }

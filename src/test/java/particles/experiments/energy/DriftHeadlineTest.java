@@ -45,7 +45,7 @@ class DriftHeadlineTest {
     }
 
     private static String headline(Drift... drifts) {
-        Comparison comparison = new Comparison("Scene", SCALE, false, List.of(drifts));
+        Comparison comparison = new Comparison("Scene", SCALE, false, false, List.of(drifts));
         DataTable table = DriftCharts.table(comparison);
         List<String> columns = table.columns().stream().map(DataTable.Column::name).toList();
         for (int k = 0; k < drifts.length; k++) {

@@ -51,7 +51,7 @@ class RaceTest {
         assertFalse(race.equalTime());
         assertEquals(300, race.shares().work());                             // 75 steps of rk4
         assertEqualWork(race);
-        assertHas(RaceCharts.title(race), "equal work, 300 evaluations each");
+        assertHas(RaceCharts.title(race), "equal work, 300 evaluations to the end");
     }
 
     /** x = cos t, v = -sin t. */
@@ -108,7 +108,7 @@ class RaceTest {
         assertEquals((int) (left * 10) + 1, euler.states().size(), "frames until then");
         assertTrue(race.lanes().get(1).left().isEmpty());
         String finding = RaceCharts.finding(race);
-        assertTrue(finding.startsWith("verlet stays nearest") && finding.contains("euler leaves at t = "), finding);
+        assertTrue(finding.startsWith("verlet is 0.") && finding.contains("euler leaves the race at t = "), finding);
         for (ChartData chart : List.of(RaceCharts.distance(race), RaceCharts.energy(race))) {
             ChartData.Series crosses = chart.series().get(2);
             assertEquals(Mark.FAILURES, crosses.mark());
@@ -126,7 +126,7 @@ class RaceTest {
     @Test
     void roundOffMakesNoWinner() {
         SceneDescription stone = TestScenes.named("01-falling-particle");
-        assertEquals("midpoint, rk4 and verlet stay nearest to the reference",
+        assertEquals("midpoint, rk4 and verlet stay nearest to the reference on average",
                 RaceCharts.finding(run(stone, "euler, midpoint, rk4, verlet", 30, NOBODY)));
     }
 
@@ -135,7 +135,7 @@ class RaceTest {
     void whoIsAsNearIsNamedToo() {
         Result race = run(CHAIN, "euler, midpoint, rk4, symplectic-euler, verlet", 240, NOBODY);
         String finding = RaceCharts.finding(race);
-        assertStarts(finding, "symplectic-euler and verlet stay nearest to the reference; ");
+        assertStarts(finding, "symplectic-euler and verlet stay nearest to the reference on average; ");
         DataTable table = RaceCharts.table(race);
         double ratio = (Double) cell(table, 4, "distance, rms (m)") / (Double) cell(table, 3, "distance, rms (m)");
         assertEquals(1.051, ratio, 0.005);                      // measured 1.0511
