@@ -149,7 +149,9 @@ public record Picture(String name, String caption, String title, List<Panel> pan
                 } else {
                     for (SolverFamily family : part.families()) {
                         Panel some = member(part, family, false);
-                        add(pictures, file + "-" + family.word(), some, List.of(some.titled(heading(some))));
+                        // what is cheapest is so in this family
+                        Panel named = some.titled(heading(some).replaceFirst(": ", " (" + family.title + "): "));
+                        add(pictures, file + "-" + family.word(), named, List.of(named));
                     }
                 }
             }
