@@ -3,7 +3,6 @@ package particles.app.experiments;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import particles.experiments.lecture.CostExercise;
 import particles.experiments.lecture.CostExercise.Cost;
@@ -28,9 +27,6 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
     private static final double LONG = 45;
     /** The part of the time that the references take. */
     private static final double REFERENCES = 0.02;
-    /** Measured: what the problems take with all solvers, CPU time (s). */
-    static final Map<String, Integer> COSTS = Map.of("oscillator", 10, "pendulum", 10, "kepler", 7, "network", 13,
-            "stiff-chain", 14, "cloth", 18);
     private static final String FAILURES = " Below: the runs without a result.";
 
     @Option(names = "--problem", paramLabel = "NAMES",
@@ -65,12 +61,10 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         List<WorkProblem> problems = progress.part(0, REFERENCES).each(names, name -> name + ", the reference",
                 WorkProblem::of);
-        List<List<Curve>> measured = progress.part(REFERENCES, 1).parts(problems, solved -> COSTS.get(solved.name()),
-                (solved, part) -> part.each(choices, choice -> choice.label() + " on " + solved.name(), choice ->
-                        new WorkPrecision(solved, choice, WorkPrecision.TIMED).curve()));
+        List<Curve> all = curves(problems, progress.part(REFERENCES, 1));
         List<Picture> pictures = new ArrayList<>();
-        for (List<Curve> curves : measured) {
-            WorkProblem solved = curves.get(0).problem();
+        for (WorkProblem solved : problems) {
+            List<Curve> curves = all.stream().filter(curve -> curve.problem() == solved).toList();
             String caption = solved.title() + " over " + Digits.few(solved.duration()) + " s; reference: "
                     + solved.origin() + ".";
             pictures.add(Picture.bySolver(solved.name() + "-evaluations", caption
@@ -78,11 +72,11 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
                     curves, Curve::label,
                     WorkCharts::byEvaluations));
             pictures.add(Picture.bySolver(solved.name() + "-time", caption
-                    + " CPU time, the median of five or more runs after a warm-up; bars go from the lower to the upper"
-                    + " quartile. One solver is called first only if its bar overlaps no other." + FAILURES,
+                    + " CPU time in the fastest round, as other work on the machine only makes a round slower; bars go"
+                    + " to the median of five. One solver is called first only if its bar overlaps no other."
+                    + FAILURES,
                     curves, Curve::label, WorkCharts::byTime));
         }
-        List<Curve> all = measured.stream().flatMap(List::stream).toList();
         progress.reached(1, "the lecture's exercise");
         List<Cost> costs = CostExercise.solve();
         return new ResultPage(name(), CostExercise.finding(costs), List.of(
@@ -102,5 +96,18 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
                         of its stages, 3, and not 5, until the step is as short as the time of the springs. It uses \
                         equal steps here, like the others."""),
                 pictures, List.of(CostExercise.table(costs), WorkCharts.slopes(all), WorkCharts.runs(all)));
+    }
+
+    /** All runs take turns, round by round, so that other work on the machine slows down one round of many. */
+    private List<Curve> curves(List<WorkProblem> problems, ProgressListener progress) {
+        double part = 1.0 / WorkPrecision.ROUNDS;
+        List<Curve> curves = progress.part(0, part).parts(problems, solved -> 1, (solved, some) -> some.each(choices,
+                choice -> choice.label() + " on " + solved.name(), choice ->
+                        new WorkPrecision(solved, choice).curve())).stream().flatMap(List::stream).toList();
+        for (int round = 1; round < WorkPrecision.ROUNDS; round++) {
+            curves = progress.part(part * round, part * (round + 1)).each(curves, curve -> curve.label() + " on "
+                    + curve.problem().name(), Curve::timedAgain);
+        }
+        return curves;
     }
 }

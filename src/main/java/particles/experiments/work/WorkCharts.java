@@ -27,8 +27,8 @@ import particles.view.DataTable;
 public final class WorkCharts {
     private static final double ROUGH = 1e-2;
     private static final double FINE = 1e-6;
-    /** Evaluations at a crossing between two runs are known to this part. */
-    private static final double READ = 0.025;
+    /** Evaluations that differ by less than this factor are a tie, since those between two runs are interpolated. */
+    private static final double READ = 1.05;
 
     private WorkCharts() {
     }
@@ -41,7 +41,7 @@ public final class WorkCharts {
         List<Series> series = new ArrayList<>();
         for (Curve curve : curves) {
             List<Point> fitted = curve.points().subList(curve.fit().first(), curve.fit().last() + 1);
-            series.add(Series.of(curve.label() + slope(curve), Mark.LINE_AND_OPEN_POINTS, results(curve),
+            series.add(Series.of(curve.label() + slope(curve), Mark.LINE_AND_OPEN_POINTS, curve.points(),
                     Point::evaluations, Point::error));
             series.add(Series.of(curve.label() + slope(curve), Mark.POINTS, fitted, Point::evaluations, Point::error));
             if (isReduced(curve)) {                     // the errors that the full order would give
@@ -51,29 +51,25 @@ public final class WorkCharts {
                         Point::evaluations, p -> first.error() * Math.pow(p.deltaT() / first.deltaT(), order)));
             }
         }
-        series.add(Series.of("filled: fitted; in brackets: theory", Mark.POINTS, List.of()));
+        series.add(Series.of("number: slope of the filled points (theory)", Mark.POINTS, List.of()));
         return charts(reduction(curves).orElseGet(() -> first(curves, false)), "evaluations of the derivative", series,
                 curves, Point::evaluations);
     }
 
     /**
      * @param curves the curves of all solvers on one problem
-     * @return error against CPU time, with bars from the lower to the upper quartile; below, if there are any, the
+     * @return error against CPU time, with bars from the fastest round to the median; below, if there are any, the
      *         failures
      */
     public static List<ChartData> byTime(List<Curve> curves) {
         List<Series> series = new ArrayList<>();
         for (Curve curve : curves) {
-            series.add(Series.of(curve.label(), Mark.LINE_AND_POINTS, results(curve), Point::seconds, Point::error));
-            series.add(Series.of(curve.label(), Mark.BARS, results(curve).stream().flatMap(p -> Stream.of(
-                    new double[] {p.lower(), p.error()}, new double[] {p.upper(), p.error()},
+            series.add(Series.of(curve.label(), Mark.LINE_AND_POINTS, curve.points(), Point::fastest, Point::error));
+            series.add(Series.of(curve.label(), Mark.BARS, curve.points().stream().flatMap(p -> Stream.of(
+                    new double[] {p.fastest(), p.error()}, new double[] {p.median(), p.error()},
                     new double[] {Double.NaN, Double.NaN})).toList()));         // a gap after each bar
         }
-        return charts(first(curves, true), "CPU time, median (s)", series, curves, Point::seconds);
-    }
-
-    private static List<Point> results(Curve curve) {
-        return curve.points().stream().filter(point -> point.failure().isEmpty() && point.error() > 0).toList();
+        return charts(first(curves, true), "CPU time, fastest round (s)", series, curves, Point::fastest);
     }
 
     /** Below the errors, over the same work: a row for each solver of which a run failed. */
@@ -109,56 +105,63 @@ public final class WorkCharts {
 
     /** Which solver gets to a rough and to a fine error first; all of them where several cannot be told apart. */
     private static String first(List<Curve> curves, boolean time) {
-        List<String> rough = first(curves, ROUGH, time);
-        List<String> fine = first(curves, FINE, time);
-        if (rough.isEmpty()) {
-            return "none has an error of 0.01";
+        double largest = curves.stream().flatMap(curve -> curve.points().stream()).mapToDouble(Point::error)
+                .filter(error -> error > 0).max().orElse(Double.POSITIVE_INFINITY);
+        if (largest <= FINE) {
+            return "every stable run has an error below " + Digits.exact(Digits.roundStep(largest)) + "; "
+                    + SolverChoice.said(first(curves, largest, time), "is stable "
+                    + (time ? "in the least time" : "with the fewest evaluations"));
         }
-        if (curves.size() == 1) {
-            return rough.get(0) + " has 0.01" + (fine.isEmpty() ? ", not 1e-6" : " and 1e-6");
+        String text = "";
+        String before = "";
+        for (double error : largest > ROUGH ? List.of(ROUGH, FINE) : List.of(FINE)) {
+            List<String> solvers = first(curves, error, time);
+            String who = solvers.isEmpty() ? "no run reaches" : SolverChoice.few(solvers)
+                    + (solvers.size() > 1 ? " tie for" : curves.size() == 1 ? " reaches"
+                    : time ? " is first to" : " is cheapest for");
+            text += (text.isEmpty() ? who + " an error of " : who.equals(before) ? " and " : ", " + who + " ")
+                    + Digits.few(error);
+            before = who;
+            if (solvers.isEmpty()) {
+                break;
+            }
         }
-        return said(rough, time) + " 0.01" + (fine.isEmpty() ? ", none has 1e-6" : rough.equals(fine) ? " and 1e-6"
-                : ", " + said(fine, time) + " 1e-6");
+        return text;
     }
 
-    private static String said(List<String> solvers, boolean time) {
-        return SolverChoice.few(solvers) + (solvers.size() > 1 ? " tie for" : time ? " is first to"
-                : " is cheapest for");
-    }
-
-    /** The work at which the line through a solver's points comes down to an error. */
-    private record Crossing(String solver, double lower, double middle, double upper) {
+    /** The least work at which the line through a solver's points is at or below an error; a tie goes up to most. */
+    private record Crossing(String solver, double least, double most) {
     }
 
     /**
-     * @param time whether work is CPU time, whose quartiles tell which solvers tie, or evaluations
+     * @param time whether work is CPU time, in which solvers tie up to the median, or evaluations
      * @return the solver with the least work for an error, then every other one that cannot be told from it
      */
     static List<String> first(List<Curve> curves, double error, boolean time) {
-        List<Crossing> all = curves.stream().flatMap(curve -> crossing(curve, error, time).stream())
-                .sorted(Comparator.comparingDouble(Crossing::middle)).toList();
-        return all.stream().filter(one -> one.lower() <= all.get(0).upper()).map(Crossing::solver).toList();
+        List<Crossing> all = curves.stream().flatMap(curve -> (time
+                ? crossings(curve, error, Point::fastest, Point::median)
+                : crossings(curve, error, Point::evaluations, point -> READ * point.evaluations()))
+                .min(Comparator.comparingDouble(Crossing::least)).stream())
+                .sorted(Comparator.comparingDouble(Crossing::least)).toList();
+        return all.stream().filter(one -> one.least() <= all.get(0).most()).map(Crossing::solver).toList();
     }
 
-    private static Optional<Crossing> crossing(Curve curve, double error, boolean time) {
-        List<Point> points = results(curve);
-        List<Crossing> found = new ArrayList<>();
-        for (int k = 0; k < points.size(); k++) {
-            Point from = points.get(Math.max(0, k - 1));
-            Point to = points.get(k);
-            if (to.error() <= error && (k == 0 || from.error() > error)) {
-                double part = k == 0 ? 1 : Math.log(from.error() / error) / Math.log(from.error() / to.error());
-                // on a straight line between two points, on logarithmic axes
-                ToDoubleFunction<ToDoubleFunction<Point>> at = work -> Math.pow(work.applyAsDouble(from), 1 - part)
-                        * Math.pow(work.applyAsDouble(to), part);
-                double evaluations = at.applyAsDouble(Point::evaluations);
-                found.add(time ? new Crossing(curve.label(), at.applyAsDouble(Point::lower),
-                        at.applyAsDouble(Point::seconds), at.applyAsDouble(Point::upper))
-                        : new Crossing(curve.label(), evaluations * (1 - READ), evaluations,
-                        evaluations * (1 + READ)));
-            }
-        }
-        return found.stream().min(Comparator.comparingDouble(Crossing::middle));
+    /** The runs with small enough errors, and the points where lines between runs cross the error. */
+    private static Stream<Crossing> crossings(Curve curve, double error, ToDoubleFunction<Point> least,
+            ToDoubleFunction<Point> most) {
+        return IntStream.range(0, curve.points().size()).boxed().flatMap(k -> {
+            Point from = curve.points().get(Math.max(0, k - 1));
+            Point to = curve.points().get(k);
+            double crossed = Math.log(from.error() / error) / Math.log(from.error() / to.error());
+            return Stream.of(crossed, to.error() <= error ? 1 : Double.NaN).filter(part -> part > 0 && part <= 1)
+                    .map(part -> new Crossing(curve.label(), between(from, to, part, least),
+                            between(from, to, part, most)));
+        });
+    }
+
+    /** On a straight line between two points, on logarithmic axes. */
+    private static double between(Point from, Point to, double part, ToDoubleFunction<Point> work) {
+        return Math.pow(work.applyAsDouble(from), 1 - part) * Math.pow(work.applyAsDouble(to), part);
     }
 
     /**
@@ -194,16 +197,15 @@ public final class WorkCharts {
     public static DataTable runs(List<Curve> curves) {
         record Row(Curve curve, int k, Point point) {
         }
-        return DataTable.of("runs", "Every run; times are medians of five or more runs that were warmed up",
+        return DataTable.of("runs", "Every run; times of " + WorkPrecision.ROUNDS + " rounds",
                 curves.stream().flatMap(curve -> IntStream.range(0, curve.points().size()).mapToObj(k ->
                         new Row(curve, k, curve.points().get(k)))).toList(),
                 column("problem", row -> row.curve.problem().name()), column("solver", row -> row.curve.label()),
                 column("deltaT (s)", row -> row.point.deltaT()), column("tolerance", 2, row -> row.point.tolerance()),
                 column("evaluations", row -> row.point.evaluations()), column("error", 3, row -> row.point.error()),
                 column("fitted", row -> row.curve.fit().contains(row.k) ? "yes" : ""),
-                column("time (s)", 2, row -> row.point.seconds()),
-                column("lower quartile (s)", 2, row -> row.point.lower()),
-                column("upper quartile (s)", 2, row -> row.point.upper()),
+                column("fastest round (s)", 2, row -> row.point.fastest()),
+                column("median (s)", 2, row -> row.point.median()),
                 column("no result", row -> row.point.failure().map(kind -> kind.words).orElse("")),
                 column("why", row -> row.point.why()));
     }

@@ -22,22 +22,16 @@ import particles.experiments.work.WorkPrecision.Point;
  *
  * @param problem the problem to solve
  * @param solver  the solver
- * @param timed   the smallest number of timed runs, odd; 0 for none, which gives times of NaN
  */
-public record WorkPrecision(WorkProblem problem, SolverChoice solver, int timed) {
+public record WorkPrecision(WorkProblem problem, SolverChoice solver) {
     /** A run with this error or more has no result. */
     static final double USELESS = 10;
     private static final int FEWEST_STEPS = 16;
     private static final int FEWEST_WHOLE_STEPS = 4;
-    /** Times of so many runs have quartiles. */
-    public static final int TIMED = 5;
-    /** Short runs are repeated more often: until all together took this time (s), up to a limit. */
-    private static final double ENOUGH = 1e-3;
-    private static final int MOST_TIMED = 51;
-    /** The time of warm-up runs before a time counts (s), at least one run: Java compiles code while it runs. */
-    private static final double WARM = 0.05;
-    private static final double WARM_TOLERANCE = 1e-4;
-    private static final int WARM_PART = 256;
+    /** All runs take turns, so many rounds. */
+    public static final int ROUNDS = 5;
+    /** In a round, short runs are repeated until all together took this time (s). */
+    private static final double ENOUGH = 5e-4;
     private static final double LOOSEST = 1e-1;
     private static final double TIGHTEST = 1e-11;
     /** A tolerance so loose that an adaptive solver does not divide a step. */
@@ -65,14 +59,21 @@ public record WorkPrecision(WorkProblem problem, SolverChoice solver, int timed)
      * @param tolerance   the relative and absolute tolerance; NaN for fixed steps
      * @param evaluations the number of evaluations of the derivative
      * @param error       the error at the end; NaN if the run failed
-     * @param seconds     the CPU time of the run (s), the median of five or more runs after warm-up
-     * @param lower       the lower quartile of them (s)
-     * @param upper       the upper quartile (s)
+     * @param times       the CPU times of the run (s) in each round, from the fastest
      * @param failure     the way in which it failed, if it did
      * @param why         the failure in words; empty if there is a result
      */
-    public record Point(double deltaT, double tolerance, long evaluations, double error, double seconds, double lower,
-                        double upper, Optional<Failure> failure, String why) {
+    public record Point(double deltaT, double tolerance, long evaluations, double error, List<Double> times,
+                        Optional<Failure> failure, String why) {
+        /** @return the time of the fastest round (s): other work on the machine only makes a round slower */
+        double fastest() {
+            return times.get(0);
+        }
+
+        /** @return the median of the times (s) */
+        double median() {
+            return CpuClock.median(times);
+        }
     }
 
     /**
@@ -93,16 +94,20 @@ public record WorkPrecision(WorkProblem problem, SolverChoice solver, int timed)
             return solver.label();
         }
 
+        /** @return the same runs, with the times of another round */
+        public Curve timedAgain() {
+            WorkPrecision work = new WorkPrecision(problem, solver);
+            return new Curve(problem, solver, byStep, points.stream().map(point -> work.point((int) Math.round(
+                    problem.duration() / point.deltaT), point.tolerance, point.times)).toList(), fit, expected);
+        }
+
         Stream<Point> failures(Failure kind) {
             return points.stream().filter(point -> point.failure().equals(Optional.of(kind)));
         }
     }
 
-    /** @return the runs of this solver */
+    /** @return the runs of this solver, with the times of the first round */
     public Curve curve() {
-        if (timed > 0) {
-            warmUp();
-        }
         List<Point> points = byStep() ? overSteps() : overTolerances();
         double expected = expected();
         double shortest = isStiff() ? problem.stiff().orElseThrow().deltaT() : 0;
@@ -137,7 +142,7 @@ public record WorkPrecision(WorkProblem problem, SolverChoice solver, int timed)
         List<Point> points = new ArrayList<>();
         int steps = solver.implicit() ? FEWEST_WHOLE_STEPS : FEWEST_STEPS;
         for (long next = steps; next <= budget(); steps *= 2) {
-            Point point = point(steps, solver.adaptive() ? WHOLE_STEPS : Double.NaN);
+            Point point = point(steps, solver.adaptive() ? WHOLE_STEPS : Double.NaN, List.of());
             points.add(point);
             // half the step doubles the work; a run that fails early says little about it
             next = 2 * (point.failure().isPresent() ? Math.max(next, point.evaluations()) : point.evaluations());
@@ -148,24 +153,14 @@ public record WorkPrecision(WorkProblem problem, SolverChoice solver, int timed)
     private List<Point> overTolerances() {
         List<Point> points = new ArrayList<>();
         for (double tolerance = LOOSEST; tolerance > 0.5 * tightest(); tolerance /= 10) {
-            points.add(point(1, tolerance));
+            points.add(point(1, tolerance, List.of()));
         }
         return points;
     }
 
-    /** Warms up with a run that is neither so coarse that it fails at once nor long. */
-    private void warmUp() {
-        int steps = byStep() ? (int) Math.max(FEWEST_STEPS, budget() / WARM_PART) : 1;
-        double tolerance = byStep() ? WHOLE_STEPS : Math.max(WARM_TOLERANCE, tightest());
-        double begin = CpuClock.seconds();
-        while (CpuClock.seconds() - begin < WARM) {
-            solve(problem.start().get(), solver.create(tolerance), steps);
-        }
-    }
-
-    private Point point(int steps, double tolerance) {
-        List<Double> seconds = new ArrayList<>();
+    private Point point(int steps, double tolerance, List<Double> before) {
         double all = 0;
+        int runs = 0;
         DEStateSource source;
         Optional<DESolverException> thrown;
         do {
@@ -173,20 +168,17 @@ public record WorkPrecision(WorkProblem problem, SolverChoice solver, int timed)
             DESolver fresh = solver.create(tolerance);
             double begin = CpuClock.seconds();
             thrown = solve(source, fresh, steps);
-            seconds.add(CpuClock.seconds() - begin);
-            all += seconds.get(seconds.size() - 1);
-        } while (seconds.size() < timed || timed > 0 && all < ENOUGH && seconds.size() < MOST_TIMED);
-        double[] sorted = timed == 0 ? new double[] {Double.NaN}
-                : seconds.stream().mapToDouble(Double::doubleValue).sorted().toArray();
-        int quarter = (sorted.length - 1) / 4;
+            all += CpuClock.seconds() - begin;
+            runs++;
+        } while (all < ENOUGH);
+        List<Double> times = Stream.concat(before.stream(), Stream.of(all / runs)).sorted().toList();
         double error = problem.error(source);
         Optional<Failure> failure = thrown.map(this::kind).or(() -> error < USELESS ? Optional.empty()
                 : Optional.of(Failure.UNSTABLE));
         String why = thrown.map(DESolverException::getMessage).orElse(failure.isPresent() ? "the error is " + error
                 : "");
         return new Point(problem.duration() / steps, tolerance, WorkProblem.evaluations(source),
-                failure.isPresent() ? Double.NaN : error, sorted[sorted.length / 2], sorted[quarter],
-                sorted[sorted.length - 1 - quarter], failure, why);
+                failure.isPresent() ? Double.NaN : error, times, failure, why);
     }
 
     /**

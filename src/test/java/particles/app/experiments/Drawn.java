@@ -14,7 +14,7 @@ import particles.experiments.runs.FittedLine;
 
 /**
  * What the CSV file beside a picture says of one of its quantities: for each series the points, in the order of the
- * file. On charts of work the errors of a line are shown again, by points that are fitted or bars of quartiles.
+ * file. On charts of work the errors of a line are shown again, by points that are fitted or bars up to medians.
  *
  * @param title    the chart's title
  * @param quantity the label of its y axis
@@ -37,7 +37,8 @@ record Drawn(String title, String quantity, Map<String, List<double[]>> series) 
             double[] point = {Double.parseDouble(cells.get(3)), Double.parseDouble(cells.get(5))};
             String name = cells.get(1);
             boolean again = cells.get(2).startsWith("evaluations of") && (all.containsKey(name + AGAIN)
-                    || all.getOrDefault(name, List.of()).stream().anyMatch(known -> Arrays.equals(known, point)));
+                    || Double.isFinite(point[1]) && all.getOrDefault(name, List.of()).stream().anyMatch(known ->
+                    Arrays.equals(known, point)));
             all.computeIfAbsent(name + (again ? AGAIN : ""), first -> new ArrayList<>()).add(point);
             if (cells.get(2).startsWith("CPU time") && Double.isNaN(point[0])) {
                 List<double[]> points = all.get(name);          // a gap is behind each bar of two points
@@ -55,10 +56,14 @@ record Drawn(String title, String quantity, Map<String, List<double[]>> series) 
 
     /** @return the points of a solver's first series that can be drawn */
     List<double[]> of(String solver) {
+        return withGaps(solver).stream().filter(point -> Double.isFinite(point[0]) && Double.isFinite(point[1]))
+                .toList();
+    }
+
+    private List<double[]> withGaps(String solver) {
         return series.entrySet().stream().filter(one -> one.getKey().equals(solver)
                 || one.getKey().startsWith(solver + ",")).findFirst().orElseThrow(() ->
-                new AssertionError(solver + " is not drawn, but said in '" + title + "'")).getValue().stream()
-                .filter(point -> Double.isFinite(point[0]) && Double.isFinite(point[1])).toList();
+                new AssertionError(solver + " is not drawn, but said in '" + title + "'")).getValue();
     }
 
     /** @return the exponent of y as a power of x by least squares of logarithms, from an x on */
@@ -67,17 +72,17 @@ record Drawn(String title, String quantity, Map<String, List<double[]>> series) 
                 p -> p[1]);
     }
 
-    /** @return the least x at which the line through the points comes down to y, on logarithmic axes */
+    /** @return the least x at which the line through the points is at y or below, on logarithmic axes */
     double crossing(String solver, double y) {
-        return crossing(of(solver), of(solver), y);
+        return crossing(withGaps(solver), withGaps(solver), y);
     }
 
-    /** @return the same for one end of the bars of a line, on the same piece of it; NaN if it has none */
-    double crossing(String solver, double y, int end) {
+    /** @return the same at the ends of the bars, on the same piece of the line, or 5 % more if there are none */
+    double most(String solver, double y) {
         List<double[]> bars = series.get(solver + AGAIN);
-        return bars == null || bars.stream().allMatch(point -> Double.isFinite(point[0])) ? Double.NaN
-                : crossing(of(solver), IntStream.range(0, bars.size() / 3).mapToObj(k -> bars.get(3 * k + end))
-                        .toList(), y);
+        return bars == null || bars.stream().allMatch(point -> Double.isFinite(point[0])) ? 1.05 * crossing(solver, y)
+                : crossing(withGaps(solver), IntStream.range(0, bars.size() / BAR).mapToObj(k ->
+                        bars.get(BAR * k + 1)).toList(), y);
     }
 
     private static double crossing(List<double[]> line, List<double[]> told, double y) {
@@ -86,10 +91,10 @@ record Drawn(String title, String quantity, Map<String, List<double[]>> series) 
         for (int k = 0; k < line.size(); k++) {
             double[] from = line.get(Math.max(0, k - 1));
             double[] to = line.get(k);
-            if (to[1] <= y && (k == 0 || from[1] > y)) {
-                double part = k == 0 ? 1 : Math.log(from[1] / y) / Math.log(from[1] / to[1]);
+            double crossed = Math.log(from[1] / y) / Math.log(from[1] / to[1]);
+            for (double part : new double[] {crossed, to[1] <= y ? 1 : Double.NaN}) {
                 double x = from[0] * Math.pow(to[0] / from[0], part);
-                if (x < least) {
+                if (part > 0 && part <= 1 && x < least) {
                     least = x;
                     double begin = told.get(Math.max(0, k - 1))[0];
                     there = begin * Math.pow(told.get(k)[0] / begin, part);

@@ -27,7 +27,6 @@ import particles.app.cli.PrintedProgress;
 import particles.app.cli.ProgramCommand.Mistakes;
 import particles.app.cli.Screen;
 import particles.experiments.runs.ProgressListener;
-import particles.experiments.work.WorkProblem;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.output.report.ResultPage;
@@ -81,7 +80,7 @@ class ReportCommandTest {
      * The countdown is right within a factor of 1.5 wherever it is printed, to the 5 s to which it is rounded. Measured
      * times (s): of a report of the course, on two quiet cores, and its CPU time on busy ones; CPU times of reports of
      * scenes 2, on a slow machine, 46, which has no limit of stability, and 9, where energyDrift takes 1.3, 6.9 and
-     * 13.8 s; and of the problems of workPrecision.
+     * 13.8 s.
      */
     @Test
     void theCountdownIsNearlyRight() {
@@ -98,7 +97,6 @@ class ReportCommandTest {
                 6.9, 6, 17);
         requireCountdown(ofScene, experiment -> ReportCommand.seconds(experiment, Optional.of(13.8)),
                 13.8, 19, 44, 18);
-        requireCountdown(WorkProblem.NAMES, WorkPrecisionCommand.COSTS::get, 10.2, 9.8, 6.8, 13, 13.5, 18);
     }
 
     private <T> void requireCountdown(List<T> tasks, ToDoubleFunction<T> cost, double... seconds) {
