@@ -115,12 +115,6 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
 
     /** @return a field as RFC 4180 says: quoted, with doubled quotes, if it has a comma, quote or line break */
     public static String quoted(String field) {
-        for (int i = 0; i < field.length(); i++) {
-            char c = field.charAt(i);
-            if (c == ',' || c == '"' || c == '\n' || c == '\r') {
-                return '"' + field.replace("\"", "\"\"") + '"';
-            }
-        }
-        return field;
+        return field.chars().anyMatch(c -> ",\"\n\r".indexOf(c) >= 0) ? '"' + field.replace("\"", "\"\"") + '"' : field;
     }
 }
