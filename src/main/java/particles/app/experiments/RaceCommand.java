@@ -143,8 +143,8 @@ public final class RaceCommand extends ExperimentCommand {
                          needs: an implicit solver does more than evaluate the derivative, so that equal evaluations \
                         would not be fair. Times are CPU times: medians of interleaved runs after a warm-up."""
                 : "All get as many evaluations of the derivative as " + pace
-                        + " needs, to within one step: a cheap method makes more and shorter steps, an adaptive one"
-                        + " gets the tolerance that costs as much.";
+                        + " needs, to within one step or 1 %: a cheap method makes more and shorter steps, an adaptive"
+                        + " one gets the tolerance that costs as much.";
         return new ResultPage(name(), RaceCharts.title(race), List.of(rule,
                 "The grey ghost is the reference, " + Race.REFERENCE + """
                         . The chart shows the energy error of each solver, physics taken out, over the energy \

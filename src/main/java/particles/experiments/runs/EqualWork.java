@@ -19,6 +19,8 @@ import particles.scene.format.SceneDescription;
 public record EqualWork(SceneDescription scene, long target, List<Long> adaptiveSteps) {
     /** A solver that costs this many times the target does not raise the others' share. */
     static final double MOST_RAISE = 30;
+    /** Costs that differ by this part count as equal: with contacts, or iterations, a shorter step may cost less. */
+    private static final double NEAR = 0.01;
     private static final int TRIALS = 14;
     private static final long FEW = 1000;
     /** The loosest tolerance that makes sense. */
@@ -153,23 +155,24 @@ public record EqualWork(SceneDescription scene, long target, List<Long> adaptive
      * @return their shares
      */
     public Shares share(List<SolverChoice> solvers, ProgressListener progress) {
-        long work = target;
-        Optional<SolverChoice> slowest = Optional.empty();
+        Optional<Match> slowest = Optional.empty();
         double left = 1;
         for (int round = 1; ; round++) {
-            long least = work;
+            Optional<Match> fixed = slowest;
+            long least = fixed.map(Match::evaluations).orElse(target);
             // there may be more rounds, each with half of what is left
             List<Match> matches = progress.part(1 - left, 1 - left / 2).onAllCores(solvers, solver -> 1, solver ->
-                    "equal work for " + solver.label(), solver -> find(solver, LOOSEST, least));
+                    "equal work for " + solver.label(), solver -> fixed.filter(match -> match.setting().solver()
+                    .equals(solver)).orElseGet(() -> find(solver, LOOSEST, least)));
             left /= 2;
             double most = MOST_RAISE * target;
             Optional<Match> over = matches.stream().filter(match -> match.whole() && match.evaluations() <= most
-                    && match.evaluations() - least >= match.aStep()).max(Comparator.comparingLong(Match::evaluations));
+                    && match.evaluations() - least >= Math.max(match.aStep(), NEAR * least))
+                    .max(Comparator.comparingLong(Match::evaluations));
             if (over.isEmpty() || round == TRIALS) {
-                return new Shares(matches, work, slowest);
+                return new Shares(matches, least, slowest.map(match -> match.setting().solver()));
             }
-            work = over.get().evaluations();
-            slowest = Optional.of(over.get().setting().solver());
+            slowest = over;
         }
     }
 
@@ -179,7 +182,8 @@ public record EqualWork(SceneDescription scene, long target, List<Long> adaptive
         long most = Math.round(MOST_RAISE * wanted) + FEW;
         Match match = measure(Setting.of(solver, scene.duration() / steps), most);
         Match best = match;
-        for (int trial = 1; trial < TRIALS && off(match, wanted) >= match.aStep() / 2; trial++) {
+        for (int trial = 1; trial < TRIALS
+                && off(match, wanted) >= Math.max(match.aStep(), NEAR * wanted) / 2; trial++) {
             long next = Math.max(1, Math.round(wanted / match.aStep()));
             if (next == steps) {
                 break;
