@@ -27,6 +27,8 @@ import particles.view.DataTable;
 public final class SceneStability {
     private static final double BRACKET = 1.25;
     private static final int MOST_BRACKETS = 60;
+    /** A step that is safe at 1.25^10 times the prediction: something else limits it, and the runs get long. */
+    private static final int MOST_LONGER = 10;
     private static final double ACCURACY = 2e-3;
     /** Without a predicted limit, a few steps of this many times 2/|lambda| are tried. */
     private static final double FAR = 900;
@@ -157,7 +159,7 @@ public final class SceneStability {
         for (int n = 0; isSafe(solver, unsafe, mode); n++) {
             safe = unsafe;
             unsafe *= BRACKET;
-            if (n == MOST_BRACKETS) {
+            if (n == MOST_LONGER) {
                 return new Limit(solver, predicted, Double.POSITIVE_INFINITY, Double.NaN, Double.NaN,
                         Digits.format("longest tried: %.3g s", safe));
             }
