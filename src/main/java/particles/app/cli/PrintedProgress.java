@@ -18,6 +18,7 @@ public final class PrintedProgress implements ProgressListener {
 
     private final PrintWriter out;
     private final LongSupplier nanoTime;
+    private final boolean timed;
     private final long begin;
     private long last;
 
@@ -26,8 +27,14 @@ public final class PrintedProgress implements ProgressListener {
      * @param nanoTime a clock, such as {@link System#nanoTime}
      */
     public PrintedProgress(PrintWriter out, LongSupplier nanoTime) {
+        this(out, nanoTime, true);
+    }
+
+    /** @param timed whether the parts are in proportion to their times, so that the remaining time can be told */
+    public PrintedProgress(PrintWriter out, LongSupplier nanoTime, boolean timed) {
         this.out = out;
         this.nanoTime = nanoTime;
+        this.timed = timed;
         begin = nanoTime.getAsLong();
         last = begin;
     }
@@ -37,7 +44,7 @@ public final class PrintedProgress implements ProgressListener {
         long now = nanoTime.getAsLong();
         if ((now - last) * NANO >= PAUSE) {
             double left = (now - begin) * NANO * (1 - part) / part;
-            out.println((int) (100 * part) + " %" + (part < EARLY || left < SHORT ? "" : ", about "
+            out.println((int) (100 * part) + " %" + (!timed || part < EARLY || left < SHORT ? "" : ", about "
                     + 5 * Math.round(left / 5) + " s left") + ": " + what);
             last = now;
         }

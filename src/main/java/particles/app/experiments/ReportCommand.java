@@ -12,19 +12,26 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
+import particles.Motion;
+import particles.Observer;
+import particles.SimulationException;
 import particles.app.cli.ChartOptions;
 import particles.app.cli.Failures;
 import particles.app.cli.PrintedProgress;
 import particles.app.cli.Program;
 import particles.app.cli.ResultsCommand;
+import particles.experiments.race.Race;
 import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.ProgressListener;
+import particles.experiments.runs.SceneRun;
+import particles.experiments.runs.SceneRun.Outcome;
 import particles.experiments.runs.SolverChoice;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.output.report.Report;
 import particles.output.report.Report.Section;
 import particles.output.report.ResultPage;
+import particles.scene.Overrides;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
 import particles.spec.messages.InvalidInputException;
@@ -45,12 +52,8 @@ public final class ReportCommand extends ResultsCommand {
     /** What each experiment takes (s): between its CPU time and the time that it took on two quiet cores. */
     private static final Map<String, Integer> SECONDS = Map.of("lectureFigures", 3, "energyDrift", 3, "phasePlots", 1,
             "race", 6, "workPrecision", 55, "stiffGallery", 7, "stability", 2, "effectCost", 5, "stiffCloth", 25);
-    /** CPU time of those that look at a scene (s): {a, b} is a + b times that of energyDrift there. */
-    private static final Map<String, double[]> OF_SCENE = Map.of("energyDrift", new double[] {0, 1},
-            "phasePlots", new double[] {0, 1}, "race", new double[] {9.5, 2}, "stability", new double[] {0.5, 0.9});
-    /** CPU time of energyDrift on a scene (s): DRIFT + DRIFT_OF_A_RACE times the full races of rk4 that it is worth. */
-    private static final double DRIFT = 1.3;
-    private static final double DRIFT_OF_A_RACE = 1.9;
+    /** CPU time of a race's reference on a scene (s): with more, the whole report would take over 90 s. */
+    private static final double ENOUGH = 4;
     private static final int MOST_LINES = 8;
     /** This number of experiments takes no longer than about a minute. */
     private static final int FEW = 2;
@@ -74,11 +77,13 @@ public final class ReportCommand extends ResultsCommand {
             + " that look at it).")
     private String names = "all";
 
+    @Option(names = "--duration", paramLabel = "SECONDS", description = "A duration other than the scene's"
+            + " (default: so much of the scene's that the report takes at most 90 s).")
+    private String duration;
+
     private Supplier<Optional<SceneDescription>> about;
     private Supplier<List<SolverChoice>> choices;
     private Supplier<List<ExperimentCommand>> chosen;
-    /** The CPU time that energyDrift takes on the scene, if there is one: expected, then measured (s). */
-    private Optional<Double> drift;
     /** The reasons why experiments could not run. */
     private final Map<ExperimentCommand, String> failures = new HashMap<>();
 
@@ -90,7 +95,14 @@ public final class ReportCommand extends ResultsCommand {
     @Override
     protected void read(Mistakes mistakes) {
         // a wrong scene is reported here, before the experiments run
-        about = mistakes.value(this::readScene);
+        mistakes.check(() -> {
+            if (scene == null && duration != null) {        // picocli leaves options null that were not given
+                throw wrong("duration", "goes with " + getStyle().option("scene") + " only");
+            }
+        });
+        Overrides overrides = new Overrides(getStyle()::option).with("duration", duration);
+        mistakes.check(overrides::check);
+        about = mistakes.value(() -> readScene().map(overrides::applyTo));
         choices = mistakes.value(() -> solverChoices(solvers()));
         chosen = mistakes.value(this::readNames);
         super.read(mistakes);
@@ -100,15 +112,15 @@ public final class ReportCommand extends ResultsCommand {
     public void run(PrintWriter lines) {
         List<ExperimentCommand> chosen = this.chosen.get();
         long begin = System.nanoTime();
-        drift = about.get().map(scene -> DRIFT + DRIFT_OF_A_RACE * RaceCommand.fullRaces(scene));
-        ToDoubleFunction<ExperimentCommand> cost = one -> failures.containsKey(one) ? 0 : seconds(one, drift);
-        if (chosen.size() > FEW) {
+        about.get().filter(scene -> duration == null).ifPresent(scene -> shorten(scene, lines));
+        ToDoubleFunction<ExperimentCommand> cost = one -> failures.containsKey(one) ? 0 : seconds(one);
+        if (scene == null && chosen.size() > FEW) {
             int minutes = (int) (chosen.stream().mapToDouble(cost).sum() / 60) + 1;
             lines.println("about " + minutes + (minutes == 1 ? " minute; " : " minutes; ")
                     + getStyle().option("experiments") + " with fewer names takes less");
         }
         chosen.forEach(this::prepare);
-        PrintedProgress progress = new PrintedProgress(lines, System::nanoTime);
+        PrintedProgress progress = new PrintedProgress(lines, System::nanoTime, scene == null);
         List<Section> sections;
         try (OutputFolder folder = OutputFolder.open(getFolder(), FILE)) {
             sections = progress.parts(chosen, cost, (experiment, part) ->
@@ -125,15 +137,29 @@ public final class ReportCommand extends ResultsCommand {
                 getFolder().resolve(FILE));
     }
 
-    /** @param drift the time that energyDrift takes on the report's scene (s), if it has one */
-    static double seconds(ExperimentCommand experiment, Optional<Double> drift) {
-        double[] linear = OF_SCENE.get(experiment.name());
-        return drift.isEmpty() || linear == null ? SECONDS.getOrDefault(experiment.name(), 1)
-                : linear[0] + linear[1] * drift.get();
+    static double seconds(ExperimentCommand experiment) {
+        return SECONDS.getOrDefault(experiment.name(), 1);
+    }
+
+    /** Takes the first part of a scene whose accurate runs would take too long. */
+    private void shorten(SceneDescription scene, PrintWriter lines) {
+        double end = CpuClock.seconds() + ENOUGH;
+        Outcome reference = SceneRun.run(SceneRun.build(scene, Race.reference(scene.deltaT())), List.of(new Observer() {
+            @Override
+            public void moved(Motion motion) {
+                if (CpuClock.seconds() > end) {
+                    throw new SimulationException(motion.getEndTime(), -1, "this takes too long", null);
+                }
+            }
+        }));
+        if (CpuClock.seconds() > end) {
+            duration = Digits.roundedDown(reference.endTime(), 1);
+            lines.println("the report is over the first " + duration + " s of this scene and takes at most 90 s; "
+                    + getStyle().option("duration") + "=" + Digits.few(scene.duration()) + " is over all of it");
+        }
     }
 
     private Optional<SceneDescription> readScene() {
-        // picocli leaves options null that were not given
         return Optional.ofNullable(scene).map(SceneOptions::read);
     }
 
@@ -180,7 +206,6 @@ public final class ReportCommand extends ResultsCommand {
         String purpose = String.join(" ", new CommandLine(experiment).getCommandSpec().usageMessage().description());
         Path into = getFolder().resolve(experiment.name());
         long begin = System.nanoTime();
-        double used = CpuClock.ofAllThreads();
         Optional<ResultPage> page = Optional.empty();
         try {
             if (!failures.containsKey(experiment)) {
@@ -191,9 +216,6 @@ public final class ReportCommand extends ResultsCommand {
             throw e;
         } catch (RuntimeException e) {
             failures.put(experiment, reason(e));
-        }
-        if (experiment instanceof EnergyDriftCommand && page.isPresent()) {
-            drift = drift.map(expected -> CpuClock.ofAllThreads() - used);
         }
         return new Section(experiment.name(), purpose, into, (System.nanoTime() - begin) * NANO, page,
                 Optional.ofNullable(failures.get(experiment)));
@@ -209,6 +231,9 @@ public final class ReportCommand extends ResultsCommand {
             if (scene != null || solvers != null) {
                 options.add("--solvers=" + solvers());
             }
+        }
+        if (duration != null && spec.findOption("--duration") != null) {
+            options.add("--duration=" + duration);
         }
         SHORTER.forEach((name, value) -> {
             if (spec.findOption(name) != null) {
@@ -232,7 +257,8 @@ public final class ReportCommand extends ResultsCommand {
             text.add(description.values().get(SceneFormat.TEACHES));
             boolean alone = chosen.get().stream().allMatch(ReportCommand::runsScene);
             text.add("The scene runs with " + String.join(", ", choices.get().stream().map(SolverChoice::label)
-                    .toList()) + (alone ? "." : "; experiments without a scene use their own problems."));
+                    .toList()) + (duration == null ? "" : ", for " + duration + " s")
+                    + (alone ? "." : "; experiments without a scene use their own problems."));
         });
         text.add("Click a column's head to sort a table, or a picture to enlarge it. The numbers behind each"
                 + " picture, with all digits, are in the folder with the experiment's name beside this page.");

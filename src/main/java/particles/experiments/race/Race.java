@@ -136,7 +136,12 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
      */
     private Setting tight() {
         double frame = scene.duration() / frames;
-        return Setting.accurate(frame / Math.ceil(frame / scene.deltaT()), REFERENCE_TOLERANCE);
+        return reference(frame / Math.ceil(frame / scene.deltaT()));
+    }
+
+    /** @return the setting of {@link #REFERENCE} with such steps */
+    public static Setting reference(double deltaT) {
+        return Setting.accurate(deltaT, REFERENCE_TOLERANCE);
     }
 
     /** @return the energy scale */
