@@ -155,8 +155,8 @@ public final class RaceCommand extends ExperimentCommand {
                 List.of(Picture.made(GifAnimation.FILE, "The race."),
                         Picture.drawn("race", "The end of the race, and the energy error over time.", sheet),
                         Picture.bySolver("race-charts", """
-                                Above: distance of each solver from the reference, root mean square over the \
-                                particles. Below: energy error. A cross marks where a solver left the race.""",
+                                Distance of each solver from the reference, root mean square over the particles, \
+                                and energy error. A cross marks where a solver left the race.""",
                                 race.lanes(), Lane::label, some -> List.of(
                                 RaceCharts.distance(race.of(some)), RaceCharts.energy(race.of(some))))),
                 List.of(RaceCharts.table(race)));

@@ -60,7 +60,7 @@ public final class StiffGalleryCommand extends ExperimentCommand {
                         """
                         Evaluations for an error of 1 % of the swing after 10 s, evaluations of the cheapest stable \
                         run, and the energy that is left of the stiff vibration, where it does not grow for ever. \
-                        Below: solvers that are never stable, and where a million steps are not enough for 1 %.""",
+                        Crosses: solvers that are never stable; rings: a million steps are not enough for 1 %.""",
                         sweeps, sweep -> sweep.solver().label(), StiffCharts::charts)),
                 List.of(StiffCharts.table(sweeps)));
     }

@@ -40,6 +40,7 @@ public final class PhasePortraits {
      * shrink to a dot.
      */
     private static final double PICTURE = 3.2;
+    private static final String HALF = " of the reference's half width";
     /** A path this far from the curve has left it. */
     private static final double LEFT = 0.05;
 
@@ -85,8 +86,8 @@ public final class PhasePortraits {
         List<Portrait> rows = new ArrayList<>();
         for (int p = 0; p < particles.size(); p++) {
             for (Axis axis : axes.isEmpty() ? List.of(reference.paths().get(p).widestAxis()) : axes) {
-                Subject subject = new Subject(particles.get(p), axis, particles.size() > 1 || axes.size() > 1
-                        ? "'" + particles.get(p) + "', " : "");
+                Subject subject = new Subject(particles.get(p), axis, scene.deltaT(),
+                        particles.size() > 1 || axes.size() > 1 ? "'" + particles.get(p) + "', " : "");
                 CurveDistance curve = new CurveDistance(reference.path(p, axis));
                 for (Run run : runs) {
                     Series path = run.path(p, axis);
@@ -128,11 +129,10 @@ public final class PhasePortraits {
                 worst.merge(portrait.solver(), portrait.whole() ? portrait.off() : Double.POSITIVE_INFINITY, Math::max);
             }
         }
-        String leaving = said(worst, off -> off > LEFT && off < Double.POSITIVE_INFINITY, "leaves the curve");
         double most = worst.values().stream().filter(off -> off <= LEFT).max(Double::compare).orElse(0.0);
-        String parts = Stream.of(said(worst, off -> off == Double.POSITIVE_INFINITY, "blows up"), leaving,
-                said(worst, off -> off <= LEFT, (leaving.isEmpty() ? "stays on the curve to "
-                        : "stays on it to ") + percent(most)))
+        String parts = Stream.of(said(worst, off -> off == Double.POSITIVE_INFINITY, "blows up"),
+                said(worst, off -> off > LEFT && off < Double.POSITIVE_INFINITY, "leaves the curve"),
+                said(worst, off -> off <= LEFT, "stays within " + percent(most) + HALF))
                 .filter(part -> !part.isEmpty()).collect(Collectors.joining(", "));
         return scene + (parts.isEmpty() ? ", in state space" : ": " + parts);
     }
@@ -169,9 +169,10 @@ public final class PhasePortraits {
          *
          * @param particle its id
          * @param axis     the axis
+         * @param deltaT   the time step (s)
          * @param heading  begins the titles of its charts if there are several subjects
          */
-        public record Subject(String particle, Axis axis, String heading) {
+        public record Subject(String particle, Axis axis, double deltaT, String heading) {
         }
 
         /** @return the solver's label */
@@ -207,19 +208,20 @@ public final class PhasePortraits {
                 series.add(Series.point(ends ? "end" : "stopped, or out of the picture",
                         ends ? Mark.POINTS : Mark.FAILURES, path.x()[end], path.y()[end]));
             }
-            return new ChartData(subject.heading() + solver() + verdict(), subject.axis().positionLabel(""),
+            return new ChartData(subject.heading() + solver() + " (deltaT = " + Digits.few(subject.deltaT()) + " s): "
+                    + verdict(), subject.axis().positionLabel(""),
                     subject.axis().velocityLabel(""), false, false, series);
         }
 
         private String verdict() {
             if (!whole()) {
-                return ": blows up";
+                return "blows up";
             }
             if (Double.isNaN(off)) {
-                return !curve.isAtRest() ? "" : ": at rest" + (subject.axis() == Axis.ANGLE ? ""
+                return !curve.isAtRest() ? "in state space" : "at rest" + (subject.axis() == Axis.ANGLE ? ""
                         : " along " + subject.axis().symbol());
             }
-            return off > LEFT ? ": " + percent(off) + " off the curve" : ": on the curve to " + percent(off);
+            return (off > LEFT ? "off by up to " : "within ") + percent(off) + HALF;
         }
     }
 }

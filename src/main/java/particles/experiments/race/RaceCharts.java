@@ -7,7 +7,6 @@ import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.IntStream;
 import particles.experiments.energy.DriftCharts;
 import particles.experiments.energy.EnergyDrift.Comparison;
@@ -100,7 +99,7 @@ public final class RaceCharts {
      */
     public static String finding(Result race) {
         List<String> parts = new ArrayList<>();
-        nearest(race).ifPresent(parts::add);
+        parts.add(nearest(race));
         List<Lane> left = race.lanes().stream().filter(lane -> lane.left().isPresent()).toList();
         if (!left.isEmpty()) {
             parts.add(left.size() > 3 ? left.size() + " solvers leave the race" : left.stream().map(lane -> lane.label()
@@ -114,22 +113,19 @@ public final class RaceCharts {
                         race.equalTime() ? "time" : "work"));
             }
         }
+        parts.removeIf(String::isEmpty);
         return String.join("; ", parts);
     }
 
-    /** The solvers that stay nearest. A solver that needed more than its share is left out. */
-    private static Optional<String> nearest(Result race) {
+    /** The solvers that stay nearest; may be empty. A solver that needed more than its share is left out. */
+    private static String nearest(Result race) {
         List<Lane> compared = race.lanes().stream().filter(lane -> lane.left().isEmpty() && mean(lane) >= 0
                 && share(race, lane) <= TOO_MUCH).toList();
         double nearest = compared.stream().mapToDouble(RaceCharts::mean).min().orElse(0);
         double size = race.reference().stream().flatMapToDouble(Arrays::stream).map(Math::abs).max().orElse(0);
-        if (compared.size() == 1) {
-            return Optional.of(compared.get(0).label() + " is " + Digits.few(nearest)
-                    + " m from the reference on average");
-        }
-        return Optional.of(compared.stream().filter(lane -> mean(lane) <= AS_NEAR * nearest + ROUND_OFF * size)
-                .map(Lane::label).toList()).filter(names -> !names.isEmpty())
-                .map(names -> SolverChoice.all(names, "stays nearest to the reference on average"));
+        return SolverChoice.said(compared.stream().filter(lane -> mean(lane) <= AS_NEAR * nearest + ROUND_OFF * size)
+                .map(Lane::label).toList(), compared.size() > 1 ? "stays nearest to the reference on average"
+                : "is " + Digits.few(nearest) + " m from the reference on average");
     }
 
     /** The work of a lane, divided by the work that each was to have. */

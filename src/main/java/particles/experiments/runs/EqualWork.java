@@ -19,7 +19,7 @@ import particles.scene.format.SceneDescription;
 public record EqualWork(SceneDescription scene, long target, List<Long> adaptiveSteps) {
     /** A solver that costs this many times the target does not raise the others' share. */
     static final double MOST_RAISE = 30;
-    /** Costs that differ by this part count as equal: with contacts, or iterations, a shorter step may cost less. */
+    /** More by this part is no reason to raise the others' share: with contacts a shorter step may cost less. */
     private static final double NEAR = 0.01;
     private static final int TRIALS = 14;
     private static final long FEW = 1000;
@@ -182,8 +182,7 @@ public record EqualWork(SceneDescription scene, long target, List<Long> adaptive
         long most = Math.round(MOST_RAISE * wanted) + FEW;
         Match match = measure(Setting.of(solver, scene.duration() / steps), most);
         Match best = match;
-        for (int trial = 1; trial < TRIALS
-                && off(match, wanted) >= Math.max(match.aStep(), NEAR * wanted) / 2; trial++) {
+        for (int trial = 1; trial < TRIALS && off(match, wanted) >= match.aStep() / 2; trial++) {
             long next = Math.max(1, Math.round(wanted / match.aStep()));
             if (next == steps) {
                 break;

@@ -79,10 +79,11 @@ public final class SceneStabilityCharts {
                 line.add(new double[] {deltaT - above * largest / POINTS, Math.min(TOP, factor)});
             }
             series.add(Series.of(limit.solver().label(), Mark.LINE, line));
-            series.add(Series.point(limit.solver().label(), Mark.POINTS, limit.measured(), 1));
         }
-        return new ChartData(finite.stream().map(limit -> Digits.few(limit.measured()) + " s (" + limit.solver().label()
-                + ")").collect(Collectors.joining(", ", "Runs move apart beyond deltaT = ", "")), "deltaT (s)",
+        series.add(Series.of("limit measured on runs", Mark.OPEN_POINTS, finite, Limit::measured, limit -> 1));
+        return new ChartData(finite.stream().map(limit -> limit.solver().label() + " " + Digits.few(limit.measured())
+                + " s (" + Digits.few(limit.predicted()) + " s)").collect(Collectors.joining(", ",
+                "Longest stable step in runs, in brackets predicted: ", "")), "deltaT (s)",
                 "largest factor of a mode in one step", false, false, series);
     }
 }

@@ -34,12 +34,10 @@ public final class StabilityRegion {
     /**
      * @param solvers the solvers
      * @param window  the part of the plane
-     * @return a line for each solver, broken where the outline is in pieces, and the imaginary axis, with what they
-     *         show in the title
+     * @return a line for each solver, broken where the outline is in pieces, and the imaginary axis; without a title
      */
     static ChartData outlines(List<String> solvers, Window window) {
-        return chart(finding(solvers, window), solvers.stream().map(solver -> map(solver, window).outline(solver))
-                .toList(), window);
+        return chart("", solvers.stream().map(solver -> map(solver, window).outline(solver)).toList(), window);
     }
 
     /** @return the same with each region filled, darker where several solvers are stable */
@@ -52,6 +50,7 @@ public final class StabilityRegion {
             outlines.add(map.outline(solver));
         }
         regions.addAll(outlines);
+        regions.add(Series.point("shaded: stable", Mark.BAND, Double.NaN, Double.NaN));
         return chart(finding(solvers, window), regions, window);
     }
 

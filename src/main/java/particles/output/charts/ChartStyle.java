@@ -44,7 +44,7 @@ public final class ChartStyle {
     static final Stroke BAR = new BasicStroke(1.2f);
 
     /** The stroke of a line that others run along. */
-    static final Stroke BAND = new BasicStroke(5, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+    static final Stroke BAND = new BasicStroke(5, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND);
 
     /** A sample of a line in the legend, long enough to show its dashes. */
     static final Shape LEGEND_LINE = new Line2D.Double(-17, 0, 17, 0);

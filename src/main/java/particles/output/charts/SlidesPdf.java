@@ -71,12 +71,9 @@ final class SlidesPdf {
         Rectangle size = new Rectangle(ChartFormat.SLIDE_WIDTH, ChartFormat.SLIDE_HEIGHT);
         Document document = new Document(size);
         PdfWriter writer = PdfWriter.getInstance(document, file);
+        document.open();
         for (ChartPage page : pages) {
-            if (document.isOpen()) {
-                document.newPage();
-            } else {
-                document.open();
-            }
+            document.newPage();                         // of the first, nothing is drawn yet, and it stays
             PageGraphics g = new PageGraphics(writer.getDirectContent(), size, dark && !page.showsScene());
             double scale = size.getWidth() / page.width();
             g.scale(scale, scale);

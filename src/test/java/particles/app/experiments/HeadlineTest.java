@@ -257,6 +257,10 @@ class HeadlineTest {
             Claim.each("(?=[^,]* with " + NAMES + END + ")(is gone|stays|fades|reaches up to "
                     + NUMBER + " times its initial energy) with " + NAMES + END, (solver, said, drawn) ->
                     vibration(said, drawn, last(drawn.of(solver))[1])),
+            Claim.each(NAMES + " leaves? the curve", (solver, said, drawn) -> off(drawn, solver) > 0.05),
+            Claim.each(NAMES + " (?:\\(deltaT = [0-9.]+ s\\): off by up to|stays? within|\\(.*\\): within) " + NUMBER
+                    + " % of the reference's half width", (solver, said, drawn) ->
+                    off(drawn, solver) <= 0.011 * said.number(2) + 2e-3),
             Claim.each(NAMES + " (gains?|loses?|stays? within) " + NUMBER + " (%|times the energy)",
                     (solver, said, drawn) -> energy(said.text(2), drawn.of(solver), said.part(3))),
             Claim.each(NAMES + " [+\u2212]" + NUMBER + " (%|times the energy)", (solver, said, drawn) ->
@@ -282,10 +286,6 @@ class HeadlineTest {
             Claim.each(NAMES + " exceeds? 10 %", (solver, said, drawn) -> largest(drawn.of(solver)) > 0.09
                     || last(drawn.of(solver))[0] < drawn.series().values().stream().mapToDouble(points ->
                     last(points)[0]).max().orElseThrow()),
-            Claim.each(NAMES + "(?: leaves? the curve|: [0-9.]+ % off the curve)", (solver, said, drawn) ->
-                    off(drawn, solver) > 0.05),
-            Claim.each(NAMES + "(?: stays? on it|(?:: on| stays? on) the curve) to " + NUMBER + " %",
-                    (solver, said, drawn) -> off(drawn, solver) <= 0.011 * said.number(2) + 2e-3),
             Claim.each(NAMES + ", deltaT = " + NUMBER + " s, \\d+ steps: amplitude \u00d7 " + NUMBER
                     + ", phase [+\u2212]?" + NUMBER + " rad", (solver, said, drawn) ->
                     near(said.number(3), amplitude(drawn, solver), 1e-3)),
@@ -302,9 +302,12 @@ class HeadlineTest {
             new Claim("the fastest mode lies at deltaT \\|lambda\\| = " + NUMBER, (said, drawn) ->
                     drawn.of("modes of the scene").stream().anyMatch(p ->
                             near(1, Math.hypot(p[0], p[1]) / said.number(1), 0.005))),
-            new Claim("Runs move apart beyond deltaT = (?=\\d)"),
-            new Claim(NUMBER + " s \\((" + NAME + ")\\)", (said, drawn) ->
-                    near(said.number(1), last(drawn.of(said.text(2)))[0], 0.005 * said.number(1))),
+            new Claim("Longest stable step in runs, in brackets predicted[^:]*: "),
+            Claim.each("(" + NAME + ") " + NUMBER + " s \\(" + NUMBER + " s\\)", (solver, said, drawn) ->
+                    drawn.of(solver).stream().allMatch(p -> p[1] > 1 + 1e-9 == p[0] > said.number(3)
+                            || near(said.number(3), p[0], 0.02 * said.number(3)))
+                            && drawn.of("limit measured on runs").stream().anyMatch(p ->
+                            near(said.number(2), p[0], 0.005 * said.number(2)))),
             Claim.each(NAMES + " is " + NUMBER + " m from the reference on average", (solver, said, drawn) ->
                     near(said.number(2), rms(drawn.of(solver)), 0.01 * said.number(2))),
             Claim.each(NAMES + " stays? nearest to the reference on average", (solver, said, drawn) ->

@@ -163,7 +163,7 @@ class ReportCommandTest {
         assertFalse(page().contains("could not be made"), "and by default only what looks at the scene");
     }
 
-    /** Reference runs of all 4 s take 84 s, and experiments differ by ten times: no time is told. */
+    /** A reference run of all 4 s takes 84 s, and experiments differ by ten times: no time is told. */
     @Test
     @Tag("slow")
     void aSceneThatTakesLongIsShortened() throws IOException {
@@ -182,7 +182,7 @@ class ReportCommandTest {
         report(ExitCode.BAD_INPUT, ODD, "--scene=sprng");
         report(ExitCode.BAD_INPUT, ODD, "--solvers=rk5");
         report(ExitCode.BAD_INPUT, ODD, "--scene=2", "--duration=-1");
-        assertHas(report(ExitCode.BAD_INPUT, ODD, "--duration=1").err(), "-Pduration goes with -Pscene only");
+        assertHas(report(ExitCode.BAD_INPUT, ODD, "--duration=1").err(), "-Pduration: goes with -Pscene only");
         assertFalse(Files.exists(top.resolve("report")), "nothing is written");
     }
 }
