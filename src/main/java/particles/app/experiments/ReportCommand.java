@@ -53,7 +53,7 @@ public final class ReportCommand extends ResultsCommand {
     private static final Map<String, Integer> SECONDS = Map.of("lectureFigures", 3, "energyDrift", 3, "phasePlots", 1,
             "race", 6, "workPrecision", 55, "stiffGallery", 7, "stability", 2, "effectCost", 5, "stiffCloth", 25);
     /** CPU time of a race's reference on a scene (s): with more, the whole report would take over 90 s. */
-    private static final double ENOUGH = 2;
+    private static final double ENOUGH = 1.5;
     private static final int MOST_LINES = 8;
     /** This number of experiments takes no longer than about a minute. */
     private static final int FEW = 2;

@@ -13,7 +13,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.function.ToDoubleFunction;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -39,7 +38,6 @@ class ReportCommandTest {
 
     @TempDir
     Path top;
-    private double elapsed;
 
     /** Shows which scene it was given. */
     @Command(name = "shows", description = "Shows.")
@@ -85,31 +83,27 @@ class ReportCommandTest {
         List<ExperimentCommand> all = List.of(new LectureFiguresCommand(), new EnergyDriftCommand(),
                 new PhasePlotsCommand(), new RaceCommand(), new WorkPrecisionCommand(), new StiffGalleryCommand(),
                 new StabilityCommand(), new EffectCostCommand(), new StiffClothCommand());
-        ToDoubleFunction<ExperimentCommand> cost = ReportCommand::seconds;
-        requireCountdown(all, cost, 2, 2, 0.4, 3, 42, 5, 2, 4, 25);
-        requireCountdown(all, cost, 3.5, 4.1, 0.3, 11.8, 62.3, 6.8, 2.8, 5.9, 21.5);
-    }
-
-    private <T> void requireCountdown(List<T> tasks, ToDoubleFunction<T> cost, double... seconds) {
-        StringWriter text = new StringWriter();
-        elapsed = 0;
-        PrintedProgress progress = new PrintedProgress(new PrintWriter(text), () -> (long) (1e9 * elapsed));
-        double all = Arrays.stream(seconds).sum();
-        progress.parts(tasks, cost, (task, part) -> {
-            double begin = elapsed;
-            for (int tenth = 1; tenth <= 10; tenth++) {
-                elapsed = begin + tenth * seconds[tasks.indexOf(task)] / 10;
-                part.reached(tenth / 10.0, "left: " + (all - elapsed));
+        for (double[] seconds : new double[][] {{2, 2, 0.4, 3, 42, 5, 2, 4, 25},
+            {3.5, 4.1, 0.3, 11.8, 62.3, 6.8, 2.8, 5.9, 21.5}}) {
+            StringWriter text = new StringWriter();
+            double[] elapsed = {0};
+            double whole = Arrays.stream(seconds).sum();
+            new PrintedProgress(new PrintWriter(text), () -> (long) (1e9 * elapsed[0])).parts(all,
+                    ReportCommand::seconds, (task, part) -> {
+                        for (int tenth = 1; tenth <= 10; tenth++) {
+                            elapsed[0] += seconds[all.indexOf(task)] / 10;
+                            part.reached(tenth / 10.0, "left: " + (whole - elapsed[0]));
+                        }
+                        return task;
+                    });
+            List<MatchResult> said = Pattern.compile("about (\\d+) s left: left: (.*)").matcher(text.toString())
+                    .results().toList();
+            assertFalse(said.isEmpty());
+            for (MatchResult one : said) {
+                double about = Double.parseDouble(one.group(1));
+                double left = Double.parseDouble(one.group(2));
+                assertTrue(about < 1.5 * left + 2.5 && left < 1.5 * (about + 2.5), one.group());
             }
-            return task;
-        });
-        List<MatchResult> said = Pattern.compile("about (\\d+) s left: left: (.*)").matcher(text.toString()).results()
-                .toList();
-        assertFalse(said.isEmpty());
-        for (MatchResult one : said) {
-            double about = Double.parseDouble(one.group(1));
-            double left = Double.parseDouble(one.group(2));
-            assertTrue(about < 1.5 * left + 2.5 && left < 1.5 * (about + 2.5), one.group());
         }
     }
 
