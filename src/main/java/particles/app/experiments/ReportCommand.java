@@ -137,6 +137,7 @@ public final class ReportCommand extends ResultsCommand {
                 getFolder().resolve(FILE));
     }
 
+    /** @return what an experiment of the course takes (s) */
     static double seconds(ExperimentCommand experiment) {
         return SECONDS.getOrDefault(experiment.name(), 1);
     }

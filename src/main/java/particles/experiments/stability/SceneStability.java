@@ -28,7 +28,7 @@ public final class SceneStability {
     private static final double BRACKET = 1.25;
     private static final int MOST_BRACKETS = 60;
     /** A step that is safe at 1.25^10 times the prediction: something else limits it, and the runs get long. */
-    private static final int MOST_LONGER = 10;
+    private static final int MOST_LONGER = 9;
     private static final double ACCURACY = 2e-3;
     /** Without a predicted limit, a few steps of this many times 2/|lambda| are tried. */
     private static final double FAR = 900;

@@ -59,8 +59,8 @@ public final class StiffCharts {
         return Stream.concat(first.stream(), Stream.of(
                 chart("evaluations to be stable", fixed, Cost::toBeStable,
                         growth("Evaluations for stability", fixed, Cost::toBeStable)),
-                new ChartData(vibration(left), STIFFNESS, "fast-mode energy, end / start (\u2265 1e-16)", true, true,
-                        left)))
+                new ChartData(vibration(left), STIFFNESS, "fast-mode energy, end / start (\u2265 "
+                        + Digits.few(GONE) + ")", true, true, left)))
                 .filter(chart -> !chart.series().isEmpty()).toList();
     }
 
@@ -110,7 +110,8 @@ public final class StiffCharts {
         String growing = powers.entrySet().stream().map(power -> "k^" + Digits.few(power.getKey()) + " ("
                 + SolverChoice.few(power.getValue()) + ")").collect(joining(", "));
         return what + (growing.isEmpty() ? flat.isEmpty() ? "" : " stay about the same at any stiffness with " + flat
-                : " grow from k = 1000 on as " + growing + (flat.isEmpty() ? "" : ", not with " + flat));
+                : " grow from k = " + Digits.few(StiffGallery.FIT_FROM) + " on as " + growing
+                + (flat.isEmpty() ? "" : ", not with " + flat));
     }
 
     /** What becomes of the vibration, told by the last value of each solver. */

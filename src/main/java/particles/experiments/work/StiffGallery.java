@@ -38,7 +38,7 @@ public final class StiffGallery {
     private static final double SHORT_STEP = 0.1;
     private static final int LONG_RUN = 20_000;
     private static final double GROWTH = 1 + 5e-4;
-    private static final double FIT_FROM = 1e3;
+    static final double FIT_FROM = 1e3;
 
     /**
      * The cost of one solver at one stiffness; NaN if no number of steps is enough.

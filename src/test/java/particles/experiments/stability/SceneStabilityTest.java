@@ -188,7 +188,17 @@ class SceneStabilityTest {
             assertEquals(List.of("imaginary axis", "modes of the scene"), chart.series().stream().map(Series::name)
                     .toList());
         }
-        assertEquals("A chain", SceneStabilityCharts.plane("A chain", spectrum, 1, List.of("rk4", "radau")).get(0)
-                .title());
+        ChartData chart = SceneStabilityCharts.plane("A chain", spectrum, 1, List.of("rk4", "radau")).get(0);
+        assertEquals("A chain", chart.title());
+        assertEquals(List.of("rk4", "radau", "imaginary axis", "modes of the scene"),
+                chart.series().stream().map(Series::name).toList());
+    }
+
+    /** A comet passes the sun too seldom for steps of 2 / 31.6 s and more to show in 512 of them. */
+    @Test
+    void aLimitThatIsNotThatOfTheStartIsNotSearchedForEver() {
+        Limit limit = limits(TestScenes.named("24"), "verlet").get(0);
+        assertEquals(Double.POSITIVE_INFINITY, limit.measured());
+        assertEquals("longest tried: 0.589 s", limit.note());           // 0.0632 s times 1.25^10
     }
 }
