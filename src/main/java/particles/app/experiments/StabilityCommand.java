@@ -143,11 +143,10 @@ public final class StabilityCommand extends ExperimentCommand {
                 ? solvers.stream().filter(solver -> solver.info().isPresent()).map(SolverChoice::name)
                 .toList() : OUTLINES;
         List<Picture> pictures = new ArrayList<>();
-        List<ChartData> plane = SceneStabilityCharts.plane(scene.title()
-                + ": the fastest mode lies at deltaT |lambda| = " + Digits.few(scene.deltaT() * fastest.size()),
-                spectrum, scene.deltaT(), outlined);
+        List<ChartData> plane = SceneStabilityCharts.plane(scene.title(), spectrum, scene.deltaT(),
+                outlined);
         String caption = """
-                Each point is deltaT times an eigenvalue of the scene's linearised start: the fastest, and what else \
+                Each point is the step times an eigenvalue of the scene's linearised start: the fastest, and what else \
                 the iteration found. A step is safe where all points to the left of the imaginary axis, or on it, \
                 lie where the solver is stable: inside the outline of an explicit one, and outside or left of that of \
                 an implicit one.""";

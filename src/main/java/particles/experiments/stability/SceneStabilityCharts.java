@@ -1,9 +1,14 @@
 package particles.experiments.stability;
 
+import deSolvers.catalog.SolverCatalog;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import particles.experiments.runs.SolverChoice;
@@ -22,6 +27,8 @@ public final class SceneStabilityCharts {
     private static final double CELLS = 90;
     /** An outline lower than this part of the chart would be hidden by a mode at 0. */
     private static final double SEEN = 0.05;
+    /** At more than so many times the longest stable step, modes are far from all outlines. */
+    private static final double FAR_TOO_LONG = 5;
     /** Beyond this factor per step is far from safe, and all lines look alike. */
     private static final double TOP = 2;
 
@@ -29,17 +36,27 @@ public final class SceneStabilityCharts {
     }
 
     /**
-     * @param title    the title of the scene
+     * @param scene    the title of the scene
      * @param spectrum the spectrum of its start
      * @param deltaT   the scene's step (s)
      * @param solvers  catalogue names whose outlines are drawn
      * @return the chart of deltaT times each eigenvalue, with the outlines of the regions that are large enough to be
-     *         seen, and its upper half, which is the same as the lower one, for a wide page
+     *         seen, and its upper half, which is the same as the lower one, for a wide page; where the scene's step is
+     *         far too long for all solvers, it is drawn at the longest that is stable with one
      */
-    public static List<ChartData> plane(String title, Spectrum spectrum, double deltaT, List<String> solvers) {
+    public static List<ChartData> plane(String scene, Spectrum spectrum, double deltaT, List<String> solvers) {
+        Map<String, Double> limits = new LinkedHashMap<>();
+        solvers.forEach(solver -> limits.put(solver, new SpectrumLimit(SolverCatalog.info(solver), spectrum).deltaT()));
+        double longest = limits.values().stream().reduce(0.0, Math::max);
+        double step = longest > 0 && deltaT > FAR_TOO_LONG * longest ? longest : deltaT;
+        List<String> stable = solvers.stream().filter(solver -> limits.get(solver) >= deltaT).toList();
+        String title = scene + ": a step of " + Digits.few(deltaT) + " s is stable with " + (stable.isEmpty()
+                ? "no solver shown" : SolverChoice.together(stable)) + (step == deltaT ? "" : "; drawn for "
+                + Digits.few(step) + " s, the longest with " + Collections.max(solvers,
+                Comparator.comparing(limits::get)));
         List<double[]> points = spectrum.modes().stream().map(mode ->
-                new double[] {deltaT * mode.re(), deltaT * mode.im()}).toList();
-        double far = spectrum.modes().stream().mapToDouble(mode -> 1.1 * deltaT * mode.size()).reduce(3, Math::max);
+                new double[] {step * mode.re(), step * mode.im()}).toList();
+        double far = spectrum.modes().stream().mapToDouble(mode -> 1.1 * step * mode.size()).reduce(3, Math::max);
         Series upper = Series.of("modes of the scene", Mark.POINTS, points);
         Series both = Series.of(upper.name(), Mark.POINTS, Stream.concat(points.stream(), points.stream().map(point ->
                 new double[] {point[0], -point[1]})).toList());

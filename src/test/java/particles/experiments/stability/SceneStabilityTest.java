@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Texts.assertStarts;
 
+import deSolvers.text.Digits;
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntFunction;
 import java.util.stream.Collectors;
@@ -179,19 +181,31 @@ class SceneStabilityTest {
         assertEquals(List.of(), SceneStability.spectrum(TestScenes.named("22")).modes());
     }
 
-    /** At deltaT = 100, modes reach to 141, rk4's region to 2.8 and radau's unstable one to 7.5. */
+    /** At deltaT = 100, modes reach to 141, rk4's region to 2.83 and radau's unstable one to 7.5. */
     @Test
-    void chartNamesInItsTitleWhatWouldBeTooSmallToBeSeen() {
+    void chartSaysWhatIsStableAndWhatWouldBeTooSmallToBeSeen() {
         Spectrum spectrum = SceneStability.spectrum(chain(1, ""));
         for (ChartData chart : SceneStabilityCharts.plane("A chain", spectrum, 100, List.of("rk4", "radau"))) {
-            assertEquals("A chain; outlines of rk4 and radau are too small to be seen", chart.title());
+            assertEquals("A chain: a step of 100 s is stable with radau; outlines of rk4 and radau are too small to be"
+                    + " seen", chart.title());
             assertEquals(List.of("imaginary axis", "modes of the scene"), chart.series().stream().map(Series::name)
                     .toList());
         }
         ChartData chart = SceneStabilityCharts.plane("A chain", spectrum, 1, List.of("rk4", "radau")).get(0);
-        assertEquals("A chain", chart.title());
+        assertEquals("A chain: a step of 1 s is stable with rk4 and radau", chart.title());
         assertEquals(List.of("rk4", "radau", "imaginary axis", "modes of the scene"),
                 chart.series().stream().map(Series::name).toList());
+    }
+
+    /** Modes that reach to 141 and more are drawn where rk4's region ends. */
+    @Test
+    void aChartOfStepsFarTooLongShowsTheLongest() {
+        Spectrum spectrum = SceneStability.spectrum(chain(1, ""));
+        ChartData chart = SceneStabilityCharts.plane("A chain", spectrum, 100, List.of("euler", "rk4")).get(0);
+        assertEquals("A chain: a step of 100 s is stable with no solver shown; drawn for " + Digits.few(2 * Math.sqrt(2)
+                / spectrum.modes().get(0).size()) + " s, the longest with rk4", chart.title());
+        double[] height = chart.series().get(3).y();
+        assertEquals(2 * Math.sqrt(2), Arrays.stream(height).max().orElseThrow(), 1e-3);
     }
 
     /** A comet passes the sun too seldom for steps of 2 / 31.6 s and more to show in 512 of them. */
