@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import particles.output.charts.PageRecorder.Text;
+import particles.view.ChartData;
 
 /** What is wrong with the layout of a page: a line for each fault. */
 public final class Layout {
@@ -142,8 +143,18 @@ public final class Layout {
         }
     }
 
-    /** Panels with the same scale have frames of the same size and the same labels. */
+    /**
+     * Panels of the same quantities have the same scale, and frames of the same size; those with arrows keep the scale
+     * of their slides.
+     */
     private void compare(List<Panel> charts) {
+        ChartData first = charts.get(0).charts().get(0);
+        if (charts.stream().map(panel -> panel.charts().get(0)).allMatch(chart -> chart.xLabel().equals(first.xLabel())
+                && chart.yLabel().equals(first.yLabel()) && chart.rows().isEmpty())
+                && charts.stream().allMatch(panel -> panel.field().isEmpty())
+                && charts.stream().anyMatch(panel -> !panel.charts().get(0).scale().equals(first.scale()))) {
+            faults.add("panels of " + first.yLabel() + " over " + first.xLabel() + " differ in scale");
+        }
         boolean equal = charts.size() > 1 && charts.stream().allMatch(panel -> panel.charts().get(0).scale().equals(
                 charts.get(0).charts().get(0).scale()) && panel.charts().get(0).rows().isEmpty());
         if (equal) {
