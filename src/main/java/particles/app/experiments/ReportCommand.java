@@ -52,6 +52,8 @@ public final class ReportCommand extends ResultsCommand {
     /** What each experiment takes (s): between its CPU time and the time that it took on two quiet cores. */
     private static final Map<String, Integer> SECONDS = Map.of("lectureFigures", 3, "energyDrift", 3, "phasePlots", 1,
             "race", 6, "workPrecision", 55, "stiffGallery", 7, "stability", 2, "effectCost", 5, "stiffCloth", 25);
+    /** The part of the time in which the page of all is written. */
+    static final double PAGE = 0.08;
     /** CPU time of a race's reference on a scene (s): with more, the whole report would take over 90 s. */
     private static final double ENOUGH = 1.5;
     private static final int MOST_LINES = 8;
@@ -123,8 +125,9 @@ public final class ReportCommand extends ResultsCommand {
         PrintedProgress progress = new PrintedProgress(lines, System::nanoTime, scene == null);
         List<Section> sections;
         try (OutputFolder folder = OutputFolder.open(getFolder(), FILE)) {
-            sections = progress.parts(chosen, cost, (experiment, part) ->
+            sections = progress.part(0, 1 - PAGE).parts(chosen, cost, (experiment, part) ->
                     section(experiment, (done, what) -> part.reached(done, experiment.name() + ", " + what)));
+            progress.reached(1 - PAGE, "writes the page");
             new Report(title(), text(), sections, Digits.format("Made by gradle report of DESolver %s in %.0f s.",
                     Program.VERSION, (System.nanoTime() - begin) * NANO)).write(folder, FILE);
         }

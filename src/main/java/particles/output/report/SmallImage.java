@@ -2,11 +2,14 @@ package particles.output.report;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBuffer;
+import java.awt.image.DataBufferInt;
 import java.awt.image.IndexColorModel;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.Arrays;
+import java.util.BitSet;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 
 /**
@@ -26,32 +29,41 @@ final class SmallImage {
      * @throws IOException if it is no picture
      */
     static byte[] of(byte[] png) throws IOException {
-        BufferedImage image = ImageIO.read(new ByteArrayInputStream(png));
-        if (image == null) {
+        BufferedImage read = ImageIO.read(new ByteArrayInputStream(png));
+        if (read == null) {
             throw new IOException("not a picture that can be read");
         }
-        int width = image.getWidth();
-        int[] given = image.getRGB(0, 0, width, image.getHeight(), null, 0, width);
-        int[] rgb;
+        int width = read.getWidth();
+        int height = read.getHeight();
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        image.createGraphics().drawImage(read, 0, 0, null);             // getRGB would take longer than all the rest
+        int[] given = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
+        BitSet colours = new BitSet();
+        for (int colour : given) {
+            colours.set(colour);
+        }
+        int steps = MOST_SHADES;
         int[] palette;
-        int shades = MOST_SHADES;
         do {
-            int steps = shades - 1;
-            rgb = Arrays.stream(given).map(colour -> shade(colour >> 16, steps) << 16 | shade(colour >> 8, steps) << 8
-                    | shade(colour, steps)).toArray();
-            palette = Arrays.stream(rgb).distinct().sorted().toArray();
-            shades--;
+            steps--;
+            palette = reduced(colours.stream(), steps).distinct().sorted().toArray();
         } while (palette.length > MOST_COLOURS);
+        int[] rgb = reduced(Arrays.stream(given), steps).toArray();
         byte[] pixels = new byte[rgb.length];
         for (int k = 0; k < rgb.length; k++) {
             pixels[k] = (byte) Arrays.binarySearch(palette, rgb[k]);
         }
-        BufferedImage small = new BufferedImage(width, image.getHeight(), BufferedImage.TYPE_BYTE_INDEXED,
+        BufferedImage small = new BufferedImage(width, height, BufferedImage.TYPE_BYTE_INDEXED,
                 new IndexColorModel(8, palette.length, palette, 0, false, -1, DataBuffer.TYPE_BYTE));
-        small.getRaster().setDataElements(0, 0, width, image.getHeight(), pixels);
+        small.getRaster().setDataElements(0, 0, width, height, pixels);
         ByteArrayOutputStream file = new ByteArrayOutputStream();
         ImageIO.write(small, "png", file);
         return file.size() < png.length ? file.toByteArray() : png;
+    }
+
+    private static IntStream reduced(IntStream colours, int steps) {
+        return colours.map(colour -> shade(colour >> 16, steps) << 16 | shade(colour >> 8, steps) << 8
+                | shade(colour, steps));
     }
 
     /** White stays white, and black black. */
