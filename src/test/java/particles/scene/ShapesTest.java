@@ -171,7 +171,7 @@ class ShapesTest {
             TestScenes.read(text);
             bytes[k] = threads.getCurrentThreadAllocatedBytes() - before;
         }
-        assertTrue(bytes[1] - bytes[0] < 40 * 8000 * 200L, bytes[1] + " bytes, and " + bytes[0] + " for one solid");
+        assertTrue(bytes[1] - bytes[0] < 40 * 8000 * 150L, bytes[1] + " bytes, and " + bytes[0] + " for one solid");
     }
 
     /** A block that lies on the ground is squeezed a little by its weight and comes to rest there. */

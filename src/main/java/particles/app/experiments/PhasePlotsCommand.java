@@ -1,16 +1,21 @@
 package particles.app.experiments;
 
+import static java.util.stream.Collectors.groupingBy;
+import static java.util.stream.Collectors.mapping;
+import static java.util.stream.Collectors.toList;
+
 import deSolvers.text.DidYouMean;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import particles.experiments.phase.Axis;
+import particles.experiments.phase.PhasePortraits;
 import particles.experiments.phase.PhasePortraits.Portrait;
 import particles.experiments.phase.PhasePortraits.Portraits;
-import particles.experiments.phase.PhasePortraits;
 import particles.experiments.runs.ProgressListener;
 import particles.law.Particles;
 import particles.output.charts.Panel;
@@ -20,7 +25,6 @@ import particles.output.report.ResultPage;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.format.OutputDescription.Phase;
-import particles.view.ChartData;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -128,10 +132,10 @@ public final class PhasePlotsCommand extends ExperimentCommand {
         String caption = (angle ? "Angular velocity over angle." : "Velocity over position.")
                 + " The pale band is the reference, dormand-prince with a tolerance of 1e-10. A cross is the"
                 + " end of a run that stopped, or the place where a path leaves the picture.";
-        List<ChartData> charts = all.stream().map(Portrait::chart).toList();
-        List<Panel> panels = IntStream.range(0, all.size()).mapToObj(k -> Panel.phase(charts.get(k).scaledTo(IntStream
-                .range(0, all.size()).filter(n -> all.get(n).subject().equals(all.get(k).subject())).boxed()
-                .flatMap(n -> charts.get(n).series().stream()).toList()), Optional.empty())).toList();
+        // one particle's portraits are compared
+        List<Panel> panels = all.stream().collect(groupingBy(Portrait::subject, LinkedHashMap::new, mapping(portrait ->
+                Panel.phase(portrait.chart(), Optional.empty()), toList()))).values().stream()
+                .flatMap(same -> same.stream().map(panel -> panel.scaledTo(same))).toList();
         Picture picture = panels.size() == 1 ? Picture.of("phase-plots", caption, panels.get(0))
                 : Picture.panels("phase-plots", caption, finding, panels);
         return new ResultPage(name(), finding, List.of(

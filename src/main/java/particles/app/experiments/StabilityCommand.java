@@ -139,12 +139,10 @@ public final class StabilityCommand extends ExperimentCommand {
         Mode fastest = spectrum.decaying().get(0);
         List<Limit> limits = SceneStability.measure(scene, spectrum, solvers, progress.part(0, 0.9));
         progress.reached(0.9, "outlines of the regions");
-        List<String> outlined = solvers.size() == 1
-                ? solvers.stream().filter(solver -> solver.info().isPresent()).map(SolverChoice::name)
-                .toList() : OUTLINES;
+        List<String> outlined = solvers.size() == 1 && solvers.get(0).info().isPresent()
+                ? List.of(solvers.get(0).name()) : OUTLINES;
         List<Picture> pictures = new ArrayList<>();
-        List<ChartData> plane = SceneStabilityCharts.plane(scene.title(), spectrum, scene.deltaT(),
-                outlined);
+        List<ChartData> plane = SceneStabilityCharts.plane(scene.title(), spectrum, scene.deltaT(), outlined);
         String caption = """
                 Each point is the step times an eigenvalue of the scene's linearised start: the fastest, and what else \
                 the iteration found. A step is safe where all points to the left of the imaginary axis, or on it, \

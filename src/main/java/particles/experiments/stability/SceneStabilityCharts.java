@@ -40,7 +40,7 @@ public final class SceneStabilityCharts {
      * @param spectrum the spectrum of its start
      * @param deltaT   the scene's step (s)
      * @param solvers  catalogue names whose outlines are drawn
-     * @return the chart of deltaT times each eigenvalue, with the outlines of the regions that are large enough to be
+     * @return the chart of the step times each eigenvalue, with the outlines of the regions that are large enough to be
      *         seen, and its upper half, which is the same as the lower one, for a wide page; where the scene's step is
      *         far too long for all solvers, it is drawn at the longest that is stable with one
      */
