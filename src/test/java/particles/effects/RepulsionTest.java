@@ -14,6 +14,7 @@ import deSolvers.RK4Solver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import deSolvers.problems.Steps;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -225,6 +226,7 @@ class RepulsionTest {
         assertEquals(pairs, system.getEffects().get(0).getPotentialEnergy(state, 0), 1e-12 * pairs);
     }
 
+    @Tag("slow")            // as ThreadsTest is
     @ParameterizedTest
     @ValueSource(ints = {2, 3, 4})
     void anyNumberOfThreadsGivesTheBitsOfOne(int threads) {

@@ -14,14 +14,13 @@ import deSolvers.RK4Solver;
 import deSolvers.problems.Steps;
 import java.util.Arrays;
 import java.util.Random;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.IntFunction;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.Cloth;
@@ -33,8 +32,11 @@ import particles.law.ParticleForce;
 import particles.law.PerParticleEffect;
 import particles.law.Vector3;
 
-/** Any number of threads gives the same bits. */
-@Isolated("parts of a step run in the pool of the thread that steps, which is that of the tests")
+/**
+ * Any number of threads gives the same bits. The caller has to be a thread of no pool, as in a program: `gradle test`
+ * runs its tests in one, in which parts of a step would wait.
+ */
+@Tag("slow")
 class ThreadsTest {
     private static final int STEPS = 20;
 
@@ -167,8 +169,8 @@ class ThreadsTest {
     }
 
     /**
-     * The caller, a thread of no pool, evaluates all parts here, since every other thread of the common pool is held.
-     * (Where it waits for one, the JDK allocates 24 bytes, a ForkJoinTask.Aux.)
+     * The caller evaluates all parts here, since every other thread of the pool is held. (Where it waits for one, the
+     * JDK allocates 24 bytes, a ForkJoinTask.Aux.)
      */
     @Test
     void parallelStepsAllocateNothing() throws InterruptedException {
@@ -187,8 +189,7 @@ class ThreadsTest {
         held.await();
         try {
             Steps.make(STEPS, solver, cloth, 1.0 / 1024);
-            long bytes = CompletableFuture.supplyAsync(() -> Steps.allocatedIn(STEPS, solver, cloth, 1.0 / 1024),
-                    task -> new Thread(task).start()).join();
+            long bytes = Steps.allocatedIn(STEPS, solver, cloth, 1.0 / 1024);
             // Measured 0, or 48 on a busy machine; the smallest object, 16 bytes, for each evaluation would be 1,280.
             assertBelow(16 * 4 * STEPS, bytes);
         } finally {
