@@ -148,6 +148,9 @@ public final class Layout {
      * of their slides.
      */
     private void compare(List<Panel> charts) {
+        if (charts.isEmpty()) {
+            return;                                     // a race: pictures of its scene
+        }
         ChartData first = charts.get(0).charts().get(0);
         if (charts.stream().map(panel -> panel.charts().get(0)).allMatch(chart -> chart.xLabel().equals(first.xLabel())
                 && chart.yLabel().equals(first.yLabel()) && chart.rows().isEmpty())
@@ -156,7 +159,7 @@ public final class Layout {
             faults.add("panels of " + first.yLabel() + " over " + first.xLabel() + " differ in scale");
         }
         boolean equal = charts.size() > 1 && charts.stream().allMatch(panel -> panel.charts().get(0).scale().equals(
-                charts.get(0).charts().get(0).scale()) && panel.charts().get(0).rows().isEmpty());
+                first.scale()) && panel.charts().get(0).rows().isEmpty());
         if (equal) {
             List<Rectangle2D> main = panels.stream().filter(panel -> panels.stream().noneMatch(other ->
                     other.getMinX() == panel.getMinX() && other.getMaxY() < panel.getMinY()
