@@ -21,7 +21,8 @@ public final class ParallelForces implements ForceSum.Parallel {
     private final Particles particles;
     private final long paysFrom;
     private final int threads;
-    private final ForkJoinTask<?>[] parts;              // all but the caller's, made once: a step allocates nothing
+    private final Runnable[] parts;                     // all but the caller's
+    private final ForkJoinTask<?>[] begun;
     private double[] state;
     private double time;
     private double[] dSdt;
@@ -38,8 +39,8 @@ public final class ParallelForces implements ForceSum.Parallel {
         particles = forces.getParticles();
         this.paysFrom = paysFrom;
         this.threads = threads;
-        parts = IntStream.range(1, threads).mapToObj(part -> ForkJoinTask.adapt(() -> runPart(part)))
-                .toArray(ForkJoinTask<?>[]::new);
+        parts = IntStream.range(1, threads).mapToObj(part -> (Runnable) () -> runPart(part)).toArray(Runnable[]::new);
+        begun = new ForkJoinTask<?>[parts.length];
     }
 
     /**
@@ -90,18 +91,19 @@ public final class ParallelForces implements ForceSum.Parallel {
 
     /**
      * Runs all parts, part 0 in this thread, which also runs those that no other thread of the common pool has begun.
-     * An exception of any part is thrown, as it is, when all have ended.
+     * An exception of any part is thrown, as it is, when all have ended. Each time the parts are new tasks, of 24 bytes:
+     * a thread wakes the waiting caller after its task has ended, and a task that is begun again by then can lose the
+     * signal of its own end, so that the caller waits for ever.
      */
     private void run(IntConsumer task) {
         work = task;
         failure = null;
-        for (ForkJoinTask<?> part : parts) {
-            part.reinitialize();
-            part.fork();
+        for (int p = 0; p < parts.length; p++) {
+            begun[p] = ForkJoinTask.adapt(parts[p]).fork();
         }
         runPart(0);
         for (int p = parts.length - 1; p >= 0; p--) {
-            parts[p].join();
+            begun[p].join();
         }
         if (failure instanceof Error error) {
             throw error;
