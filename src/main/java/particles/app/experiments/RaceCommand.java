@@ -88,16 +88,13 @@ public final class RaceCommand extends ExperimentCommand {
 
     /** @return the scene's duration, or a round part of it that is not too much work (s) */
     static double affordable(SceneDescription scene) {
-        double races = fullRaces(scene);
+        // evaluations of rk4 times the size of the state, in units of the most that a race has
+        double races = SceneBuilder.build(scene).system().getStateSize() * 4.0 * scene.duration() / scene.deltaT()
+                / MOST_WORK;
         if (!(races > 1)) {
             return scene.duration();
         }
         return Double.parseDouble(Digits.roundedDown(scene.duration() / races, 2));
-    }
-
-    /** @return the evaluations of rk4 times the size of the state, in units of the most that a race has */
-    static double fullRaces(SceneDescription scene) {
-        return SceneBuilder.build(scene).system().getStateSize() * 4.0 * scene.duration() / scene.deltaT() / MOST_WORK;
     }
 
     @Override

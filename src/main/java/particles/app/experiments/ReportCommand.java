@@ -47,12 +47,13 @@ import picocli.CommandLine.Option;
 public final class ReportCommand extends ResultsCommand {
     static final String FILE = "report.html";
     private static final String SCENE_OPTION = "--scene";
+    private static final String DURATION_OPTION = "--duration";
     /** Options that shorten experiments on a page of many: frames of a film, rounds of a measurement. */
     private static final Map<String, String> SHORTER = Map.of("--frames", "100", "--rounds", "15");
     /** What each experiment takes (s): between its CPU time and the time that it took on two quiet cores. */
     private static final Map<String, Integer> SECONDS = Map.of("lectureFigures", 3, "energyDrift", 3, "phasePlots", 1,
             "race", 6, "workPrecision", 55, "stiffGallery", 7, "stability", 2, "effectCost", 5, "stiffCloth", 25);
-    /** The part of the time in which the page of all is written. */
+    /** The part of the time that writing the page takes. */
     static final double PAGE = 0.08;
     /** CPU time of a race's reference on a scene (s): with more, the whole report would take over 90 s. */
     private static final double ENOUGH = 1.5;
@@ -66,8 +67,8 @@ public final class ReportCommand extends ResultsCommand {
     @Mixin
     private final ChartOptions charts = new ChartOptions();
 
-    @Option(names = SCENE_OPTION, paramLabel = "NAME", description = "The scene that energyDrift, phasePlots and race"
-            + " look at: a file, or the name or number of one in scenes (default: each its own).")
+    @Option(names = SCENE_OPTION, paramLabel = "NAME", description = "The scene that energyDrift, phasePlots, race"
+            + " and stability look at: a file, or the name or number of one in scenes (default: each its own).")
     private String scene;
 
     @Option(names = "--solvers", paramLabel = "NAMES", description =
@@ -79,8 +80,8 @@ public final class ReportCommand extends ResultsCommand {
             + " that look at it).")
     private String names = "all";
 
-    @Option(names = "--duration", paramLabel = "SECONDS", description = "A duration other than the scene's"
-            + " (default: so much of the scene's that the report takes at most 90 s).")
+    @Option(names = DURATION_OPTION, paramLabel = "SECONDS", description = "A duration other than the scene's"
+            + " (default: the first part of it if all would take long).")
     private String duration;
 
     private Supplier<Optional<SceneDescription>> about;
@@ -96,14 +97,14 @@ public final class ReportCommand extends ResultsCommand {
 
     @Override
     protected void read(Mistakes mistakes) {
-        // a wrong scene is reported here, before the experiments run
-        mistakes.check(() -> {
-            if (scene == null && duration != null) {        // picocli leaves options null that were not given
+        mistakes.check(() -> {                              // picocli leaves options null that were not given
+            if (scene == null && duration != null) {
                 throw wrong("duration", "goes with " + getStyle().option("scene") + " only");
             }
         });
         Overrides overrides = new Overrides(getStyle()::option).with("duration", duration);
         mistakes.check(overrides::check);
+        // a wrong scene is reported here, before the experiments run
         about = mistakes.value(() -> readScene().map(overrides::applyTo));
         choices = mistakes.value(() -> solverChoices(solvers()));
         chosen = mistakes.value(this::readNames);
@@ -114,7 +115,8 @@ public final class ReportCommand extends ResultsCommand {
     public void run(PrintWriter lines) {
         List<ExperimentCommand> chosen = this.chosen.get();
         long begin = System.nanoTime();
-        about.get().filter(scene -> duration == null).ifPresent(scene -> shorten(scene, lines));
+        about.get().filter(scene -> duration == null && chosen.stream().anyMatch(one -> has(one, DURATION_OPTION)))
+                .ifPresent(scene -> shorten(scene, lines));
         ToDoubleFunction<ExperimentCommand> cost = one -> failures.containsKey(one) ? 0 : seconds(one);
         if (scene == null && chosen.size() > FEW) {
             int minutes = (int) (chosen.stream().mapToDouble(cost).sum() / 60) + 1;
@@ -156,10 +158,11 @@ public final class ReportCommand extends ResultsCommand {
                 }
             }
         }));
-        if (CpuClock.seconds() > end) {
+        if (CpuClock.seconds() > end && reference.endTime() < scene.duration()) {
             duration = Digits.roundedDown(reference.endTime(), 1);
-            lines.println("the report is over the first " + duration + " s of this scene and takes at most 90 s; "
-                    + getStyle().option("duration") + "=" + Digits.few(scene.duration()) + " is over all of it");
+            lines.println("the report is over the first " + duration + " s of this scene; "
+                    + getStyle().option("duration") + "=" + Digits.few(scene.duration())
+                    + " is over all of it and takes longer");
         }
     }
 
@@ -177,11 +180,11 @@ public final class ReportCommand extends ResultsCommand {
                 experiments.stream().map(ExperimentCommand::name).toList());
         boolean onlyOfScene = scene != null && names.strip().equals("all");
         return experiments.stream().filter(experiment -> wanted.contains(experiment.name())
-                && (!onlyOfScene || runsScene(experiment))).toList();
+                && (!onlyOfScene || has(experiment, SCENE_OPTION))).toList();
     }
 
-    private static boolean runsScene(ExperimentCommand experiment) {
-        return new CommandLine(experiment).getCommandSpec().findOption(SCENE_OPTION) != null;
+    private static boolean has(ExperimentCommand experiment, String option) {
+        return new CommandLine(experiment).getCommandSpec().findOption(option) != null;
     }
 
     /** A scene's report leaves that of the course alone. */
@@ -236,8 +239,8 @@ public final class ReportCommand extends ResultsCommand {
                 options.add("--solvers=" + solvers());
             }
         }
-        if (duration != null && spec.findOption("--duration") != null) {
-            options.add("--duration=" + duration);
+        if (duration != null && spec.findOption(DURATION_OPTION) != null) {
+            options.add(DURATION_OPTION + "=" + duration);
         }
         SHORTER.forEach((name, value) -> {
             if (spec.findOption(name) != null) {
@@ -259,7 +262,7 @@ public final class ReportCommand extends ResultsCommand {
         List<String> text = new ArrayList<>();
         about.get().ifPresent(description -> {
             text.add(description.values().get(SceneFormat.TEACHES));
-            boolean alone = chosen.get().stream().allMatch(ReportCommand::runsScene);
+            boolean alone = chosen.get().stream().allMatch(one -> has(one, SCENE_OPTION));
             text.add("The scene runs with " + String.join(", ", choices.get().stream().map(SolverChoice::label)
                     .toList()) + (duration == null ? "" : ", for " + duration + " s")
                     + (alone ? "." : "; experiments without a scene use their own problems."));
