@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -64,8 +65,8 @@ final class ClassTables {
     /** Hours after the deadline; empty if in time. */
     private String late(HandIn handIn) {
         return assignment.deadline().map(OffsetDateTime::toInstant).filter(deadline -> !handIn.name().isEmpty()
-                && handIn.date().isAfter(deadline)).map(deadline -> "%.1f".formatted(Duration.between(deadline,
-                handIn.date()).toSeconds() / SECONDS_PER_HOUR)).orElse("");
+                && handIn.date().isAfter(deadline)).map(deadline -> String.format(Locale.ROOT, "%.1f",
+                Duration.between(deadline, handIn.date()).toSeconds() / SECONDS_PER_HOUR)).orElse("");
     }
 
     /** @return each student to talk to, and why */
