@@ -157,7 +157,7 @@ class ShapesTest {
         assertTrue(at(scene, 9 * 4 + 8).y() < -0.5, "it has fallen");
     }
 
-    /** Of 8,000 particles none has its name made 40 times: over 300 bytes. (122 were measured.) */
+    /** 40 more rules take 122 bytes each for each particle (measured); to make its name again would take over 300. */
     @Test
     void solidsCostNoObjectForEachParticle() {
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();

@@ -21,7 +21,7 @@ import particles.view.DataTable;
 
 /** The energy drift of several solvers, drawn, listed and told: each one's energy error, the worst first. */
 public final class DriftCharts {
-    /** The name of the crosses in the legend. */
+    /** The name of the crosses in a race's legend. */
     public static final String LEFT = "left the race";
     /** The linear chart ends at this part of the energy scale. */
     private static final double LINEAR = 0.1;

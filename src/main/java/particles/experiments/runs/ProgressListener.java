@@ -40,7 +40,7 @@ public interface ProgressListener {
      * Does a task for each item, one after the other.
      *
      * @param items the items
-     * @param cost  the time that an item takes, in any unit; asked again before each, as it may be measured by then
+     * @param cost  the time that an item takes, in any unit; asked again before each: an item that failed takes none
      * @param task  the task, which receives the progress of its part
      * @return the results
      */

@@ -40,7 +40,7 @@ public final class StabilityRegion {
         return chart("", solvers.stream().map(solver -> map(solver, window).outline(solver)).toList(), window);
     }
 
-    /** @return the same with each region filled, darker where several solvers are stable */
+    /** @return the same, titled, with each region filled, darker where several solvers are stable */
     public static ChartData filled(List<String> solvers, Window window) {
         List<Series> regions = new ArrayList<>();
         List<Series> outlines = new ArrayList<>();

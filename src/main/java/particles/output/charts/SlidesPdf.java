@@ -73,7 +73,7 @@ final class SlidesPdf {
         PdfWriter writer = PdfWriter.getInstance(document, file);
         document.open();
         for (ChartPage page : pages) {
-            document.newPage();                         // of the first, nothing is drawn yet, and it stays
+            document.newPage();                         // does nothing on the first page, which is still empty
             PageGraphics g = new PageGraphics(writer.getDirectContent(), size, dark && !page.showsScene());
             double scale = size.getWidth() / page.width();
             g.scale(scale, scale);

@@ -142,8 +142,8 @@ public enum Phrase {
             method LARGEST_ERROR: two springs swing alike, x of the first particle and z of the last, and after \
                 a step of %s s they are %s apart: every loop, also that of a matrix, has to reach \
                 all entries, and the error of a sub-step has to be the largest of all entries
-            method ABSOLUTE_ERROR: two springs start as mirror images, and are none after a step of %s s, by %s: an \
-                error may be negative, and its size counts, Math.abs
+            method ABSOLUTE_ERROR: two springs start as mirror images, and after a step of %s s they differ \
+                by %s in more than the sign: an error may be negative, and its size counts, Math.abs
             method ELSEWHERE: after a step of %s s the state is that of %s: either the weights add up to %s and not \
                 to 1, or a part of the step is missing or made once too often (count sub-steps with an int, as sums \
                 of fractions are rounded)

@@ -13,7 +13,7 @@ public final class Springs extends StudentSource implements SecondOrderSource {
         super(1, 0, 0, 0, 1, 0);
     }
 
-    /** Creates two particles at rest in the origin, but for one entry of the state; without an exact solution. */
+    /** Creates two particles at rest at the origin, except for one entry of the state; without an exact solution. */
     public Springs(int entry, double start) {
         super(IntStream.range(0, 12).mapToDouble(k -> k == entry ? start : 0).toArray());
     }

@@ -233,7 +233,7 @@ class ChartsTest {
         assertNotEquals(works.getRenderer().getSeriesStroke(0), works.getRenderer().getSeriesStroke(1));
     }
 
-    /** Bars of quartiles have the name of their line, too. */
+    /** Bars up to medians have the name of their line, too. */
     @Test
     void aNameHasTheDashesAndPointsOfItsLine() {
         Series bars = new Series("symplectic-euler", Mark.BARS, new double[] {1, 2}, new double[] {1, 1});

@@ -101,7 +101,7 @@ public final class PageRecorder extends AbstractGraphics2D {
     @Override
     public void draw(Shape shape) {
         if (shape instanceof Path2D path && path.getCurrentPoint() != null && !isClosed(path)
-                && !ChartStyle.BAR.equals(getStroke())) {             // a bar of quartiles is no curve
+                && !ChartStyle.BAR.equals(getStroke())) {             // the bar of a range is no curve
             ends.add(getTransform().transform(path.getCurrentPoint(), null));
         }
         if (shape instanceof Line2D line && ChartStyle.FIELD.equals(getPaint())) {
