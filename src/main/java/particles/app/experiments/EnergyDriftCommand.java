@@ -35,10 +35,10 @@ public final class EnergyDriftCommand extends ExperimentCommand {
     @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         Comparison comparison = EnergyDrift.compare(options.scene(), options.solvers(), equalWork, progress);
-        String caption = "The energy error over time; on the linear axis, while it is less than 0.1. A cross"
-                + " marks a run that ended early.";
-        IntFunction<Picture> picture = charts -> Picture.bySolver("energy-drift", caption, comparison.drifts(),
-                Drift::label, some -> DriftCharts.charts(comparison.of(some)).subList(0, charts));
+        IntFunction<Picture> picture = charts -> Picture.bySolver("energy-drift", "The energy error over time"
+                + (charts == 1 ? "" : "; on the linear axis, while it is less than 0.1")
+                + ". A cross marks a run that ended early.", comparison.drifts(), Drift::label, some ->
+                DriftCharts.charts(comparison.of(some)).subList(0, charts));
         return new ResultPage(name(), DriftCharts.finding(comparison), List.of(
                 """
                         The energy error is the change of the total energy minus the work of drag, damping, wind, \

@@ -5,15 +5,15 @@ import static particles.view.DataTable.column;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.DoublePredicate;
+import java.util.function.BinaryOperator;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import particles.experiments.phase.PhasePortraits.Portrait.Subject;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SceneRun;
@@ -40,9 +40,13 @@ public final class PhasePortraits {
      * shrink to a dot.
      */
     private static final double PICTURE = 3.2;
-    private static final String HALF = " of the reference's half width";
     /** A path this far from the curve has left it. */
     private static final double LEFT = 0.05;
+    /** From ten times on, a percentage is hard to read. */
+    private static final double MANY_TIMES = 10;
+    private static final List<String> FATES = List.of("blows up", "stops early", "leaves the reference",
+            "stays on the reference");
+    private static final int STAYS = FATES.size() - 1;
 
     /**
      * The result of the runs.
@@ -123,28 +127,21 @@ public final class PhasePortraits {
      * @return a sentence about the solvers that leave the curve of the reference and those that stay on it
      */
     public static String finding(String scene, List<Portrait> portraits) {
-        Map<String, Double> worst = new LinkedHashMap<>();
-        for (Portrait portrait : portraits) {
-            if (!portrait.whole() || !Double.isNaN(portrait.off())) {
-                worst.merge(portrait.solver(), portrait.whole() ? portrait.off() : Double.POSITIVE_INFINITY, Math::max);
-            }
-        }
-        double most = worst.values().stream().filter(off -> off <= LEFT).max(Double::compare).orElse(0.0);
-        String parts = Stream.of(said(worst, off -> off == Double.POSITIVE_INFINITY, "blows up"),
-                said(worst, off -> off > LEFT && off < Double.POSITIVE_INFINITY, "leaves the curve"),
-                said(worst, off -> off <= LEFT, "stays within " + percent(most) + HALF))
-                .filter(part -> !part.isEmpty()).collect(Collectors.joining(", "));
+        Map<String, Portrait> worst = new LinkedHashMap<>();
+        portraits.stream().filter(portrait -> !portrait.whole() || !Double.isNaN(portrait.off())).forEach(portrait ->
+                worst.merge(portrait.solver(), portrait, BinaryOperator.minBy(Comparator.comparing(Portrait::fate)
+                        .thenComparing(Portrait::off, Comparator.reverseOrder()))));
+        String parts = IntStream.range(0, FATES.size()).mapToObj(fate -> {
+            List<Portrait> some = worst.values().stream().filter(portrait -> portrait.fate() == fate).toList();
+            return SolverChoice.said(some.stream().map(Portrait::solver).toList(), FATES.get(fate) + (fate < STAYS ? ""
+                    : " to within " + percent(some.stream().mapToDouble(Portrait::off).max().orElse(0))));
+        }).filter(part -> !part.isEmpty()).collect(Collectors.joining(", "));
         return scene + (parts.isEmpty() ? ", in state space" : ": " + parts);
-    }
-
-    private static String said(Map<String, Double> worst, DoublePredicate which, String does) {
-        return SolverChoice.said(worst.keySet().stream().filter(solver -> which.test(worst.get(solver))).toList(),
-                does);
     }
 
     /** @return a share with the digits of the table, such as 3.2 %, 0.08 % and 2e-5 % */
     private static String percent(double share) {
-        return share > 10 ? "over 1000 %" : Digits.few(100 * share, 2) + " %";
+        return Digits.few(100 * share, 2) + " % of its half width";
     }
 
     private static Run run(SceneDescription scene, Setting setting, String name, List<String> particles,
@@ -185,6 +182,11 @@ public final class PhasePortraits {
             return outcome.failure().isEmpty();
         }
 
+        /** @return the place of what became of it in {@link #FATES} */
+        int fate() {
+            return whole() ? off > LEFT ? STAYS - 1 : STAYS : off > PICTURE ? 0 : 1;
+        }
+
         /** @return how far the last value is from the reference's; NaN if the run did not reach its end */
         double error(Function<Series, double[]> which) {
             return whole() ? Math.abs(last(which.apply(path)) - last(which.apply(curve.curve()))) : Double.NaN;
@@ -215,13 +217,14 @@ public final class PhasePortraits {
 
         private String verdict() {
             if (!whole()) {
-                return "blows up";
+                return FATES.get(fate());
             }
             if (Double.isNaN(off)) {
                 return !curve.isAtRest() ? "in state space" : "at rest" + (subject.axis() == Axis.ANGLE ? ""
                         : " along " + subject.axis().symbol());
             }
-            return (off > LEFT ? "off by up to " : "within ") + percent(off) + HALF;
+            return fate() == STAYS ? "on the reference to within " + percent(off) : "off the reference by "
+                    + (off > MANY_TIMES ? "more than ten times its half width" : "up to " + percent(off));
         }
     }
 }

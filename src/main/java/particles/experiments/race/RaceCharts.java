@@ -71,12 +71,13 @@ public final class RaceCharts {
 
     /**
      * @param race the result of the race
-     * @return the work of each, such as {@code equal work, 1000 evaluations to the end}, and how nearly equal it was
+     * @return the work of each, such as {@code equal work, 1000 evaluations for the whole race}, and how nearly equal
+     *         it was
      */
     public static String work(Result race) {
         double work = race.shares().work();
         if (!race.equalTime()) {
-            return Digits.format("equal work, %d evaluations to the end", Math.round(work));
+            return Digits.format("equal work, %d evaluations for the whole race", Math.round(work));
         }
         double spread = EqualTime.spread(race.shares());
         return spread > TOO_MUCH - 1 ? Digits.format("no equal time, up to %.3g times as long", 1 + spread)

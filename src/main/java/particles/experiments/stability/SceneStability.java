@@ -27,7 +27,7 @@ import particles.view.DataTable;
 public final class SceneStability {
     private static final double BRACKET = 1.25;
     private static final int MOST_BRACKETS = 60;
-    /** A step that is safe at 1.25^10 times the prediction: something else limits it, and the runs get long. */
+    /** Safe at 1.25^10 times the first guess: the modes of the start do not limit the step, and runs get long. */
     private static final int MOST_LONGER = 9;
     private static final double ACCURACY = 2e-3;
     /** Without a predicted limit, a few steps of this many times 2/|lambda| are tried. */
@@ -80,6 +80,11 @@ public final class SceneStability {
         /** @return whether it was predicted and measured that steps up to a limit are safe */
         public boolean isFinite() {
             return isFinite(measured) && isFinite(predicted) && !solver.adaptive();
+        }
+
+        /** @return whether it was predicted that any step is safe, or the solver divides those that are too long */
+        boolean isUnlimited() {
+            return predicted == Double.POSITIVE_INFINITY || solver.adaptive();
         }
 
         /** @return whether there is a longest safe step (s), and not none, any, or one that is not known */
@@ -199,7 +204,7 @@ public final class SceneStability {
     private Limit farOut(SolverChoice solver, double predicted, double predictedGrowth, Mode fastest) {
         double unit = 2 / fastest.size();
         double longest = solver.adaptive() ? ADAPTIVE_TIMES * scene.deltaT() : FAR * unit;
-        double done = 0;
+        double done = Double.NaN;
         for (double deltaT = solver.adaptive() ? longest : unit; deltaT <= longest * (1 + ACCURACY);
                 deltaT *= FAR_FACTOR) {
             Outcome outcome = SceneRun.run(SceneRun.build(scene, Setting.of(solver, deltaT), FAR_STEPS * deltaT),
@@ -236,8 +241,8 @@ public final class SceneStability {
                         + " from runs. 'Always grows' is followed by the growth in a step of " + deltaT + " s,"
                         + " the scene's deltaT", limits, column("solver", limit -> limit.solver().label()),
                 column("predicted", SceneStability::predicted),
-                column("measured", limit -> limit.measured() == Double.POSITIVE_INFINITY ? "stable"
-                        : text(limit.measured(), limit.measuredGrowth())),
+                column("measured", limit -> limit.measured() == Double.POSITIVE_INFINITY ? limit.isUnlimited()
+                        ? "stable" : "no limit found" : text(limit.measured(), limit.measuredGrowth())),
                 column("measured/predicted", limit -> limit.isFinite() ? limit.measured() / limit.predicted() : "-"),
                 column("remark", Limit::note));
     }

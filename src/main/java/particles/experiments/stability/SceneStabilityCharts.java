@@ -50,10 +50,12 @@ public final class SceneStabilityCharts {
         double longest = limits.values().stream().reduce(0.0, Math::max);
         double step = longest > 0 && deltaT > FAR_TOO_LONG * longest ? longest : deltaT;
         List<String> stable = solvers.stream().filter(solver -> limits.get(solver) >= deltaT).toList();
-        String title = scene + ": a step of " + Digits.few(deltaT) + " s is stable with " + (stable.isEmpty()
-                ? "no solver shown" : SolverChoice.together(stable)) + (step == deltaT ? "" : "; drawn for "
-                + Digits.few(step) + " s, the longest with " + Collections.max(solvers,
-                Comparator.comparing(limits::get)));
+        boolean divided = solvers.stream().anyMatch(solver -> SolverCatalog.info(solver).adaptive()
+                && limits.get(solver) < Double.POSITIVE_INFINITY);
+        String title = scene + ": a step " + (divided ? "or sub-step " : "") + "of " + Digits.few(deltaT)
+                + " s is stable with " + (stable.isEmpty() ? "no solver shown" : SolverChoice.together(stable))
+                + (step == deltaT ? "" : "; drawn for " + Digits.few(step) + " s, the longest that is stable with "
+                + Collections.max(solvers, Comparator.comparing(limits::get)));
         List<double[]> points = spectrum.modes().stream().map(mode ->
                 new double[] {step * mode.re(), step * mode.im()}).toList();
         double far = spectrum.modes().stream().mapToDouble(mode -> 1.1 * step * mode.size()).reduce(3, Math::max);
@@ -100,7 +102,7 @@ public final class SceneStabilityCharts {
         series.add(Series.of("limit measured on runs", Mark.OPEN_POINTS, finite, Limit::measured, limit -> 1));
         return new ChartData(finite.stream().map(limit -> limit.solver().label() + " " + Digits.few(limit.measured())
                 + " s (" + Digits.few(limit.predicted()) + " s)").collect(Collectors.joining(", ",
-                "Longest stable step in runs, in brackets predicted: ", "")), "deltaT (s)",
+                "Longest stable step in runs, predicted in brackets: ", "")), "deltaT (s)",
                 "largest factor of a mode in one step", false, false, series);
     }
 }

@@ -7,7 +7,6 @@ import static java.util.stream.Collectors.toList;
 import static particles.view.DataTable.column;
 
 import deSolvers.text.Digits;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -109,13 +108,17 @@ public final class StiffCharts {
         String flat = Optional.ofNullable(powers.remove(0.0)).map(SolverChoice::few).orElse("");
         String growing = powers.entrySet().stream().map(power -> "k^" + Digits.few(power.getKey()) + " ("
                 + SolverChoice.few(power.getValue()) + ")").collect(joining(", "));
-        return what + (growing.isEmpty() ? flat.isEmpty() ? "" : " stay about the same at any stiffness with " + flat
-                : " grow from k = " + Digits.few(StiffGallery.FIT_FROM) + " on as " + growing
-                + (flat.isEmpty() ? "" : ", not with " + flat));
+        String from = " from k = " + Digits.few(StiffGallery.FIT_FROM) + " on ";
+        return what + (growing.isEmpty() ? flat.isEmpty() ? "" : " stay about the same" + from + "with " + flat
+                : " grow" + from + "as " + growing + (flat.isEmpty() ? "" : ", not with " + flat));
     }
 
-    /** What becomes of the vibration, told by the last value of each solver. */
-    private static String vibration(List<Series> drawn) {
+    /** What becomes of the vibration, told by the last value of each solver that has one. */
+    private static String vibration(List<Series> all) {
+        List<Series> drawn = all.stream().filter(series -> Double.isFinite(stiffest(series))).toList();
+        if (drawn.isEmpty()) {
+            return "In the stiffest spring, no run reaches 1 %";
+        }
         String borrowed = Digits.format("reaches up to %.3g times its initial energy",
                 drawn.stream().mapToDouble(StiffCharts::stiffest).max().orElse(0));
         return "In the stiffest spring, the vibration " + drawn.stream().collect(groupingBy(series ->
@@ -128,9 +131,9 @@ public final class StiffCharts {
         return left >= 1 / KEPT ? "stays" : left <= LOST ? "is gone" : "fades";
     }
 
-    /** The last value, or 0 where that is not known. */
+    /** The last value; NaN if no run was accurate enough. */
     private static double stiffest(Series series) {
-        return Arrays.stream(series.y()).filter(Double::isFinite).reduce(0, (before, last) -> last);
+        return series.y()[series.y().length - 1];
     }
 
     private static boolean unlimited(Sweep sweep) {

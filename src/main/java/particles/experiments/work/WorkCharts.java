@@ -108,9 +108,9 @@ public final class WorkCharts {
         double largest = curves.stream().flatMap(curve -> curve.points().stream()).mapToDouble(Point::error)
                 .filter(error -> error > 0).max().orElse(Double.POSITIVE_INFINITY);
         if (largest <= FINE) {
-            return "every stable run has an error below " + Digits.exact(Digits.roundStep(largest)) + "; "
-                    + SolverChoice.said(first(curves, largest, time), "is stable "
-                    + (time ? "in the least time" : "with the fewest evaluations"));
+            return "every stable run has an error below " + Digits.exact(Digits.roundStep(largest))
+                    + (curves.size() == 1 ? "" : "; " + SolverChoice.said(first(curves, largest, time), "is stable "
+                    + (time ? "in the least time" : "with the fewest evaluations")));
         }
         String text = "";
         String before = "";

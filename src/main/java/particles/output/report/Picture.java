@@ -149,8 +149,11 @@ public record Picture(String name, String caption, String title, List<Panel> pan
                 } else {
                     for (SolverFamily family : part.families()) {
                         Panel some = member(part, family, false);
-                        // what is cheapest is so in this family
-                        Panel named = some.titled(heading(some).replaceFirst(": ", " (" + family.title + "): "));
+                        // a finding such as 'rk4 is cheapest' holds among these solvers
+                        String whose = " (" + family.title + ")";
+                        String title = heading(some);
+                        Panel named = some.titled(title.contains(": ") ? title.replaceFirst(": ", whose + ": ")
+                                : title + whose);
                         add(pictures, file + "-" + family.word(), named, List.of(named));
                     }
                 }

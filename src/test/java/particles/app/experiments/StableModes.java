@@ -10,19 +10,22 @@ import java.util.stream.Collectors;
 /** The solvers with which all modes in a chart are stable, by the formulas of textbooks instead of the solvers. */
 final class StableModes {
     private static final double ROUNDING = 1e-9;
-    /** By how much a mode of each grows that has Re z = x and Im z = y: 1, or less, is stable. */
+    /** The factor by which a step multiplies a mode with z = x + iy; stable if at most 1. */
     private static final Map<String, DoubleBinaryOperator> FACTORS = Map.of(
             "euler", (x, y) -> taylor(x, y, 1), "midpoint", (x, y) -> taylor(x, y, 2), "rk4", (x, y) -> taylor(x, y, 4),
             // a spring with the eigenvalues x + iy and x - iy; verlet's last kick converges for weak damping
-            "symplectic-euler", (x, y) -> hypot(x, y) * hypot(x, y) / (4 + 4 * x),
+            "symplectic-euler", (x, y) -> x <= -1 ? 2 : hypot(x, y) * hypot(x, y) / (4 + 4 * x),
             "verlet", (x, y) -> x < -0.7 ? 2 : hypot(x, y) / 2);
 
     private StableModes() {
     }
 
-    /** Those with which no mode grows that does not grow by itself, in a step that is a multiple of the one drawn. */
+    /**
+     * Those drawn with which no mode grows that does not grow by itself, in a step that is a multiple of the one drawn.
+     */
     static Set<String> with(Drawn drawn, double multiple) {
-        return FACTORS.keySet().stream().filter(solver -> drawn.of("modes of the scene").stream().allMatch(p ->
+        return FACTORS.keySet().stream().filter(solver -> drawn.series().containsKey(solver)
+                && drawn.of("modes of the scene").stream().allMatch(p ->
                 p[0] > ROUNDING || FACTORS.get(solver).applyAsDouble(multiple * p[0], multiple * p[1]) <= 1 + ROUNDING))
                 .collect(Collectors.toSet());
     }

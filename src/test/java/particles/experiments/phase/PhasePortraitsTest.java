@@ -90,7 +90,8 @@ class PhasePortraitsTest {
         assertEquals(List.of(Axis.Z, Axis.Z, Axis.Y, Axis.Y), axes(both));
         assertTrue(Double.isNaN(both.portraits().get(0).off()), "nothing moves along z, and there is no curve");
         assertEquals("'ball', rk4 (deltaT = 0.002 s): at rest along z", both.portraits().get(0).chart().title());
-        assertStarts(PhasePortraits.finding("Ball", both.portraits()), "Ball: rk4 and verlet stay within ");
+        assertStarts(PhasePortraits.finding("Ball", both.portraits()),
+                "Ball: rk4 and verlet stay on the reference to within ");
     }
 
     /** A square of side 2, and points in it, on it and off it, half its width being 1. */

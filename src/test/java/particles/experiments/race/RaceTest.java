@@ -52,7 +52,7 @@ class RaceTest {
         assertFalse(race.equalTime());
         assertEquals(300, race.shares().work());                             // 75 steps of rk4
         assertEqualWork(race);
-        assertHas(RaceCharts.title(race), "equal work, 300 evaluations to the end");
+        assertHas(RaceCharts.title(race), "equal work, 300 evaluations for the whole race");
     }
 
     /** With contacts, a shorter step may cost less: no solver raises the work of all by 0.4 % again and again. */

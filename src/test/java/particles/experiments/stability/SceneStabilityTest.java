@@ -193,6 +193,8 @@ class SceneStabilityTest {
         }
         ChartData chart = SceneStabilityCharts.plane("A chain", spectrum, 1, List.of("rk4", "radau")).get(0);
         assertEquals("A chain: a step of 1 s is stable with rk4 and radau", chart.title());
+        assertEquals("A chain: a step or sub-step of 1 s is stable with no solver shown",
+                SceneStabilityCharts.plane("A chain", spectrum, 1, List.of("dormand-prince")).get(0).title());
         assertEquals(List.of("rk4", "radau", "imaginary axis", "modes of the scene"),
                 chart.series().stream().map(Series::name).toList());
     }
@@ -203,15 +205,23 @@ class SceneStabilityTest {
         Spectrum spectrum = SceneStability.spectrum(chain(1, ""));
         ChartData chart = SceneStabilityCharts.plane("A chain", spectrum, 100, List.of("euler", "rk4")).get(0);
         assertEquals("A chain: a step of 100 s is stable with no solver shown; drawn for " + Digits.few(2 * Math.sqrt(2)
-                / spectrum.modes().get(0).size()) + " s, the longest with rk4", chart.title());
+                / spectrum.modes().get(0).size()) + " s, the longest that is stable with rk4", chart.title());
         double[] height = chart.series().get(3).y();
         assertEquals(2 * Math.sqrt(2), Arrays.stream(height).max().orElseThrow(), 1e-8);      // measured 4e-9
+    }
+
+    @Test
+    void aRunThatIsGivenUpIsNoLimit() {
+        Limit limit = limits(chain(1, "").withDeltaT(1000), "dormand-prince").get(0);
+        assertTrue(limit.note().endsWith("given up after 100000 evaluations"), limit.note());
+        assertEquals("-", SceneStability.table(List.of(limit), 1).rows().get(0).get(2));
     }
 
     /** A comet passes the sun too seldom for steps of 2 / 31.6 s and more to show in 512 of them. */
     @Test
     void aLimitThatIsNotThatOfTheStartIsNotSearchedForEver() {
         Limit limit = limits(TestScenes.named("24"), "verlet").get(0);
+        assertEquals("no limit found", SceneStability.table(List.of(limit), 1).rows().get(0).get(2));
         assertEquals(Double.POSITIVE_INFINITY, limit.measured());
         assertEquals("longest tried: 0.589 s", limit.note());           // 0.0632 s times 1.25^10
     }

@@ -111,7 +111,7 @@ class ResultPageTest {
                 pages.get(0).data().stream().map(data -> data.series().stream().map(Series::name).toList()).toList());
         List<Picture> slides = six.laidOut(new ChartFormat(true, false, false));
         assertEquals(List.of("many-explicit", "many-symplectic"), slides.stream().map(Picture::name).toList());
-        assertEquals(List.of("t", "t"),
+        assertEquals(List.of("t (explicit, fixed step)", "t (symplectic)"),
                 slides.stream().map(slide -> slide.data().get(0).title()).toList());
     }
 
