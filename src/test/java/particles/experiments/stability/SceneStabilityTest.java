@@ -212,7 +212,7 @@ class SceneStabilityTest {
 
     @Test
     void aRunThatIsGivenUpIsNoLimit() {
-        Limit limit = limits(chain(1, "").withDeltaT(1000), "dormand-prince").get(0);
+        Limit limit = limits(TestScenes.named("02").withDeltaT(1000), "dormand-prince").get(0);
         assertTrue(limit.note().endsWith("given up after 100000 evaluations"), limit.note());
         assertEquals("-", SceneStability.table(List.of(limit), 1).rows().get(0).get(2));
     }
