@@ -47,8 +47,8 @@ public final class EnergyDriftCommand extends ExperimentCommand {
                 """
                         Where nothing damps or drives the motion, an error drifts if the straight line through it \
                         rises by more than twice the scatter about it and it still grows in the second half, or ends \
-                        at its largest; otherwise it is bounded. Symplectic solvers trade energy back and forth; the \
-                        others add or remove a little in each step, always to the same side.""",
+                        at its largest; otherwise it is bounded. Symplectic solvers and implicit-midpoint trade \
+                        energy back and forth; most others add or remove a little in each step.""",
                 "Where damping, driving or impacts change the energy, errors fade with the motion or follow it: only"
                         + " their size compares solvers."),
                 List.of(comparison.drifts().size() <= format().mostCurves() ? picture.apply(2)

@@ -88,7 +88,7 @@ public final class RaceCommand extends ExperimentCommand {
 
     /** @return the scene's duration, or a round part of it that is not too much work (s) */
     static double affordable(SceneDescription scene) {
-        // evaluations of rk4 times the size of the state, in units of the most that a race has
+        // the work of rk4 on the whole scene, as a multiple of the most that a race has
         double races = SceneBuilder.build(scene).system().getStateSize() * 4.0 * scene.duration() / scene.deltaT()
                 / MOST_WORK;
         if (!(races > 1)) {
@@ -104,7 +104,7 @@ public final class RaceCommand extends ExperimentCommand {
         return first == whole.duration() ? Optional.empty() : Optional.of("the race is over the first "
                 + Digits.few(first) + " s of this scene and takes about a minute; "
                 + getStyle().option("duration") + "="
-                + Digits.few(whole.duration()) + " races over all of it, which takes about "
+                + Digits.exact(whole.duration()) + " races over all of it, which takes about "
                 + Digits.few(Math.ceil(whole.duration() / first)) + " minutes");
     }
 
@@ -140,14 +140,16 @@ public final class RaceCommand extends ExperimentCommand {
                          needs: an implicit solver does more than evaluate the derivative, so that equal evaluations \
                         would not be fair. Times are CPU times: medians of interleaved runs after a warm-up."""
                 : "All get as many evaluations of the derivative as " + pace
-                        + " needs, to within one step or 1 %: a cheap method makes more and shorter steps, an adaptive"
-                        + " one gets the tolerance that costs as much.";
+                        + " needs, to within one step or 1 % unless the title says otherwise: a cheap method makes more"
+                        + " and shorter steps, an adaptive one gets the tolerance that costs as much.";
         return new ResultPage(name(), RaceCharts.title(race), List.of(rule,
                 "The grey ghost is the reference, " + Race.REFERENCE + """
                         . The chart shows the energy error of each solver, physics taken out, over the energy \
                         scale. A solver that fails, or goes far from where the reference ever is, leaves the race; \
                         its panel stays as it was.""",
-                Digits.format("The animation runs %s.", Math.abs(speed - 1) < 0.01 ? "in real time"
+                (race.duration() == options.scene().duration() ? "" : "The race is over the first "
+                        + Digits.few(race.duration()) + " s of " + Digits.exact(options.scene().duration()) + " s. ")
+                        + Digits.format("The animation runs %s.", Math.abs(speed - 1) < 0.01 ? "in real time"
                         : Digits.format("at %.3g times the speed of the scene", speed))),
                 List.of(Picture.made(GifAnimation.FILE, "The race."),
                         Picture.drawn("race", "The end of the race, and the energy error over time.", sheet),

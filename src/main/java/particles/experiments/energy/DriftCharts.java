@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.LongSummaryStatistics;
 import java.util.Map;
 import java.util.stream.Collectors;
 import particles.experiments.energy.EnergyDrift.Comparison;
@@ -29,6 +30,8 @@ public final class DriftCharts {
 
     /** The largest number of solvers named; the others, which are better, are summed up in the last place. */
     private static final int NAMED = 4;
+    /** Evaluations that differ by more than this factor are not equal. */
+    private static final double EQUAL = 1.1;
     /** From ten times the energy on, a percentage is hard to read. */
     private static final double MANY_TIMES = 10;
     /** Failures come first, by the time that they reached, then the others by the size of their error. */
@@ -107,7 +110,10 @@ public final class DriftCharts {
     }
 
     private static String end(Comparison comparison) {
-        return comparison.equalWork() ? " (equal evaluations)" : "";
+        LongSummaryStatistics made = comparison.drifts().stream().filter(drift -> drift.kind() != Kind.FAILED)
+                .mapToLong(drift -> drift.outcome().evaluations()).summaryStatistics();
+        return !comparison.equalWork() ? "" : made.getMax() <= EQUAL * made.getMin() || made.getCount() == 0
+                ? " (equal evaluations)" : " (" + made.getMin() + " to " + made.getMax() + " evaluations)";
     }
 
     private static String parts(Comparison comparison) {
@@ -117,10 +123,14 @@ public final class DriftCharts {
                         Collectors.toList()));
         int places = verdicts.size() <= NAMED + 1 ? verdicts.size() : NAMED;
         List<Drift> others = verdicts.values().stream().skip(places).flatMap(List::stream).toList();
+        List<Drift> whole = others.stream().filter(drift -> drift.kind() != Kind.FAILED).toList();
+        int ended = others.size() - whole.size();
         return verdicts.entrySet().stream().limit(places).map(place -> SolverChoice.all(place.getValue()
                 .stream().map(Drift::label).toList(), place.getKey())).collect(Collectors.joining("; "))
-                + (others.isEmpty() ? "" : "; the other " + others.size() + " are off by at most "
-                + part(others.stream().mapToDouble(DriftCharts::size).max().orElse(0)));
+                + (ended == 0 ? "" : "; " + ended + " more " + SolverChoice.verb(ended, comparison.race()
+                ? "leaves the race" : "stops early"))
+                + (whole.isEmpty() ? "" : "; the other " + whole.size() + " " + SolverChoice.verb(whole.size(),
+                "is off by at most ") + part(whole.stream().mapToDouble(DriftCharts::size).max().orElse(0)));
     }
 
     /** A drift is measured at its end, an oscillation by its largest amplitude. */

@@ -158,16 +158,16 @@ public final class EnergyDrift {
         boolean straight = Math.abs(line.slope()) * outcome.endTime() > SECULAR * line.scatter();
         boolean goesOn = largest[1] > GROWS * largest[0] || Math.abs(end) > STILL * all;
         double rounding = Math.max(ROUNDING, ROUNDING_OF_A_STEP * outcome.steps());
-        Kind kind = outcome.failure().isPresent() ? Kind.FAILED : all < rounding ? Kind.ROUNDING
+        Kind kind = !outcome.whole() ? Kind.FAILED : all < rounding ? Kind.ROUNDING
                 : exchanged > rounding * scale ? Kind.EXCHANGING : straight && goesOn ? Kind.SECULAR : Kind.BOUNDED;
         return new Drift(setting, t, error, end, all, line.slope(), kind, outcome);
     }
 
-    /** The largest kinetic plus stored energy of a very accurate run. */
+    /** The largest kinetic plus stored energy of a very accurate run, as far as it came. */
     private static double scale(SceneDescription scene) {
         EnergyHistory history = new EnergyHistory();
         Scene reference = SceneRun.build(scene, Setting.accurate(scene.deltaT(), REFERENCE_TOLERANCE));
-        return SceneRun.run(reference, List.of(history)).failure().isEmpty()
-                ? history.getScaleOr(reference.energyEstimate()) : reference.energyEstimate();
+        SceneRun.run(reference, List.of(history));
+        return history.getScaleOr(reference.energyEstimate());
     }
 }

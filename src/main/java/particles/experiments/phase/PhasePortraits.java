@@ -44,9 +44,6 @@ public final class PhasePortraits {
     private static final double LEFT = 0.05;
     /** From ten times on, a percentage is hard to read. */
     private static final double MANY_TIMES = 10;
-    private static final List<String> FATES = List.of("blows up", "stops early", "leaves the reference",
-            "stays on the reference");
-    private static final int STAYS = FATES.size() - 1;
 
     /**
      * The result of the runs.
@@ -62,6 +59,17 @@ public final class PhasePortraits {
         Series path(int particle, Axis axis) {
             Series path = paths.get(particle).chart(axis, "").series().get(0);
             return new Series(name, path.mark() == Mark.POINTS ? Mark.POINTS : Mark.LINE, path.x(), path.y());
+        }
+    }
+
+    /** What becomes of a path, the worst first. */
+    private enum Fate {
+        BLOWS_UP("blows up"), STOPS("stops early"), LEAVES("leaves the reference"), STAYS("stays on the reference");
+
+        final String words;
+
+        Fate(String words) {
+            this.words = words;
         }
     }
 
@@ -124,22 +132,22 @@ public final class PhasePortraits {
     /**
      * @param scene     its title
      * @param portraits the portraits of the scene
-     * @return a sentence about the solvers that leave the curve of the reference and those that stay on it
+     * @return a sentence about what becomes of each solver's path
      */
     public static String finding(String scene, List<Portrait> portraits) {
         Map<String, Portrait> worst = new LinkedHashMap<>();
         portraits.stream().filter(portrait -> !portrait.whole() || !Double.isNaN(portrait.off())).forEach(portrait ->
                 worst.merge(portrait.solver(), portrait, BinaryOperator.minBy(Comparator.comparing(Portrait::fate)
                         .thenComparing(Portrait::off, Comparator.reverseOrder()))));
-        String parts = IntStream.range(0, FATES.size()).mapToObj(fate -> {
+        String parts = Arrays.stream(Fate.values()).map(fate -> {
             List<Portrait> some = worst.values().stream().filter(portrait -> portrait.fate() == fate).toList();
-            return SolverChoice.said(some.stream().map(Portrait::solver).toList(), FATES.get(fate) + (fate < STAYS ? ""
+            return SolverChoice.said(some.stream().map(Portrait::solver).toList(), fate.words + (fate != Fate.STAYS ? ""
                     : " to within " + percent(some.stream().mapToDouble(Portrait::off).max().orElse(0))));
         }).filter(part -> !part.isEmpty()).collect(Collectors.joining(", "));
         return scene + (parts.isEmpty() ? ", in state space" : ": " + parts);
     }
 
-    /** @return a share with the digits of the table, such as 3.2 %, 0.08 % and 2e-5 % */
+    /** @return a share with the digits of the table, such as 3.2 % of its half width */
     private static String percent(double share) {
         return Digits.few(100 * share, 2) + " % of its half width";
     }
@@ -179,12 +187,11 @@ public final class PhasePortraits {
 
         /** @return whether the run reached its end */
         public boolean whole() {
-            return outcome.failure().isEmpty();
+            return outcome.whole();
         }
 
-        /** @return the place of what became of it in {@link #FATES} */
-        int fate() {
-            return whole() ? off > LEFT ? STAYS - 1 : STAYS : off > PICTURE ? 0 : 1;
+        private Fate fate() {
+            return whole() ? off > LEFT ? Fate.LEAVES : Fate.STAYS : off > PICTURE ? Fate.BLOWS_UP : Fate.STOPS;
         }
 
         /** @return how far the last value is from the reference's; NaN if the run did not reach its end */
@@ -217,13 +224,13 @@ public final class PhasePortraits {
 
         private String verdict() {
             if (!whole()) {
-                return FATES.get(fate());
+                return fate().words;
             }
             if (Double.isNaN(off)) {
                 return !curve.isAtRest() ? "in state space" : "at rest" + (subject.axis() == Axis.ANGLE ? ""
                         : " along " + subject.axis().symbol());
             }
-            return fate() == STAYS ? "on the reference to within " + percent(off) : "off the reference by "
+            return fate() == Fate.STAYS ? "on the reference to within " + percent(off) : "off the reference by "
                     + (off > MANY_TIMES ? "more than ten times its half width" : "up to " + percent(off));
         }
     }

@@ -29,7 +29,8 @@ public final class VectorFields {
      * @param axis   the axis along which the particle moves
      * @param x      the positions of the path (m); NaN where it is cut
      * @param v      its velocities (m/s)
-     * @return the field; empty for an angle, if there are more degrees of freedom, or if the path has no extent
+     * @return the field; empty for an angle, if there are more degrees of freedom or moving anchors, or if the path has
+     *         no extent
      */
     public static Optional<VectorField> around(ParticleSystem system, Axis axis, double[] x, double[] v) {
         if (axis == Axis.ANGLE) {
@@ -39,7 +40,7 @@ public final class VectorFields {
         int[] free = particles.free().toArray();
         double[] xs = grid(x, COLUMNS);
         double[] vs = grid(v, ROWS);
-        if (free.length != 1 || xs.length == 0 || vs.length == 0) {
+        if (free.length != 1 || system.getMovingAnchors().length > 0 || xs.length == 0 || vs.length == 0) {
             return Optional.empty();
         }
         double[] state = Arrays.copyOf(system.getOwnState(), system.getStateSize());

@@ -76,8 +76,7 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
 
         /** @return the time at which it left the race (s): it failed, or went far from any place of the reference */
         public OptionalDouble left() {
-            return drift.outcome().failure().isPresent() ? OptionalDouble.of(drift.outcome().endTime())
-                    : OptionalDouble.empty();
+            return drift.outcome().whole() ? OptionalDouble.empty() : OptionalDouble.of(drift.outcome().endTime());
         }
     }
 

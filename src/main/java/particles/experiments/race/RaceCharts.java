@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.experiments.energy.DriftCharts;
 import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.race.Race.Lane;
@@ -118,10 +119,14 @@ public final class RaceCharts {
         return String.join("; ", parts);
     }
 
-    /** The solvers that stay nearest; may be empty. A solver that needed more than its share is left out. */
+    /**
+     * The solvers that stay nearest; may be empty. A solver that needed more than its share is left out, and all if
+     * particles are born or die, as an index may then be that of another particle.
+     */
     private static String nearest(Result race) {
         List<Lane> compared = race.lanes().stream().filter(lane -> lane.left().isEmpty() && mean(lane) >= 0
-                && share(race, lane) <= TOO_MUCH).toList();
+                && share(race, lane) <= TOO_MUCH && Stream.concat(race.reference().stream(), lane.states().stream())
+                .mapToInt(state -> state.length).distinct().count() == 1).toList();
         double nearest = compared.stream().mapToDouble(RaceCharts::mean).min().orElse(0);
         double size = race.reference().stream().flatMapToDouble(Arrays::stream).map(Math::abs).max().orElse(0);
         return SolverChoice.said(compared.stream().filter(lane -> mean(lane) <= AS_NEAR * nearest + ROUND_OFF * size)

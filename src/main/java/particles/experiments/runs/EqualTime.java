@@ -120,8 +120,11 @@ public final class EqualTime {
             for (Entrant entrant : entrants) {
                 all += entrant.run();
             }
-            times.add(clock.applyAsDouble(run(rk4, MOST * evaluations)));
-            all += times.get(k);
+            Outcome pace = run(rk4, MOST * evaluations);
+            double seconds = clock.applyAsDouble(pace);
+            // a run that fails counts as if it had come to its end
+            times.add(seconds * (pace.whole() ? 1 : evaluations / Math.max(1.0, pace.evaluations())));
+            all += seconds;
         }
         spent += all;
         return CpuClock.median(times);
@@ -178,7 +181,7 @@ public final class EqualTime {
             List<Double> some = new ArrayList<>();
             for (double all = 0; some.size() < repeats && all < WARM; all += some.get(some.size() - 1)) {
                 Outcome outcome = EqualTime.this.run(setting, MOST * evaluations);
-                some.add(outcome.failure().isEmpty() ? clock.applyAsDouble(outcome) : Double.POSITIVE_INFINITY);
+                some.add(outcome.whole() ? clock.applyAsDouble(outcome) : Double.POSITIVE_INFINITY);
             }
             return CpuClock.median(some);
         }

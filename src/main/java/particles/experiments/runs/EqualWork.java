@@ -246,9 +246,9 @@ public record EqualWork(SceneDescription scene, long target, List<Long> adaptive
     /** @param most the number of evaluations at which the run is given up */
     private Match measure(Setting setting, long most) {
         Outcome outcome = SceneRun.run(SceneRun.build(scene, setting), most, List.of());
-        boolean whole = outcome.failure().isEmpty();
-        double part = whole ? 1 : Math.max(outcome.endTime() / scene.duration(), 1e-9);
+        double part = outcome.whole() ? 1
+                : Math.max(outcome.endTime(), Math.min(setting.deltaT(), scene.duration())) / scene.duration();
         return new Match(setting, Math.round(outcome.evaluations() / part), Double.NaN,
-                Math.max(1, outcome.evaluations() / Math.max(1.0, outcome.steps())), whole);
+                Math.max(1, outcome.evaluations() / Math.max(1.0, outcome.steps())), outcome.whole());
     }
 }

@@ -52,9 +52,11 @@ public final class SceneRun {
      * @param steps       the number of steps
      * @param evaluations the number of evaluations of the derivative
      * @param seconds     the CPU time of the calling thread (s), observers included
-     * @param failure     the reason if it ended early
+     * @param whole       whether it came to its end, however wrong its motion
+     * @param failure     the reason if it ended early or its motion is wrong
      */
-    public record Outcome(double endTime, long steps, long evaluations, double seconds, Optional<String> failure) {
+    public record Outcome(double endTime, long steps, long evaluations, double seconds, boolean whole,
+                          Optional<String> failure) {
     }
 
     /** @return the scene with this text, named like this in messages */
@@ -97,14 +99,16 @@ public final class SceneRun {
         observers.forEach(scene.simulation()::addObserver);
         scene.simulation().addObserver(new Budget(mostEvaluations));
         double begin = CpuClock.seconds();
+        boolean whole = true;
         Optional<String> failure = Optional.empty();
         try {
             scene.simulation().run();
         } catch (SimulationException | DESolverException e) {
+            whole = e instanceof SimulationException end && end.getEnd() == SimulationException.End.WRONG_MOTION;
             failure = Optional.of(e.getMessage());
         }
         return new Outcome(scene.system().getTime(), scene.simulation().getSteps(), scene.system().getEvaluations(),
-                CpuClock.seconds() - begin, failure);
+                CpuClock.seconds() - begin, whole, failure);
     }
 
     /** Ends a run that makes too many evaluations. */

@@ -31,6 +31,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import particles.experiments.energy.DriftCharts;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartPage;
 import particles.output.charts.ChartWriter;
@@ -125,6 +126,7 @@ class HeadlineTest {
             for (int k = 0; k < slides.size(); k++) {
                 String text = new PdfTextExtractor(reader).getTextFromPage(k + 1).replaceAll("[\\s\\u00a0]", "");
                 assertHas(text, slides.get(k).title().replaceAll("[\\s\\u00a0]", ""));
+                assertHas(reader.getPageSize(k + 1).toString(), "640.0x360.0");
                 ChartPage slide = slides.get(k).page(format).orElseThrow();
                 assertEquals(16 * slide.height(), 9 * slide.width());
                 boolean pixels = reader.getPageN(k + 1).getAsDict(PdfName.RESOURCES).contains(PdfName.XOBJECT);
@@ -318,7 +320,10 @@ class HeadlineTest {
                     largest(drawn.of(solver)) < 1e-11),
             Claim.each(NAMES + " (?:blows? up|stops?) at t = " + NUMBER + " s", (solver, said, drawn) ->
                     near(said.number(2), last(drawn.of(solver))[0], 0.02 * said.number(2))),
-            new Claim("the other (\\d+) are off by at most " + NUMBER + " (%|times the energy)", (said, drawn) ->
+            new Claim("(\\d+) more (?:stops? early|leaves? the race)", (said, drawn) -> Stream.of("stopped",
+                    DriftCharts.LEFT).anyMatch(crosses -> drawn.series().getOrDefault(crosses, List.of()).size()
+                    > said.number(1))),
+            new Claim("the other (\\d+) (?:is|are) off by at most " + NUMBER + " (%|times the energy)", (said, drawn) ->
                     near(said.part(2), solvers(drawn).map(solver -> largest(drawn.of(solver))).sorted()
                             .skip((long) said.number(1) - 1).findFirst().orElseThrow(), 0.06 * said.part(2))),
             new Claim("(\\w.*?) makes? a step of springs more than (\\d+) times as long; all else less than (\\d+)"
@@ -346,7 +351,7 @@ class HeadlineTest {
             new Claim("Undamped springs are stable up to deltaT omega = (?=\\d)"),
             new Claim(NUMBER + " with (" + NAME + ")", (said, drawn) -> drawn.of(said.text(2)).stream().anyMatch(p ->
                     Math.abs(p[0]) < 0.1 && near(said.number(1), Math.abs(p[1]), 0.1))),
-            new Claim(" ?\\(equal evaluations\\)"),
+            new Claim(" ?\\((?:equal|\\d+ to \\d+) evaluations\\)"),
             new Claim(" \\(([a-z, ]+)\\)$", (said, drawn) -> areOf(said.text(1), drawn)),
             Claim.each("(?:Undamped springs are stable )?at no step with " + NAMES + END, (solver, said, drawn) ->
                     drawn.of(solver).stream().noneMatch(p -> p[0] > 1e-3 && Math.abs(p[1]) < 0.5 && p[0] < 0.9)),

@@ -75,6 +75,14 @@ class EnergyDriftTest {
         assertEquals("blows up at t = 1.04 s", DriftCharts.verdict(drift, false));
     }
 
+    /** Euler's steps are stable, but add more energy than the spring ever has. */
+    @Test
+    void aRunThatComesToItsEndDoesNotStop() {
+        Drift drift = compare(TestScenes.named("03").withDeltaT(0.0125), "euler", false).drifts().get(0);
+        assertTrue(drift.outcome().whole() && drift.outcome().failure().isPresent());
+        assertEquals(Kind.EXCHANGING, drift.kind());
+    }
+
     /**
      * Bounces that take nine tenths of the energy are physics, and free fall is exact for methods of order 2.
      * Symplectic Euler

@@ -79,6 +79,9 @@ class PhasePortraitsTest {
         List<Portrait> longer = compare(SPIRAL.withDeltaT(2).withDuration(200), "euler").portraits();
         assertFalse(longer.get(0).whole());
         assertEquals("Spiral: euler blows up", PhasePortraits.finding("Spiral", longer));
+        Portrait near = compare(SPIRAL, "rk4").portraits().get(0);
+        assertEquals("Spiral: rk4 stops early", PhasePortraits.finding("Spiral", List.of(new Portrait(near.subject(),
+                near.path(), near.curve(), near.off(), longer.get(0).outcome()))));
     }
 
     @Test

@@ -65,6 +65,26 @@ class RaceTest {
         assertEquals(5, searches.size(), searches.toString());
     }
 
+    /** Verlet's last kick does not converge in its first step: what this cost is not the cost of a billion steps. */
+    @Test
+    void aSolverThatFailsAtOnceHasItsShare() {
+        Result race = run(TestScenes.named("12").withDeltaT(0.01).withDuration(0.5), "verlet", 5, NOBODY);
+        assertEquals("verlet leaves the race at t = 0.00 s", RaceCharts.finding(race));
+    }
+
+    /** Drops are born and die: the third of one run need not be the third of another. */
+    @Test
+    void whoIsNearestIsNotSaidWhereParticlesAreBorn() {
+        assertEquals("", RaceCharts.finding(run(lasting(TestScenes.named("27"), 0.5), "rk4, verlet", 5, NOBODY)));
+    }
+
+    /** A pace at which rk4 blows up is the one that it would have to its end: 600 steps of four evaluations. */
+    @Test
+    void aPaceThatFailsCountsToItsEnd() {
+        Result race = timed(TestScenes.named("12").withDeltaT(0.01), "backward-euler", 5, Outcome::evaluations);
+        assertEquals(2400, race.shares().work(), 240);
+    }
+
     /** x = cos t, v = -sin t. */
     @Test
     void referenceIsTheExactMotion() {
