@@ -30,6 +30,9 @@ final class RunFindings {
     /** @return the total energy, in a chart in which it is the first series */
     static String energy(List<Series> drawn) {
         double[] total = drawn.get(0).y();
+        if (total.length == 1) {
+            return "no step was made";
+        }
         double start = total[0];
         double end = total[total.length - 1];
         DoubleSummaryStatistics all = Arrays.stream(total).summaryStatistics();
@@ -64,8 +67,11 @@ final class RunFindings {
         return series.y()[series.y().length - 1];
     }
 
-    /** @return the largest numerical error, in a chart of it alone */
-    static String error(List<Series> drawn) {
+    /** @return the largest numerical error, in a chart of it alone; in a run that grows it is the scale itself */
+    static String error(List<Series> drawn, boolean grows) {
+        if (grows) {
+            return "the numerical error is as large as the energy";
+        }
         double largest = Arrays.stream(drawn.get(0).y()).map(Math::abs).max().orElse(0);
         return "the numerical error is at most " + Digits.few(largest) + " of the energy scale";
     }
@@ -76,7 +82,8 @@ final class RunFindings {
         double higher = growth(path.y());
         boolean known = path.x().length >= FEW_STATES && Double.isFinite(wider) && Double.isFinite(higher);
         String begin = "the second half of the path is ";
-        return !known ? "a path of " + Summary.counted(path.x().length, "state")
+        return !known ? "a path of " + Summary.counted(Arrays.stream(path.x())
+                .filter(Double::isFinite).count(), "state")
                 : wider == 0 && higher == 0 ? "the particle is at rest in the second half of the path"
                 : Math.abs(wider - 1) <= EQUAL && Math.abs(higher - 1) <= EQUAL ? begin + "as large as the first"
                 : Math.abs(wider / higher - 1) <= EQUAL ? begin + times(wider) + " as large as the first"

@@ -99,6 +99,7 @@ class RunFindingsTest {
         assertEquals("the total energy falls from 4 J to 1 J", RunFindings.energy(List.of(line(4, 5, 1))));
         assertEquals("the total energy rises from 0 J to 1 J",
                 RunFindings.energy(List.of(line(1e-20, 1.5, 1), line(2))));
+        assertEquals("no step was made", RunFindings.energy(List.of(line(4))));
     }
 
     @Test
@@ -117,6 +118,11 @@ class RunFindingsTest {
                 new double[] {0, -3}));
         assertEquals("work by the end: wind \u22123 J, drag +1 J", RunFindings.work(works, true));
         assertEquals("work by the end: wind 3 J, drag 1 J", RunFindings.work(works, false));
+    }
+
+    @Test
+    void aCutIsNoStateOfAPath() {
+        assertEquals("a path of 3 states", path(new double[] {0, 1, Double.NaN, 2}, 0, 1, Double.NaN, 2));
     }
 
     @Test
