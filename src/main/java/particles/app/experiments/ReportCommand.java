@@ -81,7 +81,7 @@ public final class ReportCommand extends ResultsCommand {
     private String names = "all";
 
     @Option(names = DURATION_OPTION, paramLabel = "SECONDS", description = "A duration other than the scene's"
-            + " (default: the first part of it if all would take long).")
+            + " (default: the first part of it if the whole scene would take long).")
     private String duration;
 
     private Supplier<Optional<SceneDescription>> about;
@@ -161,7 +161,7 @@ public final class ReportCommand extends ResultsCommand {
         if (CpuClock.seconds() > end && reference.endTime() < scene.duration()) {
             duration = Digits.roundedDown(reference.endTime(), 1);
             lines.println("the report is over the first " + duration + " s of this scene; "
-                    + getStyle().option("duration") + "=" + Digits.few(scene.duration())
+                    + getStyle().option("duration") + "=" + Digits.exact(scene.duration())
                     + " is over all of it and takes longer");
         }
     }
@@ -235,7 +235,8 @@ public final class ReportCommand extends ResultsCommand {
             if (scene != null) {
                 options.add(SCENE_OPTION + "=" + scene);
             }
-            if (scene != null || solvers != null) {
+            // without a scene, stability has all solvers
+            if (scene != null || solvers != null && spec.findOption(DURATION_OPTION) != null) {
                 options.add("--solvers=" + solvers());
             }
         }
@@ -264,7 +265,8 @@ public final class ReportCommand extends ResultsCommand {
             text.add(description.values().get(SceneFormat.TEACHES));
             boolean alone = chosen.get().stream().allMatch(one -> has(one, SCENE_OPTION));
             text.add("The scene runs with " + String.join(", ", choices.get().stream().map(SolverChoice::label)
-                    .toList()) + (duration == null ? "" : ", for " + duration + " s")
+                    .toList()) + (duration == null || chosen.get().stream().noneMatch(one -> has(one, DURATION_OPTION))
+                    ? "" : ", for " + duration + " s")
                     + (alone ? "." : "; experiments without a scene use their own problems."));
         });
         text.add("Click a column's head to sort a table, or a picture to enlarge it. The numbers behind each"

@@ -4,6 +4,7 @@ import static particles.view.DataTable.column;
 
 import deSolvers.text.Digits;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.function.Supplier;
 import particles.experiments.runs.ProgressListener;
@@ -140,7 +141,8 @@ public final class StabilityCommand extends ExperimentCommand {
         List<Limit> limits = SceneStability.measure(scene, spectrum, solvers, progress.part(0, 0.9));
         progress.reached(0.9, "outlines of the regions");
         List<String> known = solvers.stream().filter(one -> one.info().isPresent()).map(SolverChoice::name).toList();
-        List<String> outlined = known.isEmpty() || known.size() > OUTLINES.size() ? OUTLINES : known;
+        List<String> outlined = known.isEmpty() ? OUTLINES : known.stream().sorted(Comparator.comparing(name ->
+                !OUTLINES.contains(name))).limit(OUTLINES.size()).toList();
         List<Picture> pictures = new ArrayList<>();
         List<ChartData> plane = SceneStabilityCharts.plane(scene.title(), spectrum, scene.deltaT(), outlined);
         String caption = """
@@ -187,10 +189,11 @@ public final class StabilityCommand extends ExperimentCommand {
                         Measured: two runs of the whole scene, rules included, begin a ten-millionth of its size \
                         apart. A step is unsafe if 512 of them bring the runs 20 times farther apart than the motion \
                         itself does, as very short steps show it, or if a run fails; the limit is bisected to 2e-3 \
-                        of it. Steps of over nine times the prediction are not tried. Growth, too, is counted over \
-                        that of the motion itself. What grows by less than 0.6 % a step is not seen in 512 steps, so \
-                        that euler's limit comes out a little large. Both agree as long as the scene stays near its \
-                        start. If springs turn, stretch or hit something, the spectrum changes; then trust the runs.""",
+                        of it. The longest step tried is 9.3 times the prediction, or times 2/|lambda| for a solver of \
+                        your own. Growth, too, is counted over that of the motion itself. Growth below 0.6 % per step \
+                        is not seen in 512 steps, so euler's limit comes out a little large. Both agree as long as \
+                        the scene stays near its start. If springs turn, stretch or hit something, the spectrum \
+                        changes; then trust the runs.""",
                 """
                         An adaptive solver divides a deltaT that is too long; its longest stable sub-step is given. \
                         Implicit solvers were run with steps of up to 1800/|lambda|, some 640 times rk4's limit, \

@@ -70,7 +70,7 @@ public final class SceneStability {
      * @param predicted the longest safe step by theory (s): 0 if every step grows, infinite if none does, of an
      *                  adaptive solver its longest sub-step; NaN for a solver that is not in the catalogue
      * @param measured  the longest safe step on runs (s): 0 if the scene's deltaT and shorter ones grow,
-     *                  infinite if no step grew
+     *                  infinite if no step grew; NaN if a run with a very long step failed
      * @param predictedGrowth the theoretical growth of the distance in a step of the scene's deltaT, as a fraction
      * @param measuredGrowth  the measured growth, as a fraction
      * @param note      the reason why longer steps are not safe, or the longest step tried
@@ -204,20 +204,18 @@ public final class SceneStability {
     private Limit farOut(SolverChoice solver, double predicted, double predictedGrowth, Mode fastest) {
         double unit = 2 / fastest.size();
         double longest = solver.adaptive() ? ADAPTIVE_TIMES * scene.deltaT() : FAR * unit;
-        double done = Double.NaN;
         for (double deltaT = solver.adaptive() ? longest : unit; deltaT <= longest * (1 + ACCURACY);
                 deltaT *= FAR_FACTOR) {
             Outcome outcome = SceneRun.run(SceneRun.build(scene, Setting.of(solver, deltaT), FAR_STEPS * deltaT),
                     MOST_EVALUATIONS, List.of());
             if (outcome.failure().isPresent()) {
-                return new Limit(solver, predicted, done, predictedGrowth, Double.NaN,
+                return new Limit(solver, predicted, Double.NaN, predictedGrowth, Double.NaN,
                         Digits.format("at %.3g s: %s", deltaT, outcome.failure().get()));
             }
-            done = deltaT;
         }
         return new Limit(solver, predicted, Double.POSITIVE_INFINITY, predictedGrowth, Double.NaN,
                 Digits.format("%slongest tried: %.3g s",
-                        solver.adaptive() ? "chooses its own sub-steps; " : "", done).replaceAll("e[+]0?", "e"));
+                        solver.adaptive() ? "chooses its own sub-steps; " : "", longest).replaceAll("e[+]0?", "e"));
     }
 
     /** A mode by the particle that moves most in it. */

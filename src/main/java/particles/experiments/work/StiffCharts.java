@@ -117,7 +117,7 @@ public final class StiffCharts {
     private static String vibration(List<Series> all) {
         List<Series> drawn = all.stream().filter(series -> Double.isFinite(stiffest(series))).toList();
         if (drawn.isEmpty()) {
-            return "In the stiffest spring, no run reaches 1 %";
+            return "In the stiffest spring, none of these solvers reaches an error of 1 %";
         }
         String borrowed = Digits.format("reaches up to %.3g times its initial energy",
                 drawn.stream().mapToDouble(StiffCharts::stiffest).max().orElse(0));

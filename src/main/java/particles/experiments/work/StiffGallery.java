@@ -97,7 +97,8 @@ public final class StiffGallery {
             for (double t = PRECISION; !run.precise() && t > 1e-9; t /= 3) {
                 run = run(solver, k, 1, t, 0);
             }
-            return new Cost(k, Double.NaN, run.precise() ? run.evaluations() : Double.NaN, run.vibration());
+            return new Cost(k, Double.NaN, run.precise() ? run.evaluations() : Double.NaN,
+                    run.precise() ? run.vibration() : Double.NaN);
         }
         int toGrow = never ? 0 : STEPS_TO_GROW;         // a solver that always grows only grows more
         int stable = never ? 0 : fewest(solver, k, toGrow, Run::stable);

@@ -28,6 +28,7 @@ class FirstByTheClockTest {
             rk4 1 1 2; verlet 1 1 2; euler 1 1 2; midpoint 1 1 2 | no run reaches an error of 0.01
             rk4 1 5 6 1e-7 1 2; verlet 1 3 3 1e-7 3 4 | rk4 is first to an error of 0.01 and 1e-6
             rk4 1e-3 4 5 1e-7 7 8 | rk4 reaches an error of 1e-6
+            rk4 1e-9 1 3 | every stable run has an error below 1e-9
             rk4 1e-9 1 3; verlet 1e-9 2 3; euler 1.7e-8 1 2; midpoint 1e-9 2 3; adams 1e-9 4 5 \
             | every stable run has an error below 2e-8; 4 solvers are stable in the least time
             """)
