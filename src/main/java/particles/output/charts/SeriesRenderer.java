@@ -65,14 +65,16 @@ final class SeriesRenderer {
      */
     private static List<SolverStyle> looks(ChartData data, int firstLook) {
         boolean ofSolvers = data.series().stream().anyMatch(series -> SolverStyle.of(series.name()).isPresent());
+        int own = 0;
         Map<List<Object>, String> lines = new HashMap<>();
         List<SolverStyle> looks = new ArrayList<>();
         for (int k = 0; k < data.series().size(); k++) {
             Series series = data.series().get(k);
-            int number = firstLook + k;
+            int number = ofSolvers ? own : firstLook + k;       // the same beside any number of solvers
             SolverStyle look = SolverStyle.of(series.name())
                     .or(() -> energy(series.name()).map(colour -> SolverStyle.own(colour, 0)))
                     .orElse(SolverStyle.own(ofSolvers ? ChartStyle.AXIS : ChartStyle.colour(number), number));
+            own += SolverStyle.of(series.name()).isPresent() ? 0 : 1;
             boolean line = series.mark() == Mark.LINE || series.mark() == Mark.LINE_AND_POINTS
                     || series.mark() == Mark.LINE_AND_OPEN_POINTS;
             for (int n = 0; line && n < ChartStyle.STROKES && !series.name().equals(

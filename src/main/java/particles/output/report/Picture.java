@@ -145,12 +145,12 @@ public record Picture(String name, String caption, String title, List<Panel> pan
                     add(pictures, file, part, List.of(part.titled(heading(part))));
                 } else if (!format.slide()) {
                     add(pictures, file, part, part.families().stream().map(family ->
-                            member(part, family, true).titled(family.title)).toList());
+                            member(part, family, true).titled(title(family))).toList());
                 } else {
                     for (SolverFamily family : part.families()) {
                         Panel some = member(part, family, false);
                         // a finding such as 'rk4 is cheapest' holds among these solvers
-                        String whose = " (" + family.title + ")";
+                        String whose = " (" + title(family) + ")";
                         String title = heading(some);
                         Panel named = some.titled(title.contains(": ") ? title.replaceFirst(": ", whose + ": ")
                                 : title + whose);
@@ -164,6 +164,15 @@ public record Picture(String name, String caption, String title, List<Panel> pan
 
     private boolean isCrowded(Panel panel, ChartFormat format) {
         return bySolver.isPresent() && panel.curves() > format.mostCurves();
+    }
+
+    private String title(SolverFamily family) {
+        boolean[] own = new boolean[1];
+        bySolver.orElseThrow().apply(label -> {
+            own[0] |= SolverStyle.of(label).isEmpty();
+            return true;
+        });
+        return family.title + (own[0] ? " and your own" : "");
     }
 
     /** @return the panel with the solvers of one family, and one's own, on the same axes */

@@ -113,6 +113,9 @@ class ResultPageTest {
         assertEquals(List.of("many-explicit", "many-symplectic"), slides.stream().map(Picture::name).toList());
         assertEquals(List.of("t (explicit, fixed step)", "t (symplectic)"),
                 slides.stream().map(slide -> slide.data().get(0).title()).toList());
+        series.set(7, Series.point("mine.HeunSolver", Mark.LINE, 1, 1));
+        assertEquals("t (symplectic and your own)", picture(series).laidOut(new ChartFormat(true, false, false)).get(1)
+                .data().get(0).title());
     }
 
     /** The size of a quantity is another one: |y| in the first picture, y in the second. */
