@@ -92,8 +92,8 @@ public final class ParallelForces implements ForceSum.Parallel {
     /**
      * Runs all parts, part 0 in this thread, which also runs those that no other thread of the common pool has begun.
      * An exception of any part is thrown, as it is, when all have ended. Each time the parts are new tasks, of 24
-     * bytes: a thread wakes the waiting caller after its task has ended, and a task that is begun again by then can
-     * lose the signal of its own end, so that the caller waits for ever.
+     * bytes each: a thread marks a task as done before it wakes those who wait. If the task has begun again by then,
+     * this late signal takes the caller off the list of those who wait, and the caller waits for ever.
      */
     private void run(IntConsumer task) {
         work = task;

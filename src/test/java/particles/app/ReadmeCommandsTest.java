@@ -38,7 +38,7 @@ class ReadmeCommandsTest {
     private static final Pattern IN_BLOCK = Pattern.compile("(?m)^    (?:.*&& )?(" + COMMAND + ")$");
     private static final Pattern IN_CI = Pattern.compile("(?m)^(?:step|refused) (" + COMMAND + ")$");
     private static final Pattern SHORTER_IN_CI =
-            Pattern.compile("(?m)^shorter (gradle [a-z]\\w*) (?:'?-P\\w+=[^']*'? ?)+$");
+            Pattern.compile("(?m)^shorter (gradle [a-z]\\w*) (?:'?-P\\w+=[^'\\n]*'? ?)+$");
 
     private static final Pattern WORD = Pattern.compile("'[^']*'|\\S+");
     private static final Path README = Path.of("README.md");

@@ -33,8 +33,8 @@ import particles.law.PerParticleEffect;
 import particles.law.Vector3;
 
 /**
- * Any number of threads gives the same bits. The caller has to be a thread of no pool, as in a program: those of
- * `gradle test` belong to one that runs tests, and parts of a step would wait for those.
+ * Any number of threads gives the same bits. The caller has to be a thread of no pool, as in a program: `gradle
+ * test` runs tests in a pool, where parts of a step would wait for other tests.
  */
 @Tag("slow")
 class ThreadsTest {

@@ -157,7 +157,7 @@ class ShapesTest {
         assertTrue(at(scene, 9 * 4 + 8).y() < -0.5, "it has fallen");
     }
 
-    /** 40 more rules take 122 bytes each for each particle (measured); to make its name again would take over 300. */
+    /** Each of 40 more rules takes 122 bytes per particle (measured); to make the name again would take over 300. */
     @Test
     void solidsCostNoObjectForEachParticle() {
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();

@@ -20,9 +20,7 @@ final class StableModes {
     private StableModes() {
     }
 
-    /**
-     * Those drawn with which no mode grows that does not grow by itself, in a step that is a multiple of the one drawn.
-     */
+    /** The solvers drawn that let no mode grow, at a multiple of the step drawn, unless it grows by itself. */
     static Set<String> with(Drawn drawn, double multiple) {
         return FACTORS.keySet().stream().filter(solver -> drawn.series().containsKey(solver)
                 && drawn.of("modes of the scene").stream().allMatch(p ->
