@@ -239,8 +239,10 @@ public record EqualWork(SceneDescription scene, long target, List<Long> adaptive
         return Math.abs(match.evaluations() - wanted);
     }
 
+    /** The cost of a run that fails is that of its first steps only. */
     private static Match better(Match best, Match match, long wanted) {
-        return off(match, wanted) < off(best, wanted) ? match : best;
+        return match.whole() == best.whole() ? off(match, wanted) < off(best, wanted) ? match : best
+                : match.whole() ? match : best;
     }
 
     /** @param most the number of evaluations at which the run is given up */

@@ -19,6 +19,7 @@ import particles.experiments.race.Race.Lane;
 import particles.experiments.race.Race.Result;
 import particles.experiments.runs.EqualTime;
 import particles.experiments.runs.EqualWork;
+import particles.experiments.runs.EqualWork.Match;
 import particles.experiments.runs.SceneRun.Outcome;
 import particles.experiments.runs.SolverChoice;
 import particles.scene.TestScenes;
@@ -70,6 +71,15 @@ class RaceTest {
     void aSolverThatFailsAtOnceHasItsShare() {
         Result race = run(TestScenes.named("12").withDeltaT(0.01).withDuration(0.5), "verlet", 5, NOBODY);
         assertEquals("verlet leaves the race at t = 0.00 s", RaceCharts.finding(race));
+    }
+
+    /** In longer steps its last kick does not converge, and the 101 evaluations of this failure fit any share. */
+    @Test
+    void aSolverTakesStepsThatItCanMake() {
+        Match verlet = EqualWork.ofFrames(lasting(TestScenes.named("09"), 0.1), 200, 10).share(SolverChoice.list(
+                "verlet"), (part, what) -> { }).matches().get(0);
+        assertTrue(verlet.whole(), verlet.toString());
+        assertEquals(0.002, verlet.setting().deltaT());
     }
 
     /** Drops are born and die: the third of one run need not be the third of another. */
