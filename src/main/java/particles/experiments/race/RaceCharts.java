@@ -110,7 +110,7 @@ public final class RaceCharts {
         }
         for (Lane lane : race.lanes()) {
             double cost = share(race, lane);
-            if (cost > TOO_MUCH) {
+            if (cost > TOO_MUCH && lane.left().isEmpty()) {
                 parts.add(lane.label() + Digits.format(" cannot do with less than %.3g times the %s", cost,
                         race.equalTime() ? "time" : "work"));
             }

@@ -210,7 +210,7 @@ public final class EqualTime {
         }
 
         Match timed() {
-            return new Match(match.setting(), match.evaluations(), CpuClock.median(times), match.aStep(),
+            return new Match(match.setting(), match.evaluations(), CpuClock.median(times), match.steps(), match.aStep(),
                     match.whole());
         }
     }

@@ -42,10 +42,11 @@ public record EqualWork(SceneDescription scene, long target, List<Long> adaptive
      * @param setting     the solver and its step or tolerance
      * @param evaluations the cost, in evaluations of the derivative
      * @param seconds     the time, the median of several runs (s); NaN if times were not compared
+     * @param steps       the number of its steps
      * @param aStep       the mean number of evaluations in one of its steps
      * @param whole       whether the run came to its end; if not, its cost is that of the whole duration by proportion
      */
-    public record Match(Setting setting, long evaluations, double seconds, double aStep, boolean whole) {
+    public record Match(Setting setting, long evaluations, double seconds, long steps, double aStep, boolean whole) {
     }
 
     /**
@@ -239,10 +240,10 @@ public record EqualWork(SceneDescription scene, long target, List<Long> adaptive
         return Math.abs(match.evaluations() - wanted);
     }
 
-    /** The cost of a run that fails is that of its first steps only. */
+    /** A run without a single step tells no cost of a step. */
     private static Match better(Match best, Match match, long wanted) {
-        return match.whole() == best.whole() ? off(match, wanted) < off(best, wanted) ? match : best
-                : match.whole() ? match : best;
+        return match.steps() > 0 == best.steps() > 0 ? off(match, wanted) < off(best, wanted) ? match : best
+                : match.steps() > 0 ? match : best;
     }
 
     /** @param most the number of evaluations at which the run is given up */
@@ -250,7 +251,7 @@ public record EqualWork(SceneDescription scene, long target, List<Long> adaptive
         Outcome outcome = SceneRun.run(SceneRun.build(scene, setting), most, List.of());
         double part = outcome.whole() ? 1
                 : Math.max(outcome.endTime(), Math.min(setting.deltaT(), scene.duration())) / scene.duration();
-        return new Match(setting, Math.round(outcome.evaluations() / part), Double.NaN,
+        return new Match(setting, Math.round(outcome.evaluations() / part), Double.NaN, outcome.steps(),
                 Math.max(1, outcome.evaluations() / Math.max(1.0, outcome.steps())), outcome.whole());
     }
 }
