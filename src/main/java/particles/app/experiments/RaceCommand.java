@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleConsumer;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import particles.Observer;
 import particles.experiments.race.Race;
 import particles.experiments.race.Race.Lane;
@@ -155,9 +156,11 @@ public final class RaceCommand extends ExperimentCommand {
                         Picture.drawn("race", "The end of the race, and the energy error over time.", sheet),
                         Picture.bySolver("race-charts", """
                                 Distance of each solver from the reference, root mean square over the particles, \
-                                and energy error. A cross marks where a solver left the race.""",
-                                race.lanes(), Lane::label, some -> List.of(
-                                RaceCharts.distance(race.of(some)), RaceCharts.energy(race.of(some))))),
+                                unless any are born or die, and energy error. A cross marks where a solver left the \
+                                race.""",
+                                race.lanes(), Lane::label, some -> Stream.of(RaceCharts.distance(race.of(some)),
+                                RaceCharts.energy(race.of(some))).filter(chart -> chart.series().stream()
+                                .anyMatch(series -> series.x().length > 0)).toList())),
                 List.of(RaceCharts.table(race)));
     }
 

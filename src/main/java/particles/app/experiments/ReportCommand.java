@@ -72,7 +72,8 @@ public final class ReportCommand extends ResultsCommand {
     private String scene;
 
     @Option(names = "--solvers", paramLabel = "NAMES", description =
-            "Their solvers, separated by commas, or all (default: with a scene " + RaceCommand.SOLVERS + ").")
+            "Their solvers, separated by commas, or all (default: with a scene " + RaceCommand.SOLVERS
+            + "); without a scene, stability has all.")
     private String solvers;
 
     @Option(names = "--experiments", paramLabel = "NAMES",

@@ -32,7 +32,7 @@ import picocli.CommandLine.Option;
 @Command(name = "stability", description = "Measures the longest stable step of each solver.")
 public final class StabilityCommand extends ExperimentCommand {
     private static final int MOST_MODES = 12;
-    /** The solvers whose regions are drawn by default. */
+    /** Of many solvers the outlines of these are drawn, or of others until there are as many. */
     private static final List<String> OUTLINES = List.of("euler", "midpoint", "rk4", "symplectic-euler", "verlet");
 
     @Option(names = "--scene", paramLabel = "NAME",
@@ -189,10 +189,10 @@ public final class StabilityCommand extends ExperimentCommand {
                         Measured: two runs of the whole scene, rules included, begin a ten-millionth of its size \
                         apart. A step is unsafe if 512 of them bring the runs 20 times farther apart than the motion \
                         itself does, as very short steps show it, or if a run fails; the limit is bisected to 2e-3 \
-                        of it. The longest step tried is 9.3 times the prediction, or times 2/|lambda| for a solver of \
-                        your own. Growth, too, is counted over that of the motion itself. Growth below 0.6 % per step \
-                        is not seen in 512 steps, so euler's limit comes out a little large. Both agree as long as \
-                        the scene stays near its start. If springs turn, stretch or hit something, the spectrum \
+                        of it. The longest step tried is 9.3 times the prediction (for a solver of your own, 9.3 times \
+                        2/|lambda|). Growth, too, is counted over that of the motion itself. Growth below 0.6 % per \
+                        step is not seen in 512 steps, so euler's limit comes out a little large. Both agree as long \
+                        as the scene stays near its start. If springs turn, stretch or hit something, the spectrum \
                         changes; then trust the runs.""",
                 """
                         An adaptive solver divides a deltaT that is too long; its longest stable sub-step is given. \

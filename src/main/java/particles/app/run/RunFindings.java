@@ -67,13 +67,11 @@ final class RunFindings {
         return series.y()[series.y().length - 1];
     }
 
-    /** @return the largest numerical error, in a chart of it alone; in a run that grows it is the scale itself */
-    static String error(List<Series> drawn, boolean grows) {
-        if (grows) {
-            return "the numerical error is as large as the energy";
-        }
+    /** @return the largest numerical error, in a chart of it alone; after a blow-up, most of the energy is error */
+    static String error(List<Series> drawn) {
         double largest = Arrays.stream(drawn.get(0).y()).map(Math::abs).max().orElse(0);
-        return "the numerical error is at most " + Digits.few(largest) + " of the energy scale";
+        return "the numerical error is " + (Math.abs(largest - 1) <= EQUAL ? "as large as the energy"
+                : "at most " + Digits.few(largest) + " of the energy scale");
     }
 
     /** @return how much larger a path in state space is in the second half of its states */

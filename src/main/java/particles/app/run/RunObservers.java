@@ -167,7 +167,7 @@ final class RunObservers implements AutoCloseable {
             charts.add(energies.titled(title + RunFindings.energy(energies.series())));
             for (ChartData chart : energy.getLedger().charts(energy.getHistory().getScale(), log)) {
                 charts.add(chart.titled(title + (chart.series().get(0).name().startsWith("work")
-                        ? RunFindings.work(chart.series(), !log) : RunFindings.error(chart.series(), log))));
+                        ? RunFindings.work(chart.series(), !log) : RunFindings.error(chart.series()))));
             }
             pictures.add(Picture.of(ENERGY, "", Panel.stacked(charts)));
         }

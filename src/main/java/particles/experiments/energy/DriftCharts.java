@@ -83,7 +83,7 @@ public final class DriftCharts {
                 column("slope (1/s)", 3, Drift::slope), column("error over time", drift -> drift.kind().words),
                 column("evaluations", drift -> drift.outcome().evaluations()),
                 column("CPU time (s)", 2, drift -> drift.outcome().seconds()),
-                column("why it ended", drift -> drift.outcome().failure().orElse(""))).withoutEmptyColumns();
+                column("what went wrong", drift -> drift.outcome().failure().orElse(""))).withoutEmptyColumns();
     }
 
     /**
@@ -112,7 +112,7 @@ public final class DriftCharts {
     private static String end(Comparison comparison) {
         LongSummaryStatistics made = comparison.drifts().stream().filter(drift -> drift.kind() != Kind.FAILED)
                 .mapToLong(drift -> drift.outcome().evaluations()).summaryStatistics();
-        return !comparison.equalWork() ? "" : made.getMax() <= EQUAL * made.getMin() || made.getCount() == 0
+        return !comparison.equalWork() || made.getCount() == 0 ? "" : made.getMax() <= EQUAL * made.getMin()
                 ? " (equal evaluations)" : " (" + made.getMin() + " to " + made.getMax() + " evaluations)";
     }
 
@@ -129,8 +129,9 @@ public final class DriftCharts {
                 .stream().map(Drift::label).toList(), place.getKey())).collect(Collectors.joining("; "))
                 + (ended == 0 ? "" : "; " + ended + " more " + SolverChoice.verb(ended, comparison.race()
                 ? "leaves the race" : "stops early"))
-                + (whole.isEmpty() ? "" : "; the other " + whole.size() + " " + SolverChoice.verb(whole.size(),
-                "is off by at most ") + part(whole.stream().mapToDouble(DriftCharts::size).max().orElse(0)));
+                + (whole.isEmpty() ? "" : whole.size() == 1 ? "; " + whole.get(0).label() + " "
+                + verdict(whole.get(0), comparison.race()) : "; the other " + whole.size() + " are off by at most "
+                + part(whole.stream().mapToDouble(DriftCharts::size).max().orElse(0)));
     }
 
     /** A drift is measured at its end, an oscillation by its largest amplitude. */
@@ -138,7 +139,8 @@ public final class DriftCharts {
         return drift.kind() == Kind.SECULAR ? Math.abs(drift.end()) : drift.largest();
     }
 
-    static String verdict(Drift drift, boolean race) {
+    /** @return what becomes of the energy, such as {@code gains 15 %}, or of the run */
+    public static String verdict(Drift drift, boolean race) {
         return switch (drift.kind()) {
             case FAILED -> (race ? "leaves the race" : drift.largest() > MANY_TIMES ? "blows up" : "stops")
                     + " at t = " + Digits.few(drift.outcome().endTime()) + " s";

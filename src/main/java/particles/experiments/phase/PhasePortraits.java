@@ -122,7 +122,7 @@ public final class PhasePortraits {
                 column(velocity.formatted(" error"), 3, row -> row.error(Series::y)),
                 column("off the curve (%)", 2, row -> 100 * row.off()),
                 column("evaluations", row -> row.outcome().evaluations()),
-                column("why it ended", row -> row.outcome().failure().orElse(""))));
+                column("what went wrong", row -> row.outcome().failure().orElse(""))));
     }
 
     private static double last(double[] values) {

@@ -8,6 +8,7 @@ import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
@@ -66,7 +67,7 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
      * @param drift    its energy drift, up to its end
      * @param states   its states at the frames' times, up to its end: (x1, v1, x2, v2, ...)
      * @param distance its distance from the reference at these times, root mean square over the particles (m); NaN
-     *                 where there are not as many particles, or between the steps of an adaptive solver
+     *                 if any are born or die, and between the steps of an adaptive solver
      */
     public record Lane(Match match, Drift drift, List<double[]> states, double[] distance) {
         /** @return the solver's name in charts */
@@ -166,7 +167,10 @@ public record Race(SceneDescription scene, List<SolverChoice> solvers, int frame
             Drift drift = EnergyDrift.measure(built, match.setting(), scale, observers);
             double[] distance = new double[states.states.size()];
             Arrays.fill(distance, Double.NaN);
-            for (int k = 0; k < distance.length; k += framesAStep(match.setting())) {
+            // where particles are born or die, an index may be that of another particle
+            boolean same = Stream.concat(reference.stream(), states.states.stream()).mapToInt(state -> state.length)
+                    .distinct().count() == 1;
+            for (int k = 0; same && k < distance.length; k += framesAStep(match.setting())) {
                 distance[k] = distance(states.states.get(k), reference.get(k));
             }
             return new Lane(match, drift, states.states, distance);

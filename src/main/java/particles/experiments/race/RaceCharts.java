@@ -8,7 +8,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import particles.experiments.energy.DriftCharts;
 import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.race.Race.Lane;
@@ -105,8 +104,7 @@ public final class RaceCharts {
         List<Lane> left = race.lanes().stream().filter(lane -> lane.left().isPresent()).toList();
         if (!left.isEmpty()) {
             parts.add(left.size() > 3 ? left.size() + " solvers leave the race" : left.stream().map(lane -> lane.label()
-                    + Digits.format(" leaves the race at t = %.3g s", lane.left().getAsDouble()))
-                    .collect(joining(", ")));
+                    + " " + DriftCharts.verdict(lane.drift(), true)).collect(joining(", ")));
         }
         for (Lane lane : race.lanes()) {
             double cost = share(race, lane);
@@ -119,14 +117,10 @@ public final class RaceCharts {
         return String.join("; ", parts);
     }
 
-    /**
-     * The solvers that stay nearest; may be empty. A solver that needed more than its share is left out, and all if
-     * particles are born or die, as an index may then be that of another particle.
-     */
+    /** The solvers that stay nearest; may be empty. A solver that needed more than its share is left out. */
     private static String nearest(Result race) {
         List<Lane> compared = race.lanes().stream().filter(lane -> lane.left().isEmpty() && mean(lane) >= 0
-                && share(race, lane) <= TOO_MUCH && Stream.concat(race.reference().stream(), lane.states().stream())
-                .mapToInt(state -> state.length).distinct().count() == 1).toList();
+                && share(race, lane) <= TOO_MUCH).toList();
         double nearest = compared.stream().mapToDouble(RaceCharts::mean).min().orElse(0);
         double size = race.reference().stream().flatMapToDouble(Arrays::stream).map(Math::abs).max().orElse(0);
         return SolverChoice.said(compared.stream().filter(lane -> mean(lane) <= AS_NEAR * nearest + ROUND_OFF * size)
@@ -159,8 +153,8 @@ public final class RaceCharts {
                 column("distance, rms (m)", 3, RaceCharts::mean),
                 column("at the end (m)", 3, lane -> lane.left().isPresent() ? Double.NaN
                         : lane.distance()[lane.distance().length - 1]),
-                column("largest energy error / scale", 3, lane -> lane.drift().largest()),
+                column("largest energy error / scale", 2, lane -> lane.drift().largest()),
                 column("left the race at (s)", 3, lane -> lane.left().orElse(Double.NaN)),
-                column("why", lane -> lane.drift().outcome().failure().orElse(""))).withoutEmptyColumns();
+                column("what went wrong", lane -> lane.drift().outcome().failure().orElse(""))).withoutEmptyColumns();
     }
 }

@@ -103,7 +103,8 @@ public final class EqualTime {
      * @return the fraction by which the longest time exceeds the shortest; the time aimed at counts too
      */
     public static double spread(Shares shares) {
-        DoubleSummaryStatistics seconds = shares.matches().stream().mapToDouble(Match::seconds).summaryStatistics();
+        DoubleSummaryStatistics seconds = shares.matches().stream().filter(Match::whole)
+                .mapToDouble(Match::seconds).summaryStatistics();
         return Math.max(shares.work(), seconds.getMax()) / Math.min(shares.work(), seconds.getMin()) - 1;
     }
 

@@ -240,10 +240,10 @@ public record EqualWork(SceneDescription scene, long target, List<Long> adaptive
         return Math.abs(match.evaluations() - wanted);
     }
 
-    /** A run without a single step tells no cost of a step. */
+    /** A run that fails in its first step does not show what a step costs: any other is better. */
     private static Match better(Match best, Match match, long wanted) {
-        return match.steps() > 0 == best.steps() > 0 ? off(match, wanted) < off(best, wanted) ? match : best
-                : match.steps() > 0 ? match : best;
+        return (match.steps() > 0 == best.steps() > 0 ? off(match, wanted) < off(best, wanted) : match.steps() > 0)
+                ? match : best;
     }
 
     /** @param most the number of evaluations at which the run is given up */

@@ -99,12 +99,16 @@ public final class SceneRun {
         observers.forEach(scene.simulation()::addObserver);
         scene.simulation().addObserver(new Budget(mostEvaluations));
         double begin = CpuClock.seconds();
-        boolean whole = true;
+        boolean whole = false;
         Optional<String> failure = Optional.empty();
         try {
-            scene.simulation().run();
+            scene.simulation().start();
+            while (!scene.simulation().isOver()) {
+                scene.simulation().advance();
+            }
+            whole = true;
+            scene.simulation().finish();
         } catch (SimulationException | DESolverException e) {
-            whole = e instanceof SimulationException end && end.getEnd() == SimulationException.End.WRONG_MOTION;
             failure = Optional.of(e.getMessage());
         }
         return new Outcome(scene.system().getTime(), scene.simulation().getSteps(), scene.system().getEvaluations(),

@@ -26,7 +26,7 @@ public record OrderMeasurement(double order, List<double[]> points) {
     /** An adaptive method of low order divides steps of 2/256 s still, and shows its order only below. */
     private static final int MOST = 4096;
     private static final int SLOPES = 3;
-    /** With half of deltaT an iteration to 1e-15 needs up to a ninth less per step; a larger change is of sub-steps. */
+    /** With half of deltaT an iteration to 1e-15 needs up to a ninth less per step; a larger change means sub-steps. */
     private static final double SAME_COST = 0.12;
     /** Below this order the error does not go to 0; Euler measures 0.97 to 1.03. */
     public static final double LOWEST = 0.7;

@@ -77,7 +77,7 @@ class HeadlineTest {
                 ChartFormat format = new ChartFormat(slide, false, false, 1);
                 ResultPage page = measured.write(folder, format);
                 for (Picture picture : page.pictures()) {
-                    if (Files.exists(out.resolve(picture.name() + ".csv"))) {
+                    if (!picture.panels().isEmpty() && Files.exists(out.resolve(picture.name() + ".csv"))) {
                         judge(picture.title(), Drawn.read(out.resolve(picture.name() + ".csv")));
                         judged++;
                     }
@@ -140,7 +140,7 @@ class HeadlineTest {
     @ValueSource(strings = {"stiffGallery --decades=6", "stability", "stability --scene=17 --solvers=rk4,verlet",
         "workPrecision --problem=network",
         "workPrecision --problem=stiff-chain --solvers=rk4,verlet,backward-euler,radau", "stiffCloth",
-        "race --frames=150", "race --solvers=euler,rk4", "energyDrift"})
+        "race --frames=150", "race --solvers=euler,rk4", "race --scene=27 --duration=0.6", "energyDrift"})
     void soDoThoseOfWholeExperiments(String task) throws IOException {
         chartsCanBeReadAndHeadlinesSayWhatTheirNumbersShow(task);
     }

@@ -100,6 +100,9 @@ class RunFindingsTest {
         assertEquals("the total energy rises from 0 J to 1 J",
                 RunFindings.energy(List.of(line(1e-20, 1.5, 1), line(2))));
         assertEquals("no step was made", RunFindings.energy(List.of(line(4))));
+        assertEquals("the numerical error is as large as the energy", RunFindings.error(List.of(line(0, 1))));
+        assertEquals("the numerical error is at most 1e-6 of the energy scale",
+                RunFindings.error(List.of(line(0, -1e-6))));
     }
 
     @Test
