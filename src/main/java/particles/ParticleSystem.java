@@ -4,6 +4,7 @@ import deSolvers.ArrayStateSource;
 import deSolvers.ForceDerivatives;
 import deSolvers.JacobianStateSource;
 import deSolvers.SubStepSource;
+import deSolvers.TimeScaleSource;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -23,7 +24,8 @@ import particles.law.Vector3;
  *
  * <p>Source: COMPSCI 715 (2003), slide "Restructuring the Particle System".
  */
-public final class ParticleSystem implements JacobianStateSource, ArrayStateSource, SubStepSource {
+public final class ParticleSystem implements JacobianStateSource, ArrayStateSource, SubStepSource,
+        TimeScaleSource {
     private static final int STRIDE = Particles.STRIDE;
 
     private final Particles particles = new Particles();
@@ -259,6 +261,14 @@ public final class ParticleSystem implements JacobianStateSource, ArrayStateSour
     @Override
     public double[] getStateArray() {
         return anchors.hiddenIn(getOwnState());
+    }
+
+    /** {@inheritDoc} That of all effects and moving anchors. */
+    @Override
+    public double getShortestTime(double[] state, double time) {
+        double anchored = anchors.getShortestTime(time);
+        return !forces.hasBriefForces() ? anchored
+                : Math.min(anchored, forces.getShortestTime(anchors.shownIn(state, time), time));
     }
 
     @Override

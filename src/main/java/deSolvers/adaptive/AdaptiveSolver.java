@@ -6,6 +6,7 @@ import deSolvers.DEStateSource;
 import deSolvers.LastStep;
 import deSolvers.StepTransaction;
 import deSolvers.SubStepSource;
+import deSolvers.TimeScaleSource;
 
 /**
  * Base class of adaptive solvers: step-size control. It covers deltaT exactly by sub-steps whose estimated error is
@@ -203,6 +204,7 @@ public abstract class AdaptiveSolver extends DESolver {
         for (int tried = 0; done < length; tried++) {
             double remaining = length - done;
             double resolution = resolution(source, done);
+            subStep = Math.min(subStep, TimeScaleSource.PART * shortestTime(source, state, direction * done));
             subStep = Math.max(subStep, resolution);    // a guess or a plan may be finer than the clock
             requireFewSubSteps(source, tried, done, length);
             double h = subStep >= remaining ? remaining
@@ -216,6 +218,11 @@ public abstract class AdaptiveSolver extends DESolver {
                 slopeKnown = true;
             }
             double error = attempt(source, state, slope, direction * done, direction * h, newState);
+            if (error <= 1 && h > resolution && h > shortestTime(source, newState, direction * (done + h))) {
+                subStep = h / 2;                        // it may have passed what it did not see
+                rejected = true;
+                continue;
+            }
             double next = nextSubStep(h, error);
             if (error <= 1) {
                 double end = h == remaining ? length : done + h;
@@ -235,6 +242,12 @@ public abstract class AdaptiveSolver extends DESolver {
                 rejected = true;
             }
         }
+    }
+
+    /** The shortest time in which the derivative may change and change back (s). */
+    private static double shortestTime(StepTransaction source, double[] state, double offset) {
+        return source.getClient() instanceof TimeScaleSource client
+                ? client.getShortestTime(state, source.getStartTime() + offset) : Double.POSITIVE_INFINITY;
     }
 
     /** Makes the new state the current one. */

@@ -2,6 +2,7 @@ package particles.effects;
 
 import deSolvers.ForceDerivatives;
 import java.util.Set;
+import particles.law.BriefForce;
 import particles.law.DifferentiableEffect;
 import particles.law.Particles;
 import particles.law.PerParticleEffect;
@@ -25,7 +26,7 @@ import particles.spec.Values;
  * <p>The power is -k |w|&sup2; - k w . u: the first term becomes heat, the second is work done by the wind. Source:
  * COMPSCI 715 (2003), slide "Damping (cont'd)", "particle-air damping".
  */
-public final class AirDrag implements PerParticleEffect, DifferentiableEffect {
+public final class AirDrag implements PerParticleEffect, DifferentiableEffect, BriefForce {
     private static final int STRIDE = Particles.STRIDE;
 
     private final Particles particles;
@@ -90,6 +91,12 @@ public final class AirDrag implements PerParticleEffect, DifferentiableEffect {
     /** @return the k of slow particles: c of linear drag (N s/m), 0 of quadratic drag */
     public double getSlowCoefficient() {
         return quadratic ? 0 : c;
+    }
+
+    /** {@inheritDoc} The period of the wind. */
+    @Override
+    public double getShortestTime(double[] state, double time) {
+        return wind.getPeriod();
     }
 
     @Override

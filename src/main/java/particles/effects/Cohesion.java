@@ -85,6 +85,11 @@ public final class Cohesion extends PairForce {
     }
 
     @Override
+    double shortestReach() {
+        return range;
+    }
+
+    @Override
     double perLength(int i, int j, double square, double parting) {
         double u = u(square);
         // the slope first: the page's compiler drops the brackets of a product on the right

@@ -38,6 +38,11 @@ public final class GustyWind implements Wind {
     }
 
     @Override
+    public double getPeriod() {
+        return gust.isZero() ? Double.POSITIVE_INFINITY : period;
+    }
+
+    @Override
     public void getVelocities(double[] state, double time, double[] wind, int from, int to) {
         Vector3 u = velocityAt(time);
         for (int v = 6 * from + 3; v < 6 * to; v += 6) {

@@ -2,6 +2,7 @@ package particles.effects;
 
 import deSolvers.ForceDerivatives;
 import java.util.Set;
+import particles.law.BriefForce;
 import particles.law.DifferentiableEffect;
 import particles.law.Particles;
 
@@ -13,7 +14,7 @@ import particles.law.Particles;
  * and F_j = -F_i, so momentum and angular momentum are conserved. A subclass knows s, its derivatives, and which
  * particles are near. Not thread-safe, except where a subclass says so.
  */
-abstract class PairForce implements DifferentiableEffect {
+abstract class PairForce implements DifferentiableEffect, BriefForce {
     static final int STRIDE = Particles.STRIDE;
 
     final Particles particles;
@@ -49,6 +50,9 @@ abstract class PairForce implements DifferentiableEffect {
     /** s (N/m) of a pair in reach, whose r . r' is parting. */
     abstract double perLength(int i, int j, double square, double parting);
 
+    /** The shortest distance at which two particles begin to act on each other (m). */
+    abstract double shortestReach();
+
     /** The energy that it stores (J). */
     abstract double potential(int i, int j, double square);
 
@@ -67,6 +71,25 @@ abstract class PairForce implements DifferentiableEffect {
     @Override
     public final boolean dependsOnVelocity() {
         return damping > 0;
+    }
+
+    /**
+     * {@inheritDoc} From one side of a particle's reach to the other, at the speed that the velocities of all particles
+     * together allow: the diagonal of the box that holds them.
+     */
+    @Override
+    public final double getShortestTime(double[] state, double time) {
+        double square = 0;
+        for (int c = 3; c < STRIDE; c++) {
+            double least = Double.POSITIVE_INFINITY;
+            double most = Double.NEGATIVE_INFINITY;
+            for (int v = c; v < STRIDE * particles.count(); v += STRIDE) {
+                least = Math.min(least, state[v]);
+                most = Math.max(most, state[v]);
+            }
+            square += particles.count() < 2 ? 0 : (most - least) * (most - least);
+        }
+        return square > 0 ? 2 * shortestReach() / Math.sqrt(square) : Double.POSITIVE_INFINITY;
     }
 
     @Override

@@ -2,6 +2,7 @@ package particles.effects;
 
 import deSolvers.ForceDerivatives;
 import java.util.Set;
+import particles.law.BriefForce;
 import particles.law.DifferentiableEffect;
 import particles.law.Particles;
 import particles.law.PerParticleEffect;
@@ -27,7 +28,7 @@ import particles.spec.VectorType;
  * <p>Source of the damping: K. Hunt, F. Crossley, "Coefficient of restitution interpreted as damping in vibroimpact"
  * (1975).
  */
-public final class Penalty implements PerParticleEffect, DifferentiableEffect {
+public final class Penalty implements PerParticleEffect, DifferentiableEffect, BriefForce {
     private static final int STRIDE = Particles.STRIDE;
 
     private final Particles particles;
@@ -130,6 +131,20 @@ public final class Penalty implements PerParticleEffect, DifferentiableEffect {
     private double depth(double[] state, int i) {
         int x = STRIDE * i;
         return particles.isFixed(i) ? 0 : depth(state, x, length(state, x));
+    }
+
+    /** {@inheritDoc} A solid ball is passed no sooner than at its far side; a plane or a hollow ball never. */
+    @Override
+    public double getShortestTime(double[] state, double time) {
+        double shortest = Double.POSITIVE_INFINITY;
+        for (int i = 0; round && side > 0 && i < particles.count(); i++) {
+            int x = STRIDE * i;
+            double square = state[x + 3] * state[x + 3] + state[x + 4] * state[x + 4] + state[x + 5] * state[x + 5];
+            if (square > 0 && !particles.isFixed(i)) {
+                shortest = Math.min(shortest, (length(state, x) + radius) / Math.sqrt(square));
+            }
+        }
+        return shortest;
     }
 
     @Override

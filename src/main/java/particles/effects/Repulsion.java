@@ -131,6 +131,16 @@ public final class Repulsion extends PairForce implements DivisibleEffect {
     }
 
     @Override
+    double shortestReach() {
+        fit(particles.count());
+        double least = radius;
+        for (int i = 0; i < particles.count(); i++) {
+            least = Math.min(least, radii[i]);
+        }
+        return 2 * least;
+    }
+
+    @Override
     double perLength(int i, int j, double square, double parting) {
         double length = Math.sqrt(square);
         double inverse = 1 / length;

@@ -22,6 +22,11 @@ public interface Wind {
      */
     void getVelocities(double[] state, double time, double[] wind, int from, int to);
 
+    /** @return the period of the wind (s); infinite if it has none */
+    default double getPeriod() {
+        return Double.POSITIVE_INFINITY;
+    }
+
     /**
      * Computes the gradient of the air's velocity at a particle; by default 0, as in wind that is the same everywhere.
      *

@@ -1,6 +1,7 @@
 package particles.energy;
 
 import java.util.List;
+import java.util.Optional;
 import particles.Observer;
 import particles.Simulation;
 
@@ -48,5 +49,10 @@ public final class EnergyRecorder {
     /** @return whether a visible vibration has fewer than {@value Resolution#STEPS} steps per period */
     public boolean isTooCoarse() {
         return resolution.isTooCoarse(history.getScale());
+    }
+
+    /** @return what may come and go in less time than four steps take, if anything may */
+    public Optional<Resolution.Brief> getBrief() {
+        return resolution.getBrief();
     }
 }

@@ -1,9 +1,12 @@
 package particles.energy;
 
 import java.util.Arrays;
+import java.util.Optional;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
+import particles.law.BriefForce;
+import particles.law.Effect;
 import particles.law.Particles;
 import particles.law.Vector3;
 
@@ -24,6 +27,9 @@ import particles.law.Vector3;
  *
  * <p>A stiff spring that is damped out, or was never excited, moves no particle and does not count. Neither do bounces,
  * births and other jumps: a particle counts while its path is unbroken and its steps are as long as deltaT.
+ *
+ * <p>Apart from vibrations, a step may skip a force that comes and goes within it ({@link BriefForce}), or the motion
+ * of an anchor.
  */
 public final class Resolution implements Observer {
     /** A period needs so many steps. */
@@ -47,6 +53,20 @@ public final class Resolution implements Observer {
     private double pull;                                // the sum of -dF . d
     private double inertia;                             // and of m |d|^2 / deltaT^2
     private long steps;
+    private Optional<Brief> shortest = Optional.empty();
+
+    /**
+     * A force or an anchor's motion that is too fast for the steps.
+     *
+     * @param name what it is
+     * @param time the shortest time in which it may come and go (s)
+     */
+    public record Brief(String name, double time) {
+        /** @return the longest step that does not skip it (s) */
+        public double longestStep() {
+            return ParticleSystem.PART * time;
+        }
+    }
 
     /**
      * @param deltaT   the time step of the run (s)
@@ -63,6 +83,10 @@ public final class Resolution implements Observer {
         double[] from = motion.getStartState();
         double[] to = motion.getEndState();
         double h = motion.getEndTime() - motion.getStartTime();
+        if (!motion.isAdaptive()) {                     // those keep their sub-steps shorter
+            findBrief(motion.getSystem(), from, motion.getStartTime(), h);
+            findBrief(motion.getSystem(), to, motion.getEndTime(), h);
+        }
         if (unbroken.length != particles.count()) {
             end = new double[to.length];
             velocity = new double[to.length];
@@ -85,6 +109,24 @@ public final class Resolution implements Observer {
             }
         }
         System.arraycopy(to, 0, end, 0, to.length);
+    }
+
+    /** Notes what may come and go within a step, if it is faster than anything before. */
+    private void findBrief(ParticleSystem system, double[] state, double time, double h) {
+        double most = Math.min(h / ParticleSystem.PART / (1 + ROUNDING),
+                shortest.map(Brief::time).orElse(Double.POSITIVE_INFINITY));
+        double found = system.getShortestTime(state, time);
+        if (found < most) {
+            String name = system.getEffects().stream().filter(effect -> effect instanceof BriefForce brief
+                    && brief.getShortestTime(state, time) == found).map(Effect::getName).findFirst()
+                    .orElse("the motion of an anchor");
+            shortest = Optional.of(new Brief(name, found));
+        }
+    }
+
+    /** @return what may come and go in less time than four steps take, if anything may */
+    public Optional<Brief> getBrief() {
+        return shortest;
     }
 
     /** Adds what forces change along the displacement; velocities and time are those before the step. */

@@ -83,6 +83,15 @@ public final class Anchors {
         }
     }
 
+    /** The shortest time in which an anchor may go and come back (s). */
+    public double getShortestTime(double time) {
+        double shortest = Double.POSITIVE_INFINITY;
+        for (Anchor anchor : anchors) {
+            shortest = Math.min(shortest, anchor.motion.getShortestTime(time));
+        }
+        return shortest;
+    }
+
     /** Updates the anchors' indices after particles were removed. */
     public void reindex(int[] newIndex) {
         anchors = Arrays.stream(anchors).filter(anchor -> newIndex[anchor.particle] >= 0)

@@ -4,6 +4,7 @@ import deSolvers.ForceDerivatives;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import particles.law.BriefForce;
 import particles.law.DifferentiableEffect;
 import particles.law.Effect;
 import particles.law.Particles;
@@ -19,6 +20,7 @@ public final class ForceSum {
     private Effect[] effects = {};
     private PerParticleEffect[] perParticle = {};
     private Effect[] others = {};
+    private BriefForce[] brief = {};
     private Reaction[] reactions = {};
     private double[] force = {};
 
@@ -48,6 +50,9 @@ public final class ForceSum {
             perParticle = append(perParticle, each);
         } else {
             others = append(others, effect);
+        }
+        if (effect instanceof BriefForce force) {
+            brief = append(brief, force);
         }
     }
 
@@ -132,6 +137,20 @@ public final class ForceSum {
         for (Effect effect : effects) {
             effect.addForces(state, time, force);
         }
+    }
+
+    /** Whether any force may come and go within a step. */
+    public boolean hasBriefForces() {
+        return brief.length > 0;
+    }
+
+    /** The shortest time in which any of them may do so (s). */
+    public double getShortestTime(double[] state, double time) {
+        double shortest = Double.POSITIVE_INFINITY;
+        for (BriefForce effect : brief) {
+            shortest = Math.min(shortest, effect.getShortestTime(state, time));
+        }
+        return shortest;
     }
 
     /** @return whether any effect or reaction depends on velocities */

@@ -11,6 +11,16 @@ public interface AnchorMotion {
     void at(double time, double[] values);
 
     /**
+     * Returns the shortest time in which the anchor may go somewhere and come back.
+     *
+     * @param time t (s)
+     * @return the period of the motion, or what is left of one that ends (s); infinite by default
+     */
+    default double getShortestTime(double time) {
+        return Double.POSITIVE_INFINITY;
+    }
+
+    /**
      * Sinusoidal motion of an anchor, as of a hand that shakes a spring: x = centre + amplitude sin(2 pi t / period).
      *
      * @param centre    the centre (m)
@@ -33,6 +43,11 @@ public interface AnchorMotion {
             centre.plus(amplitude.times(sin)).put(values, 0);
             amplitude.times(omega).times(cos).put(values, 3);
             amplitude.times(omega).times(omega).times(-sin).put(values, 6);
+        }
+
+        @Override
+        public double getShortestTime(double time) {
+            return period;
         }
     }
 
@@ -69,6 +84,11 @@ public interface AnchorMotion {
             sine.times(cos).minus(cosine.times(sin)).times(omega).put(values, 3);
             from.times(-omega * omega).put(values, 6);
         }
+
+        @Override
+        public double getShortestTime(double time) {
+            return 2 * Math.PI / Math.abs(omega);
+        }
     }
 
     /**
@@ -99,6 +119,11 @@ public interface AnchorMotion {
             from.plus(way.times(part)).put(values, 0);
             way.times(rate).put(values, 3);
             way.times(growth).put(values, 6);
+        }
+
+        @Override
+        public double getShortestTime(double time) {
+            return time < duration ? duration : Double.POSITIVE_INFINITY;
         }
     }
 }

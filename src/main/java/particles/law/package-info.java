@@ -6,7 +6,8 @@
  *
  * <p>To write a force law, read {@link particles.law.ParticleForce} or {@link particles.law.Effect}; nothing else is
  * needed. The optional interfaces ({@link particles.law.PerParticleEffect}, {@link particles.law.DivisibleEffect},
- * {@link particles.law.DifferentiableEffect}) make a law faster or give implicit solvers exact derivatives. A law
- * without them works too.
+ * {@link particles.law.DifferentiableEffect}) make a law faster or give implicit solvers exact derivatives; with {@link
+ * particles.law.BriefForce}, adaptive solvers do not step across a law that acts for a short time only. A law without
+ * them works too.
  */
 package particles.law;

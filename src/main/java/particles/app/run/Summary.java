@@ -131,6 +131,10 @@ record Summary(String name, String hash, Scene scene, EnergyRecorder recorder, d
             lines.add("warning: not resolved: the fastest visible vibration has fewer than 6 steps per period; try a"
                     + " smaller deltaT, or a solver that chooses its own sub-steps.");
         }
+        recorder.getBrief().filter(brief -> !failed).ifPresent(brief -> lines.add("warning: not resolved: "
+                + brief.name() + " may come and go within " + Digits.few(brief.time()) + " s; try a deltaT of "
+                + Digits.few(brief.longestStep())
+                + " s, or a solver that chooses its own sub-steps."));
         Violation violation = simulation().getViolation();
         if (violation.part() > VIOLATION && !failed) {
             lines.add("warning: " + violation.what() + "; try a smaller deltaT or another solver.");
