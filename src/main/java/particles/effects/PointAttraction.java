@@ -2,6 +2,7 @@ package particles.effects;
 
 import deSolvers.ForceDerivatives;
 import java.util.Set;
+import particles.law.BriefForce;
 import particles.law.DifferentiableEffect;
 import particles.law.Particles;
 import particles.law.PerParticleEffect;
@@ -23,7 +24,7 @@ import particles.spec.VectorType;
  *
  * <p>Potential energy -m mu / sqrt(|r|&sup2; + s&sup2;). Source of the softening: H. Plummer (1911), S. Aarseth (1963).
  */
-public final class PointAttraction implements PerParticleEffect, DifferentiableEffect {
+public final class PointAttraction implements PerParticleEffect, DifferentiableEffect, BriefForce {
     private static final int STRIDE = Particles.STRIDE;
 
     private final Particles particles;
@@ -90,6 +91,19 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
         r[1] = state[x + 1] - centre.y();
         r[2] = state[x + 2] - centre.z();
         return r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + softeningSquare;
+    }
+
+    /** {@inheritDoc} From a particle to the other side of the point, as far away, or within its softening. */
+    @Override
+    public double getShortestTime(double[] state, double time) {
+        double shortest = Double.POSITIVE_INFINITY;
+        for (int i = 0, x = 0; i < particles.count(); i++, x += STRIDE) {
+            double square = state[x + 3] * state[x + 3] + state[x + 4] * state[x + 4] + state[x + 5] * state[x + 5];
+            if (square > 0 && !particles.isFixed(i)) {
+                shortest = Math.min(shortest, 2 * Math.sqrt(findPlace(state, x) / square));
+            }
+        }
+        return shortest;
     }
 
     /** {@inheritDoc} dF/dx = -m mu (1 - 3 r r<sup>T</sup>/q&sup2;)/q&sup3; with q&sup2; = |r|&sup2; + s&sup2;. */

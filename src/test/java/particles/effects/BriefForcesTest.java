@@ -110,6 +110,20 @@ class BriefForcesTest {
         assertEquals(0, a.minus(new Vector3(3.39445897, 3.67119168, 0)).length(), 1e-4, solver);
     }
 
+    /** Rutherford's angle 2 atan(mu/(b v^2)), to the 1e-7 by which 1 m is not infinitely far; measured 2e-6. */
+    @ParameterizedTest
+    @MethodSource("adaptive")
+    void aWeakAttractionTurnsWhatPassesVeryNear(String solver) {
+        Scene scene = run(scene(BEGIN + """
+                particles:
+                  - {id: a, position: [-1, 1e-6, 0], velocity: [10, 0, 0]}
+                effects:
+                  - attraction: {strength: 1e-5}
+                """, solver).withDuration(0.3));
+        Vector3 v = velocity(scene, 0);
+        assertEquals(2 * Math.atan(0.1), Math.atan2(-v.y(), v.x()), 2e-5, solver);
+    }
+
     /** Where both fly along, the speed is relative: nothing is passed, and no step is shortened. */
     @Test
     void ballsThatFlyTogetherAreNotSlowedDown() {
