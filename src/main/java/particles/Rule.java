@@ -45,6 +45,16 @@ public interface Rule {
     }
 
     /**
+     * Returns the time at which the rule acts next, if it knows that beforehand. The loop ends a step there, and begins
+     * a new one for the rest.
+     *
+     * @return the time (s); infinite by default
+     */
+    default double getNextTime() {
+        return Double.POSITIVE_INFINITY;
+    }
+
+    /**
      * Called at the end of each step; may change the system.
      *
      * @param system the system

@@ -5,6 +5,7 @@ import deSolvers.DESolverException;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import particles.law.Particles;
 import particles.law.Require;
@@ -118,7 +119,7 @@ public final class Simulation {
      */
     public void advance() {
         double left = endTime - system.getTime();
-        step(left <= deltaT * (1 + ROUNDING) ? left : deltaT);
+        advanceBy(left <= deltaT * (1 + ROUNDING) ? left : deltaT);
         requireRight(constraints.getWorst());
         if (endTime - system.getTime() >= left) {
             throw new SimulationException(system.getTime(), -1,
@@ -154,6 +155,32 @@ public final class Simulation {
         return worst;
     }
 
+    /** Makes a step; in shorter ones if rules act at known times within it. */
+    private void advanceBy(double h) {
+        double end = system.getTime() + h;
+        double rounding = ROUNDING * deltaT;
+        boolean divided = false;
+        for (double next = nextAction(); next < end - rounding; next = nextAction()) {
+            divided = true;
+            double now = system.getTime() + rounding;
+            if (next > now) {
+                step(next - system.getTime());
+            } else {
+                act(deltaT, rule -> rule.getNextTime() <= now);
+            }
+        }
+        step(divided ? end - system.getTime() : h);
+        steps++;
+    }
+
+    private double nextAction() {
+        double next = Double.POSITIVE_INFINITY;
+        for (Rule rule : rules) {
+            next = Math.min(next, rule.getNextTime());
+        }
+        return next;
+    }
+
     private void step(double h) {
         for (Rule rule : rules) {
             rule.beforeStep(system, h);
@@ -168,13 +195,16 @@ public final class Simulation {
             int particle = e.getEntry() < 0 ? -1 : e.getEntry() / Particles.STRIDE;
             throw new SimulationException(e.getTime(), particle, e.getMessage(), e);
         }
-        steps++;
         if (recorded) {
             eventSteps.getMotion().showTo(observers);
         }
+        act(h, rule -> true);
+    }
+
+    private void act(double h, Predicate<Rule> which) {
         boolean changed = false;
         for (Rule rule : rules) {
-            if (rule.afterStep(system, h)) {
+            if (which.test(rule) && rule.afterStep(system, h)) {
                 changed = true;
                 observers.forEach(observer -> observer.changed(system, rule));
             }

@@ -8,11 +8,13 @@ import particles.law.Vector3;
 
 /**
  * A source of particles, such as the nozzle of a fountain. The n-th particle is born n/rate after the beginning of the
- * run, for any deltaT; one that is born within a step moves freely until the step's end. Places and directions are
- * random and depend on the seed only. Ids are the emitter's id with a number from 0 on that is never reused: {@code
- * fountain[17]} is the 18th.
+ * run, for any deltaT: the loop ends a step there. Places and directions are random and depend on the seed only. Ids
+ * are the emitter's id with a number from 0 on that is never reused: {@code fountain[17]} is the 18th.
  */
 public final class Emitter implements Rule {
+    /** Births within this fraction of a step after its end happen at the end. */
+    private static final double ROUNDING = 1e-6;
+
     private final Nozzle nozzle;
     private final SeededRandom random;
     private double startTime;
@@ -78,14 +80,16 @@ public final class Emitter implements Rule {
     @Override
     public boolean afterStep(ParticleSystem system, double deltaT) {
         boolean any = false;
-        for (double birth = nextBirth(); birth <= system.getTime(); birth = nextBirth()) {
+        double now = system.getTime() + ROUNDING * deltaT;
+        for (double birth = getNextTime(); birth <= now; birth = getNextTime()) {
             emit(system, birth);
             any = true;
         }
         return any;
     }
 
-    private double nextBirth() {
+    @Override
+    public double getNextTime() {
         return startTime + (born + 1) / nozzle.rate();
     }
 
