@@ -2,6 +2,9 @@ package particles.rules;
 
 import particles.ParticleSystem;
 import particles.Rule;
+import particles.SimulationException;
+import particles.effects.Repulsion;
+import particles.law.Effect;
 import particles.law.Require;
 import particles.law.SeededRandom;
 import particles.law.Vector3;
@@ -105,5 +108,18 @@ public final class Emitter implements Rule {
                 from.plus(velocity.times(system.getTime() - birth)), velocity, false);
         system.setLife(i, birth, birth + nozzle.lifetime());
         born++;
+        requireApart(system, i);
+    }
+
+    private static void requireApart(ParticleSystem system, int newborn) {
+        for (Effect effect : system.getEffects()) {
+            if (effect instanceof Repulsion repulsion) {
+                repulsion.findAtOnePlace(system.getOwnState(), newborn).ifPresent(pair -> {
+                    throw new SimulationException(system.getTime(), -1, "'" + system.getParticles().id(newborn)
+                            + "' is born at the place of '" + system.getParticles().id(pair[0])
+                            + "'; soft balls there have no direction in which to push each other", null);
+                });
+            }
+        }
     }
 }

@@ -70,7 +70,10 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
                 & known.has(values, SpringDescription.TO) && values.isSound()).toList();
     }
 
-    /** Whether a spring or rod has two ends at different places; if not, that is a problem. */
+    /**
+     * Whether a spring or rod has two ends at different places; if not, that is a problem, unless it is an undamped
+     * spring of rest length 0, whose force there is 0.
+     */
     private boolean checkEnds(String what, Values values) {
         String from = from(values);
         String to = to(values);
@@ -79,11 +82,20 @@ record ConstraintChecks(Values scene, Problems problems, KnownParticles known, P
         if (from.equals(to)) {
             problems.add(place, "a " + what + " from " + Wording.quote(from)
                     + " to itself; its ends must be two different particles");
-        } else if (!apart) {
-            problems.add(place, Wording.quote(from) + " and " + Wording.quote(to) + " are at the same place; a " + what
-                    + " between them would have no " + (what.equals("rod") ? "length" : "direction"));
+        } else if (!apart && what.equals("rod")) {
+            problems.add(place, samePlace(from, to) + "; a rod between them would have no length");
+        } else if (!apart && !values.find(SpringDescription.REST_LENGTH).equals(Optional.of(0.0))) {
+            problems.add(place, samePlace(from, to) + "; a spring between them would have no direction, unless it has"
+                    + " restLength: 0");
+        } else if (!apart && values.get(SpringDescription.DAMPING) > 0) {
+            problems.add(place, samePlace(from, to) + "; the damping of a spring between them would have no"
+                    + " direction");
         }
         return apart;
+    }
+
+    private static String samePlace(String from, String to) {
+        return Wording.quote(from) + " and " + Wording.quote(to) + " are at the same place";
     }
 
     private void checkMotion(Values rod) {

@@ -9,7 +9,9 @@ import particles.ParticleSystem;
 import particles.Simulation;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
+import particles.effects.Repulsion;
 import particles.effects.springs.SpringForce;
+import particles.law.Effect;
 import particles.law.Violation;
 import particles.reactions.RestingContacts;
 import particles.rules.ClampedImpacts;
@@ -29,6 +31,7 @@ import particles.spec.Kind.Chosen;
 import particles.spec.Values;
 import particles.spec.messages.InvalidInputException;
 import particles.spec.messages.Problems;
+import particles.spec.messages.Wording;
 import particles.view.Scenery.Surface;
 
 /**
@@ -103,10 +106,25 @@ public final class SceneBuilder {
         if (scene.hasHardBalls()) {
             simulation.getRules().forEach(rule -> checkOverlap(rule.getViolation(system), scene));
         }
+        checkApart(system, scene);
         assembly.rules().forEach(simulation::addRule);
         Scene built = new Scene(scene, simulation, springs, assembly.scenery(cloths), estimate);
         simulation.addRule(new EnergyLimit(built.energyLimit()));
         return built;
+    }
+
+    private static void checkApart(ParticleSystem system, SceneDescription scene) {
+        for (Effect effect : system.getEffects()) {
+            if (effect instanceof Repulsion repulsion) {
+                repulsion.findAtOnePlace(system.getOwnState(), 0).ifPresent(pair -> {
+                    throw new InvalidInputException(scene.values().get(SceneFormat.EFFECTS).stream()
+                            .filter(chosen -> chosen.kind().getName().equals(repulsion.getName())).findFirst()
+                            .orElseThrow().place() + ": " + Wording.quote(system.getParticles().id(pair[0])) + " and "
+                            + Wording.quote(system.getParticles().id(pair[1]))
+                            + " are at the same place; soft balls there have no direction in which to push each other");
+                });
+            }
+        }
     }
 
     private static void checkOverlap(Violation overlap, SceneDescription scene) {

@@ -170,7 +170,8 @@ class BrokenScenesTest {
               - {id: tom, position: [0, 1, 0]}
             springs:
               - {from: bob, to: tom, stiffness: 1}
-            x.yaml:10:21: 'bob' and 'tom' are at the same place; a spring between them would have no direction
+            x.yaml:10:21: 'bob' and 'tom' are at the same place; a spring between them would have no direction, \
+            unless it has restLength: 0
 
             rods:
               - {from: bob, to: bob}

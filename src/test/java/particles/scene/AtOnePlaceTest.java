@@ -1,0 +1,114 @@
+package particles.scene;
+
+import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import particles.SimulationException;
+import particles.spec.messages.InvalidInputException;
+
+/** Particles with the same position: what has a direction there runs, the rest is refused with both names. */
+class AtOnePlaceTest {
+    private static String scene(String solver, String a, String b, String more) {
+        return """
+                title: At one place
+                teaches: two particles there
+                solver: %s
+                deltaT: 0.01
+                duration: 2
+                particles:
+                  - {id: a, %s}
+                  - {id: b, %s}
+                """.formatted(solver, a, b) + more;
+    }
+
+    private static String soft(String a, String b) {
+        return scene("rk4", a, b, "effects: [repulsion: {radius: 0.1, stiffness: 100}]\n");
+    }
+
+    private static String spring(String solver, String keys) {
+        return scene(solver, "position: [0, 0, 0], velocity: [1, 0, 0]", "position: [0, 0, 0]",
+                "springs: [{from: a, to: b, stiffness: 100" + keys + "}]\n");
+    }
+
+    private static String refusal(String text) {
+        return assertThrows(InvalidInputException.class, () -> TestScenes.build(text)).getMessage();
+    }
+
+    /** Whether at rest or not, and with zeros of both signs. */
+    @ParameterizedTest
+    @CsvSource(delimiter = ';', value = {
+            "position: [0, 0, 0]; position: [0, 0, 0]",
+            "position: [1, 2, 3]; position: [1, 2, 3], velocity: [1, 0, 0]",
+            "position: [0, -0.0, 0]; position: [0, 0.0, 0], fixed: true",
+    })
+    void softBallsWithOneCentreAreRefused(String a, String b) {
+        assertTrue(refusal(soft(a, b)).contains("x.yaml:9:11: 'a' and 'b' are at the same place; soft balls there"
+                + " have no direction"), refusal(soft(a, b)));
+    }
+
+    @Test
+    void fixedOnesAndOnesAnywhereElseAreNot() {
+        assertDoesNotThrow(() -> TestScenes.build(soft("position: [0, 0, 0], fixed: true",
+                "position: [0, 0, 0], fixed: true")));
+        assertDoesNotThrow(() -> TestScenes.build(soft("position: [0, 0, 0]", "position: [0, 1e-40, 0]")));
+    }
+
+    @Test
+    void aShapesParticleCountsToo() {
+        assertTrue(refusal("""
+                title: Two boxes
+                teaches: one of them in the other
+                solver: rk4
+                deltaT: 0.01
+                duration: 1
+                shapes:
+                  - jelly: {id: u, centre: [0, 0, 0], size: [1, 1, 1], columns: 2, rows: 2, layers: 2, totalMass: 1,
+                            structural: {stiffness: 9}}
+                  - jelly: {id: v, centre: [1, 0, 0], size: [1, 1, 1], columns: 2, rows: 2, layers: 2, totalMass: 1,
+                            structural: {stiffness: 9}}
+                effects: [repulsion: {radius: 0.1, stiffness: 100}]
+                """).contains("are at the same place"));
+    }
+
+    @Test
+    void aBirthOnABallAtRestEndsTheRunWithBothNames() {
+        Scene scene = TestScenes.build(soft("position: [0, 0, 0]", "position: [5, 0, 0]")
+                + "rules: [emitter: {id: e, position: [0, 0, 0], speed: 1, rate: 1.3}]\n");
+        SimulationException end = assertThrows(SimulationException.class, scene.simulation()::run);
+        assertEquals("rk4 stopped at t = 0.769 s: 'e[0]' is born at the place of 'a'; soft balls there have no"
+                + " direction in which to push each other", new BlowUpMessage(scene, end, name -> name).lines());
+    }
+
+    /** x_b = v t/2 - v sin(w t)/(2 w) with w^2 = 2 k/m. The order shows: each method's own error after 28 radians. */
+    @ParameterizedTest
+    @MethodSource("deSolvers.catalog.SolverCatalog#all")
+    void aSpringOfRestLengthZeroRuns(SolverInfo solver) {
+        Scene scene = TestScenes.build(spring(solver.name(), ", restLength: 0"));
+        scene.simulation().run();
+        double w = Math.sqrt(200);
+        double x = scene.system().getOwnState()[6];
+        boolean damps = List.of("backward-euler", "linearised-euler").contains(solver.name());
+        double bound = solver.name().equals("euler") ? 0.5 : damps ? 0.05 : solver.order() <= 2 ? 5e-3 : 3e-5;
+        assertEquals(1 - Math.sin(2 * w) / (2 * w), x, bound, solver.name());
+    }
+
+    @Test
+    void otherSpringsAndRodsHaveNoDirectionOrLength() {
+        assertTrue(refusal(spring("rk4", "")).contains("'a' and 'b' are at the same place; a spring between them would"
+                + " have no direction, unless it has restLength: 0"));
+        assertTrue(refusal(spring("rk4", ", restLength: 1")).contains("no direction, unless"));
+        assertTrue(refusal(spring("rk4", ", restLength: 0, damping: 1")).contains("the damping of a spring between"
+                + " them would have no direction"));
+        assertTrue(refusal(scene("rk4", "position: [0, 0, 0]", "position: [0, 0, 0]", "rods: [{from: a, to: b}]\n"))
+                .contains("a rod between them would have no length"));
+    }
+}
