@@ -96,8 +96,11 @@ public final class Simulation {
     /** Tells rules and observers that the run begins; call it once, before {@link #advance()}. */
     public void start() {
         endTime = system.getTime() + duration;
-        rules.forEach(rule -> rule.start(system));
-        observers.forEach(observer -> observer.started(system));
+        try {
+            rules.forEach(rule -> rule.start(system));
+        } finally {                                     // also of a run that fails here, observers have the beginning
+            observers.forEach(observer -> observer.started(system));
+        }
     }
 
     /**

@@ -2,6 +2,7 @@ package particles;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.Systems.addGravity;
@@ -19,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import particles.energy.EnergyHistory;
 import particles.law.Vector3;
 import particles.scene.Scene;
 import particles.scene.ShortRun;
@@ -176,6 +178,34 @@ class SimulationTest {
         SimulationException e = Steps.assertFails(SimulationException.class, "EulerSolver at t = 0.0",
                 () -> run(system, new EulerSolver(), 10, 100));
         assertEquals(1, e.getParticle());
+    }
+
+    /** Contacts may contradict each other at the very beginning; energy charts and files then have one state. */
+    @Test
+    void observersHaveTheBeginningOfARunThatFailsThere() {
+        ParticleSystem system = oneParticle(Vector3.ZERO, new Vector3(2, 0, 0));
+        Simulation simulation = new Simulation(system, EulerSolver::new, 0.1, 1);
+        simulation.addRule(new Rule() {
+            @Override
+            public String getName() {
+                return "contradiction";
+            }
+
+            @Override
+            public void start(ParticleSystem s) {
+                throw new SimulationException(0, -1, "no solution", null);
+            }
+
+            @Override
+            public boolean afterStep(ParticleSystem s, double deltaT) {
+                return false;
+            }
+        });
+        EnergyHistory energy = new EnergyHistory();
+        simulation.addObserver(energy);
+        assertThrows(SimulationException.class, simulation::run);
+        assertFalse(energy.hasGrown());
+        assertArrayEquals(new double[] {2}, energy.chart("").series().get(0).y());
     }
 
     @Test

@@ -1,14 +1,11 @@
 package particles.effects;
 
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
+import particles.law.CentralForce;
 import particles.law.DivisibleEffect;
 import particles.law.Particles;
 import particles.law.Require;
-import particles.law.Vector3;
 import particles.spec.Key;
 import particles.spec.NameType;
 import particles.spec.NumberType;
@@ -24,7 +21,7 @@ import particles.spec.Values;
  * attractive: in the last part of an impact, where damping would pull, it is 0. With damping it jumps by c d' as the
  * balls touch, so fixed-step solvers drop to order 1. Balls do not spin, and there is no friction between them. Two
  * balls with the same centre have no direction in which to push each other: scenes and births with such balls are
- * refused ({@link #findAtOnePlace}). Balls that pass through that point do not push each other there.
+ * refused. Balls that pass through that point do not push each other there.
  *
  * <p>Without damping, a linear impact of two balls with reduced mass m takes pi sqrt(m/k); Hertz's takes 3.218 (m&sup2;
  * / (k&sup2; v))^(1/5), with v the speed of approach.
@@ -34,7 +31,7 @@ import particles.spec.Values;
  *
  * <p>Source: P. Cundall, O. Strack, "A discrete numerical model for granular assemblies" (1979).
  */
-public final class Repulsion extends PairForce implements DivisibleEffect {
+public final class Repulsion extends PairForce implements DivisibleEffect, CentralForce {
     private static final int PARTICLES_PER_BLOCK = 64;
 
     private final boolean hertz;
@@ -80,23 +77,9 @@ public final class Repulsion extends PairForce implements DivisibleEffect {
         }
     }
 
-    /**
-     * Looks for two balls with the same centre.
-     *
-     * @param state the particles' state
-     * @param first looks for balls from this one on, at the place of any other; two fixed ones do not count
-     * @return their indices, if there are any
-     */
-    public Optional<int[]> findAtOnePlace(double[] state, int first) {
-        Map<Vector3, Integer> places = new HashMap<>();
-        for (int i = 0; i < particles.count(); i++) {
-            Vector3 place = Vector3.at(state, STRIDE * i).plus(Vector3.ZERO);      // -0 becomes 0
-            Integer other = places.put(place, i);
-            if (other != null && i >= first && !(particles.isFixed(i) && particles.isFixed(other))) {
-                return Optional.of(new int[] {other, i});
-            }
-        }
-        return Optional.empty();
+    @Override
+    public Particles getParticles() {
+        return particles;
     }
 
     @Override

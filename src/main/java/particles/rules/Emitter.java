@@ -3,7 +3,7 @@ package particles.rules;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.SimulationException;
-import particles.effects.Repulsion;
+import particles.law.CentralForce;
 import particles.law.Effect;
 import particles.law.Require;
 import particles.law.SeededRandom;
@@ -113,8 +113,8 @@ public final class Emitter implements Rule {
 
     private static void requireApart(ParticleSystem system, int newborn) {
         for (Effect effect : system.getEffects()) {
-            if (effect instanceof Repulsion repulsion) {
-                repulsion.findAtOnePlace(system.getOwnState(), newborn).ifPresent(pair -> {
+            if (effect instanceof CentralForce central) {
+                central.findAtOnePlace(system.getOwnState(), newborn).ifPresent(pair -> {
                     throw new SimulationException(system.getTime(), -1, "'" + system.getParticles().id(newborn)
                             + "' is born at the place of '" + system.getParticles().id(pair[0])
                             + "'; soft balls there have no direction in which to push each other", null);

@@ -9,8 +9,8 @@ import particles.ParticleSystem;
 import particles.Simulation;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
-import particles.effects.Repulsion;
 import particles.effects.springs.SpringForce;
+import particles.law.CentralForce;
 import particles.law.Effect;
 import particles.law.Violation;
 import particles.reactions.RestingContacts;
@@ -115,10 +115,10 @@ public final class SceneBuilder {
 
     private static void checkApart(ParticleSystem system, SceneDescription scene) {
         for (Effect effect : system.getEffects()) {
-            if (effect instanceof Repulsion repulsion) {
-                repulsion.findAtOnePlace(system.getOwnState(), 0).ifPresent(pair -> {
+            if (effect instanceof CentralForce central) {
+                central.findAtOnePlace(system.getOwnState(), 0).ifPresent(pair -> {
                     throw new InvalidInputException(scene.values().get(SceneFormat.EFFECTS).stream()
-                            .filter(chosen -> chosen.kind().getName().equals(repulsion.getName())).findFirst()
+                            .filter(chosen -> chosen.kind().getName().equals(central.getName())).findFirst()
                             .orElseThrow().place() + ": " + Wording.quote(system.getParticles().id(pair[0])) + " and "
                             + Wording.quote(system.getParticles().id(pair[1]))
                             + " are at the same place; soft balls there have no direction in which to push each other");

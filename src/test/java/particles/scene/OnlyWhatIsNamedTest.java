@@ -18,6 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
+import particles.scene.parts.RuleCatalog;
 import particles.scene.parts.RuleKind;
 
 /**
@@ -150,7 +151,7 @@ class OnlyWhatIsNamedTest {
         for (EffectKind kind : EffectCatalog.ALL) {
             assertTrue(all.contains(kind.getName()), kind.getName());
         }
-        Set<String> missing = RuleKind.ALL.stream().map(RuleKind::getName).filter(name -> !all.contains(name))
+        Set<String> missing = RuleCatalog.ALL.stream().map(RuleKind::getName).filter(name -> !all.contains(name))
                 .collect(Collectors.toSet());
         assertEquals(Set.of("plane", "circle", "glide"), missing);
     }

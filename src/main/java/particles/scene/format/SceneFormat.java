@@ -6,6 +6,7 @@ import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
 import particles.scene.parts.ConstraintDescription;
 import particles.scene.parts.ParticleDescription;
+import particles.scene.parts.RuleCatalog;
 import particles.scene.parts.RuleKind;
 import particles.scene.parts.ShapeKind;
 import particles.scene.parts.SpringDescription;
@@ -53,8 +54,8 @@ public final class SceneFormat {
     public static final Key<List<Chosen<EffectKind>>> EFFECTS = ListType.of("an effect", new KindType<>("effect",
             EffectCatalog.ALL, Optional.of(EffectKind.class))).withDefault("effects", List.of(),
             "Force laws besides springs; only laws named here act. Without gravity, for example, nothing falls.");
-    public static final Key<List<Chosen<RuleKind>>> RULES = ListType.of("a rule", new KindType<>("rule", RuleKind.ALL))
-            .withDefault("rules", List.of(),
+    public static final Key<List<Chosen<RuleKind>>> RULES = ListType.of("a rule", new KindType<>("rule",
+            RuleCatalog.ALL)).withDefault("rules", List.of(),
             "Rules that act between steps, such as bounces; only rules named here act.");
     public static final Key<String> IMPACT = NameType.of("kind of impact", List.of("clamp", "exact"))
             .withDefault("impact", "clamp",

@@ -11,7 +11,7 @@ import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.VectorType;
 
-/** The rules for torn springs and for birth and death of particles; {@link RuleKind#ALL} lists them. */
+/** The rules for torn springs and for birth and death of particles; {@link RuleCatalog#ALL} lists them. */
 final class BirthAndDeath {
     private BirthAndDeath() {
     }

@@ -30,7 +30,7 @@ import particles.spec.TextType;
 import particles.spec.Values;
 import particles.spec.VectorType;
 
-/** A kind of rule that a scene can name, with its keys; {@link #ALL} lists them. */
+/** A kind of rule that a scene can name, with its keys; {@link RuleCatalog} lists them. */
 public class RuleKind extends Kind {
     private static final Key<String> LAW = NameType.of("friction law", List.of("slide", "coulomb"))
             .required("law",
@@ -163,7 +163,7 @@ public class RuleKind extends Kind {
 
     private static final Key<Double> HEIGHT = NumberType.any("m").withDefault("height", 0.0, "Its height (m).");
 
-    private static final RuleKind GROUND = new OfSolid("ground",
+    static final RuleKind GROUND = new OfSolid("ground",
             "Level ground: particles bounce off it, rest on it and slide along it.",
             values -> Plane.ground(values.get(HEIGHT)), HEIGHT, RESTITUTION, FRICTION, REST_SPEED);
 
@@ -172,12 +172,12 @@ public class RuleKind extends Kind {
     private static final Key<Vector3> NORMAL = VectorType.notZero("").required("normal",
             "A vector that points out of the solid, to the side of the particles; its length does not matter.");
 
-    private static final RuleKind PLANE = new OfSolid("plane",
+    static final RuleKind PLANE = new OfSolid("plane",
             "A ramp or a wall: particles bounce off it, rest on it and slide along it.",
             values -> new Plane(values.get(POINT), values.get(NORMAL)),
             POINT, NORMAL, RESTITUTION, FRICTION, REST_SPEED);
 
-    private static final RuleKind SPHERE = new OfSolid("sphere",
+    static final RuleKind SPHERE = new OfSolid("sphere",
             "A ball, or the inside of a hollow one: particles bounce off it, rest on it and slide along it.",
             SharedKeys::sphere, SharedKeys.CENTRE, SharedKeys.RADIUS, SharedKeys.HOLLOW, RESTITUTION, FRICTION,
             REST_SPEED);
@@ -185,7 +185,7 @@ public class RuleKind extends Kind {
     private static final Key<Double> IMPACT_FRICTION = NumberType.notNegative("").withDefault("friction", 0.0,
             "mu: an impact changes the velocity along the surfaces by at most mu times that across them.");
 
-    private static final RuleKind COLLISIONS = new RuleKind("collisions",
+    static final RuleKind COLLISIONS = new RuleKind("collisions",
             "Particles are hard balls that bounce off each other, and touch solids with their surface.",
             (values, assembly) -> {
                 double[] radii = new double[assembly.particles().count()];
@@ -199,7 +199,7 @@ public class RuleKind extends Kind {
     private static final Key<Vector3> AMPLITUDE = VectorType.notZero("m").required("amplitude",
             "The largest displacement to one side, as a vector (m).");
 
-    private static final RuleKind SHAKE = new Motion("shake",
+    static final RuleKind SHAKE = new Motion("shake",
             "Moves a particle to and fro: its displacement is amplitude sin(2 pi t / period).",
             (values, start) -> new SineMotion(start, values.get(AMPLITUDE), values.get(PERIOD)),
             (values, start) -> 2 * Math.PI * values.get(AMPLITUDE).length() / values.get(PERIOD),
@@ -210,7 +210,7 @@ public class RuleKind extends Kind {
             "The axis of rotation; the motion is counter-clockwise if the axis points at you. Its length"
             + " does not matter.");
 
-    private static final RuleKind CIRCLE = new Motion("circle", "Moves a particle round an axis, like a crank.",
+    static final RuleKind CIRCLE = new Motion("circle", "Moves a particle round an axis, like a crank.",
             (values, start) -> new CircleMotion(start, values.get(CENTRE), values.get(AXIS), values.get(PERIOD)),
             (values, start) -> 2 * Math.PI * start.minus(values.get(CENTRE)).length() / values.get(PERIOD),
             ANCHOR, CENTRE, AXIS, PERIOD);
@@ -219,13 +219,9 @@ public class RuleKind extends Kind {
     private static final Key<Double> DURATION = NumberType.positive("s").required("duration",
             "The duration of the motion (s).");
 
-    private static final RuleKind GLIDE = new Motion("glide",
+    static final RuleKind GLIDE = new Motion("glide",
             "Moves a particle straight to another place, starting and stopping smoothly.",
             (values, start) -> new GlideMotion(start, values.get(TO), values.get(DURATION)),
             (values, start) -> 1.875 * values.get(TO).minus(start).length() / values.get(DURATION),
             ANCHOR, TO, DURATION);
-
-    /** All rules. */
-    public static final List<RuleKind> ALL = List.of(GROUND, PLANE, SPHERE, COLLISIONS, BirthAndDeath.TEAR,
-            SHAKE, CIRCLE, GLIDE, BirthAndDeath.EMITTER, BirthAndDeath.KILL, BirthAndDeath.SAMPLES);
 }
