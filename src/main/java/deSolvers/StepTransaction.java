@@ -182,7 +182,13 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
      * @return the index of the first one that is NaN or infinite, or -1
      */
     public static int firstNonFinite(double[] values) {
-        for (int i = 0; i < values.length; i++) {
+        int i = 0;
+        // A sum is finite only if all its terms are. So eight are checked at once, in half the time.
+        while (i <= values.length - 8 && Double.isFinite(values[i] + values[i + 1] + (values[i + 2] + values[i + 3])
+                + (values[i + 4] + values[i + 5] + (values[i + 6] + values[i + 7])))) {
+            i += 8;
+        }
+        for (; i < values.length; i++) {
             if (!Double.isFinite(values[i])) {
                 return i;
             }

@@ -75,18 +75,27 @@ abstract class SymplecticSolver extends FixedStepSolver {
 
     /** v += h a. */
     final void kick(double[] s, double[] a, double h) {
-        for (int block = d; block < s.length; block += 2 * d) {
-            for (int v = block; v < block + d; v++) {
-                s[v] += h * a[v];
-            }
+        if (d == 3) {
+            add(s, 3, h, a, 3);                         // the compiler unrolls inner loops of constant length
+        } else {
+            add(s, d, h, a, d);
         }
     }
 
     /** x += h v. */
     final void drift(double[] s, double h) {
+        if (d == 3) {
+            add(s, 0, h, s, 3);
+        } else {
+            add(s, 0, h, s, d);
+        }
+    }
+
+    /** In each block, adds h times the last d entries of the rates to d entries of s, from the first one on. */
+    private static void add(double[] s, int first, double h, double[] rates, int d) {
         for (int block = 0; block < s.length; block += 2 * d) {
-            for (int x = block; x < block + d; x++) {
-                s[x] += h * s[x + d];
+            for (int c = 0; c < d; c++) {
+                s[block + first + c] += h * rates[block + d + c];
             }
         }
     }

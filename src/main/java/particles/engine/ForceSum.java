@@ -14,6 +14,8 @@ import particles.law.Reaction;
 /** Computes the total force of all effects and reactions, the derivative (v, F/m), and the forces' derivatives. */
 public final class ForceSum {
     private static final int STRIDE = Particles.STRIDE;
+    /** Particles whose state and derivative stay in the processor's nearest cache while all effects act on them. */
+    private static final int CHUNK = 256;
     private final Particles particles;
     private Optional<Parallel> parallel = Optional.empty();
     // arrays, since loops over lists allocate
@@ -109,14 +111,24 @@ public final class ForceSum {
 
     /** Computes (v, F) of the particles first ... end - 1, with the forces of the per-particle effects. */
     public void begin(double[] state, double time, double[] dSdt, int first, int end) {
-        for (int x = STRIDE * first; x < STRIDE * end; x += STRIDE) {
-            for (int c = x; c < x + 3; c++) {
-                dSdt[c] = state[c + 3];
-                dSdt[c + 3] = 0;
+        for (int from = first; from < end; from += CHUNK) {
+            int to = Math.min(end, from + CHUNK);
+            putVelocities(state, dSdt, from, to);
+            for (PerParticleEffect effect : perParticle) {
+                effect.addForces(state, time, dSdt, from, to);
             }
         }
-        for (PerParticleEffect effect : perParticle) {
-            effect.addForces(state, time, dSdt, first, end);
+    }
+
+    /** Computes (v, 0) of these particles. */
+    private static void putVelocities(double[] state, double[] dSdt, int from, int to) {
+        for (int x = STRIDE * from; x < STRIDE * to; x += STRIDE) {
+            dSdt[x] = state[x + 3];
+            dSdt[x + 1] = state[x + 4];
+            dSdt[x + 2] = state[x + 5];
+            dSdt[x + 3] = 0;
+            dSdt[x + 4] = 0;
+            dSdt[x + 5] = 0;
         }
     }
 

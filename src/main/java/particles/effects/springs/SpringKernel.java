@@ -1,5 +1,7 @@
 package particles.effects.springs;
 
+import particles.law.Vector3;
+
 /**
  * The inner loops of the spring force, for springs sorted by their first particle. The law is explained in {@link
  * SpringForce}; a cloth simulation spends most of its time here.
@@ -36,6 +38,9 @@ final class SpringKernel {
     private static void addSingly(SpringTable table, double[] state, double[] force, int first, int end) {
         int[] from = table.from;
         int[] to = table.to;
+        double[] stiffness = table.stiffness;
+        double[] restLength = table.restLength;
+        double[] damping = table.damping;
         int i = from[first];
         double x = state[i];
         double y = state[i + 1];
@@ -64,7 +69,8 @@ final class SpringKernel {
             double rx = xj - x;
             double ry = yj - y;
             double rz = zj - z;
-            double perLength = perLength(table, s, state, rx, ry, rz);
+            double perLength = perLength(stiffness[s], restLength[s], damping[s], rx, ry, rz,
+                    state[j + 3] - state[i + 3], state[j + 4] - state[i + 4], state[j + 5] - state[i + 5]);
             force[i + 3] = Math.fma(perLength, rx, fx);
             force[i + 4] = Math.fma(perLength, ry, fy);
             force[i + 5] = Math.fma(perLength, rz, fz);
@@ -89,6 +95,9 @@ final class SpringKernel {
     private static void addGrouped(SpringTable table, double[] state, double[] force, int first, int end) {
         int[] from = table.from;
         int[] to = table.to;
+        double[] stiffness = table.stiffness;
+        double[] restLength = table.restLength;
+        double[] damping = table.damping;
         int i = from[first];
         double x = state[i];
         double y = state[i + 1];
@@ -114,7 +123,8 @@ final class SpringKernel {
             double rx = state[j] - x;
             double ry = state[j + 1] - y;
             double rz = state[j + 2] - z;
-            double perLength = perLength(table, s, state, rx, ry, rz);
+            double perLength = perLength(stiffness[s], restLength[s], damping[s], rx, ry, rz,
+                    state[j + 3] - state[i + 3], state[j + 4] - state[i + 4], state[j + 5] - state[i + 5]);
             sumX = Math.fma(perLength, rx, sumX);
             sumY = Math.fma(perLength, ry, sumY);
             sumZ = Math.fma(perLength, rz, sumZ);
@@ -135,21 +145,23 @@ final class SpringKernel {
         return Long.compareUnsigned(Double.doubleToRawLongBits(square) - SMALLEST, ORDINARY) < 0;
     }
 
-    /** The force on the first particle of a spring, divided by |r|; 0 where r is 0 or too short to divide by. */
-    private static double perLength(SpringTable table, int s, double[] state, double rx, double ry, double rz) {
+    /** The law: the force on the first particle, divided by |r|; (ux, uy, uz) is r'. */
+    private static double perLength(double stiffness, double restLength, double damping, double rx, double ry,
+            double rz, double ux, double uy, double uz) {
         double square = Math.fma(rx, rx, Math.fma(ry, ry, rz * rz));
         if (!isOrdinary(square)) {
-            double length = table.length(state, s);
-            return length < NO_LENGTH ? 0 : (table.stiffness[s] * (length - table.restLength[s])
-                    + table.damping[s] * table.lengthRate(state, s)) / length;
+            return extreme(stiffness, restLength, damping, new Vector3(rx, ry, rz), new Vector3(ux, uy, uz));
         }
-        int v = table.from[s] + 3;
-        int w = table.to[s] + 3;
         double length = Math.sqrt(square);
-        double stretching = Math.fma(rx, state[w] - state[v],
-                Math.fma(ry, state[w + 1] - state[v + 1], rz * (state[w + 2] - state[v + 2])));
         double inverse = 1 / length;
-        return Math.fma(table.damping[s] * stretching, inverse,
-                table.stiffness[s] * (length - table.restLength[s])) * inverse;
+        double stretching = Math.fma(rx, ux, Math.fma(ry, uy, rz * uz));
+        return Math.fma(damping * stretching, inverse, stiffness * (length - restLength)) * inverse;
+    }
+
+    /** The same where |r|&sup2; overflows or loses digits; 0 where r is 0 or too short to divide by. */
+    private static double extreme(double stiffness, double restLength, double damping, Vector3 r, Vector3 u) {
+        double length = r.length();
+        return length < NO_LENGTH ? 0
+                : (stiffness * (length - restLength) + damping * r.over(length).dot(u)) / length;
     }
 }
