@@ -35,7 +35,9 @@ public final class AutogradingCommand extends ResultsCommand {
                     run: |
                       STUDENT=${REPOSITORY#"$ASSIGNMENT"-}
                       if [ "$STUDENT" = "$REPOSITORY" ]; then echo "$REPOSITORY: not $ASSIGNMENT-login"; exit 1; fi
-                      gradle grade "-Pstudent=$STUDENT" || true
+                      rm -rf build/out
+                      # fails for a wrong answer, too, but then there are marks
+                      gradle grade "-Pstudent=$STUDENT" || test -s build/out/grade/grade.json
                       echo "result=$(base64 -w0 build/out/grade/grade.json)" >> "$GITHUB_OUTPUT"
                   - uses: classroom-resources/autograding-grading-reporter@v1
                     env:

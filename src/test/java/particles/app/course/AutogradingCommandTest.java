@@ -70,13 +70,17 @@ class AutogradingCommandTest {
     }
 
     private String bash(String script, Map<String, String> environment) throws Exception {
+        return bash(0, script, environment);
+    }
+
+    private String bash(int exitCode, String script, Map<String, String> environment) throws Exception {
         Path lines = folder.resolve("lines");
         ProcessBuilder bash = new ProcessBuilder("bash", "-e", "-c", script).directory(folder.toFile())
                 .redirectErrorStream(true).redirectOutput(lines.toFile());
         bash.environment().putAll(environment);
         Process process = bash.start();
         assertTrue(process.waitFor(10, TimeUnit.MINUTES));
-        assertEquals(0, process.exitValue(), Files.readString(lines));
+        assertEquals(exitCode, process.exitValue(), Files.readString(lines));
         return Files.readString(lines);
     }
 
@@ -101,18 +105,35 @@ class AutogradingCommandTest {
         assertFalse(comment.find(), said);
     }
 
+    private Map<?, ?> step(int number) throws Exception {
+        Map<?, ?> workflow = (Map<?, ?>) JsonText.read(Files.readString(folder.resolve("made/classroom.yml")));
+        Map<?, ?> job = (Map<?, ?>) ((Map<?, ?>) workflow.get("jobs")).get("run-autograding-tests");
+        return (Map<?, ?>) ((List<?>) job.get("steps")).get(number);
+    }
+
+    private Map<String, String> runner() {
+        return Map.of("REPOSITORY", "homework-ann", "ASSIGNMENT", "homework", "GITHUB_OUTPUT",
+                folder.resolve("output").toString(), "PATH", folder + ":" + System.getenv("PATH"));
+    }
+
+    /** A build that does not even begin leaves no marks; those that a hand-in brings along do not count. */
+    @Test
+    void theWorkflowFailsWhereGradleWritesNoMarks() throws Exception {
+        write("gradle", "#!/bin/bash\nexit 1\n");
+        write("build/out/grade/grade.json", "{}");
+        bash(1, (String) step(2).get("run"), runner());
+        assertFalse(Files.exists(folder.resolve("output")));
+    }
+
     /** As the autograding reporter reads it: JSON in base64, with status, max_score and the tests' scores. */
     @Test
     void theReporterOfGitHubClassroomReadsTheScores() throws Exception {
-        Map<?, ?> workflow = (Map<?, ?>) JsonText.read(Files.readString(folder.resolve("made/classroom.yml")));
-        Map<?, ?> job = (Map<?, ?>) ((Map<?, ?>) workflow.get("jobs")).get("run-autograding-tests");
-        Map<?, ?> step = (Map<?, ?>) ((List<?>) job.get("steps")).get(2);
-        Map<?, ?> reporter = (Map<?, ?>) ((List<?>) job.get("steps")).get(3);
+        Map<?, ?> step = step(2);
+        Map<?, ?> reporter = step(3);
         assertEquals(Map.of("GRADE_RESULTS", "${{ steps.grade.outputs.result }}"), reporter.get("env"));
         assertEquals(Map.of("runners", step.get("id")), reporter.get("with"));
         assertEquals(List.of("REPOSITORY"), List.copyOf(((Map<?, ?>) step.get("env")).keySet()));
-        bash((String) step.get("run"), Map.of("REPOSITORY", "homework-ann", "ASSIGNMENT", "homework",
-                "GITHUB_OUTPUT", folder.resolve("output").toString(), "PATH", folder + ":" + System.getenv("PATH")));
+        bash((String) step.get("run"), runner());
         String output = Files.readString(folder.resolve("output"));
         assertTrue(output.startsWith("result=") && output.strip().lines().count() == 1, output);
         Map<?, ?> result = (Map<?, ?>) JsonText.read(new String(Base64.getDecoder().decode(output.strip().substring(7)),
