@@ -99,8 +99,12 @@ public final class SceneBuilder {
         if (!assembly.getSurfaces().isEmpty() || scene.hasHardBalls()) {       // the ground and others to collide with
             contacts = Optional.of(new RestingContacts(system, assembly.getSurfaces()));
             system.addReaction(contacts.get());
-            simulation.addRule(scene.exactImpacts() ? new ExactImpacts(contacts.get())
-                    : new ClampedImpacts(contacts.get()));
+            // no conditional expression: compiled by JDK 25, it has both classes loaded in every scene
+            if (scene.exactImpacts()) {
+                simulation.addRule(new ExactImpacts(contacts.get()));
+            } else {
+                simulation.addRule(new ClampedImpacts(contacts.get()));
+            }
         }
         scene.constraints().build(simulation, index, assembly, contacts);
         if (scene.hasHardBalls()) {
