@@ -56,12 +56,16 @@ public final class Main {
 
     /** @param args a command and its options */
     public static void main(String[] args) {
+        StopRequest stop = new StopRequest();
+        stop.listen(System.err);
         System.setProperty("java.awt.headless", "true");
         new StudentLoader(exercises()).install();
-        StopRequest stop = new StopRequest();
-        stop.listen();
-        Program program = new Program(commands(stop), OptionStyle.current(),
-                new PrintWriter(new StandardOutput(), true), new PrintWriter(System.err, true));
+        List<ProgramCommand> commands = commands(stop);
+        stop.setLine(() -> commands.stream().filter(command -> args.length > 0
+                && command.name().equals(args[0])).findFirst().map(ProgramCommand::whenStopped).orElse("stopped"));
+        Program program = new Program(commands, OptionStyle.current(),
+                new PrintWriter(stop.untilCutOff(new StandardOutput()), true),
+                new PrintWriter(stop.untilCutOff(System.err), true));
         ExitCode code = program.execute(args);
         try {
             ResultsIndex.update(ResultsCommand.RESULTS);

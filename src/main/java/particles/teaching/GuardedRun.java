@@ -2,6 +2,7 @@ package particles.teaching;
 
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
+import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.Optional;
 import java.util.Set;
@@ -146,10 +147,14 @@ public final class GuardedRun {
     }
 
     /**
-     * @return the line that the student's class executes now, if it is running; for a shutdown hook
+     * @return the line of the student's class that ends the whole program, if one does; for a shutdown hook, which also
+     *         runs when a signal ends the program
      */
-    public Optional<String> runningAt() {
-        return Optional.ofNullable(running.get()).map(thread -> StudentFailure.place(thread.getStackTrace()));
+    public Optional<String> endedAt() {
+        return running.get() == null ? Optional.empty()         // null when the class is not running
+                : Thread.getAllStackTraces().values().stream().filter(calls -> Arrays.stream(calls).anyMatch(call ->
+                call.getClassName().equals(Runtime.class.getName()) && call.getMethodName().equals("exit")))
+                .findFirst().map(StudentFailure::place);
     }
 
     /** Ends a student's loop that does not end by itself; an error, as no class that swallows exceptions may go on. */

@@ -10,7 +10,7 @@ import particles.app.cli.Screen;
 import particles.app.run.RunCommand;
 import particles.app.run.StopRequest;
 import particles.app.student.StudentClasses;
-import particles.app.student.StudentProcess;
+import particles.output.files.TemporaryFolder;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
@@ -36,7 +36,7 @@ final class SceneSums {
         List<String> more = List.of(args).subList(2, args.length);
         for (Path file : SceneFiles.list(scenes)) {
             System.out.println(file.getFileName() + " " + sum(scenes, file, out, more));
-            StudentProcess.delete(out);
+            TemporaryFolder.delete(out);
         }
     }
 

@@ -75,6 +75,11 @@ public abstract class ProgramCommand {
      */
     public abstract void run(PrintWriter out) throws Exception;
 
+    /** @return the line that is printed when the command is cut off by Ctrl-C or another signal */
+    public String whenStopped() {
+        return name() + " was stopped";
+    }
+
     /** Collects what is wrong with the options of a command, so that all of it is reported together. */
     public static final class Mistakes {
         private final Set<String> lines = new LinkedHashSet<>();    // values that need the same scene report it once

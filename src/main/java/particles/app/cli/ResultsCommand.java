@@ -1,9 +1,14 @@
 package particles.app.cli;
 
 import deSolvers.text.DidYouMean;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.List;
+import java.util.stream.Stream;
 import particles.experiments.runs.SolverChoice;
 import picocli.CommandLine.Option;
 
@@ -16,6 +21,7 @@ public abstract class ResultsCommand extends ProgramCommand {
             description = "Where the results go (default: a folder of its own in build/out).")
     private String out;
 
+    private final Instant begin = Instant.now();
     private Path folder;
 
     /** @return the name of its folder in build/out */
@@ -42,6 +48,21 @@ public abstract class ResultsCommand extends ProgramCommand {
     /** @return the folder of its results */
     protected final Path getFolder() {
         return folder;
+    }
+
+    /** Files are written whole or not at all: those that are newer than the command are complete results. */
+    @Override
+    public String whenStopped() {
+        boolean complete = false;
+        if (folder != null && Files.exists(folder)) {   // null while the options are read
+            try (Stream<Path> files = Files.walk(folder)) {
+                complete = files.anyMatch(file -> Files.isRegularFile(file) && !file.getFileName().toString()
+                        .startsWith(".") && file.toFile().lastModified() >= begin.toEpochMilli());
+            } catch (IOException | UncheckedIOException e) {
+                return super.whenStopped();
+            }
+        }
+        return super.whenStopped() + (complete ? "; what was complete is in " + folder : " before it had a result");
     }
 
     /** @return the solvers that the option names */

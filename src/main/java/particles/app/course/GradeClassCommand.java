@@ -12,16 +12,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
-import particles.app.cli.ExitCode;
-import particles.app.cli.ExitCode.Failure;
 import particles.app.cli.PrintedProgress;
 import particles.app.cli.ResultsCommand;
-import particles.app.student.StudentProcess;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
+import particles.output.files.TemporaryFolder;
 import particles.output.frames.Pipeline;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -32,7 +29,6 @@ import picocli.CommandLine.Option;
 public final class GradeClassCommand extends ResultsCommand {
     static final String NAME = "gradeClass";
     private static final String BEST = "best";
-    private static final String STOPPED = "stopped; the same command goes on with those who are not marked yet";
 
     @Option(names = "--folder", paramLabel = "FOLDER",
             description = "A folder or zip for each student, as Moodle and GitHub Classroom download them.")
@@ -55,7 +51,6 @@ public final class GradeClassCommand extends ResultsCommand {
 
     private final List<String> problems = new ArrayList<>();
     private final Map<Path, String> digests = new TreeMap<>();
-    private final AtomicBoolean stopped = new AtomicBoolean();
 
     @Override
     public void run(PrintWriter out) throws Exception {
@@ -69,8 +64,9 @@ public final class GradeClassCommand extends ResultsCommand {
         if (assignment.sheets() && course.key().isEmpty() && collect == null) {
             throw wrong("key", "is needed: by the assignment, the numbers are those of the handouts");
         }
-        Path copies = Files.createTempDirectory("desolver-class");
-        try (OutputFolder files = OutputFolder.open(getFolder(), ClassTables.FILES.toArray(new String[0]))) {
+        try (TemporaryFolder temporary = new TemporaryFolder("desolver-class");
+                OutputFolder files = OutputFolder.open(getFolder(), ClassTables.FILES.toArray(new String[0]))) {
+            Path copies = temporary.getPath();
             Map<String, List<String>> words = students == null ? Map.of() : CourseOptions.read(students);
             List<Result> results = new ArrayList<>();
             if (collect == null) {
@@ -91,9 +87,12 @@ public final class GradeClassCommand extends ResultsCommand {
                     problems);
             problems.forEach(out::println);
             out.println(said);
-        } finally {
-            StudentProcess.delete(copies);
         }
+    }
+
+    @Override
+    public String whenStopped() {
+        return name() + " was stopped; the same command goes on with those who are not marked yet";
     }
 
     private List<Path> inside(Path given, String option) {
@@ -148,14 +147,10 @@ public final class GradeClassCommand extends ResultsCommand {
                         copies.resolve("" + begun.size())));
             }
         }
-        Runtime.getRuntime().addShutdownHook(new Thread(() -> stopped.set(true)));      // Ctrl-C
         PrintedProgress progress = new PrintedProgress(out, System::nanoTime);
         Map<Path, Result> results = new LinkedHashMap<>();
         try (Pipeline<Path> cores = new Pipeline<>(Runtime.getRuntime().availableProcessors(), this::getFolder)) {
             begun.forEach((where, marking) -> cores.add(folder -> {
-                if (stopped.get()) {
-                    throw new Failure(ExitCode.STOPPED, STOPPED);
-                }
                 Result result = marking.get();
                 write(where, result);                   // at once, so that it counts after a stop
                 return () -> {

@@ -2,7 +2,6 @@ package particles.app.course;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
@@ -11,7 +10,7 @@ import particles.app.cli.ResultsCommand;
 import particles.app.course.Result.Item;
 import particles.app.course.Result.Status;
 import particles.app.student.StudentLoader;
-import particles.app.student.StudentProcess;
+import particles.output.files.TemporaryFolder;
 import particles.spec.messages.InvalidInputException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -83,15 +82,12 @@ public final class GradeCommand extends ResultsCommand {
     }
 
     private Result handedIn(Assignment assignment) throws Exception {
-        Path copy = Files.createTempDirectory("desolver-grade");
-        try {
+        try (TemporaryFolder copy = new TemporaryFolder("desolver-grade")) {
             Submission read = Submission.read(handIn);
             String id = student == null ? read.id() : student;      // null: not given
-            return Marking.begin(id, read, assignment, course.numbers(assignment, id), getFolder(), copy).get();
+            return Marking.begin(id, read, assignment, course.numbers(assignment, id), getFolder(), copy.getPath()).get();
         } catch (IOException e) {
             throw wrong("handin", "'" + handIn + "' cannot be read: " + e.getMessage());
-        } finally {
-            StudentProcess.delete(copy);
         }
     }
 }

@@ -2,6 +2,7 @@ package particles.app.run;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -95,7 +96,7 @@ public final class GalleryCommand extends ProgramCommand {
                 });
             }
         }
-        Files.writeString(folder.resolve(FILE), page);
+        OutputFile.write(folder.resolve(FILE), page.getBytes(StandardCharsets.UTF_8));
         out.println("the gallery: " + folder.resolve(FILE));
     }
 

@@ -3,6 +3,7 @@ package particles.app.run;
 import deSolvers.catalog.SolverCatalog;
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -15,9 +16,10 @@ import particles.app.cli.ProgramCommand;
 import particles.app.cli.ResultsCommand;
 import particles.app.student.PageClasses;
 import particles.app.student.StudentClasses;
-import particles.app.student.StudentProcess;
 import particles.lab.LabBuilder;
 import particles.output.animation.Shrinker;
+import particles.output.files.OutputFile;
+import particles.output.files.TemporaryFolder;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
@@ -70,14 +72,11 @@ public final class LabCommand extends ProgramCommand {
         solvers.removeAll(SolverCatalog.names());
         solvers.forEach(name -> made("solver", () -> SolverCatalog.create(name)));
         LabBuilder builder = builder();
-        Path own = Files.createTempDirectory("lab");
-        try {
+        try (TemporaryFolder own = new TemporaryFolder("lab")) {
             String page = builder.build(new LabBuilder.Contents(scenes, pictures(scenes), first, solver, solvers,
-                    PageClasses.compile(solvers, effects, exercises, own)), own);
+                    PageClasses.compile(solvers, effects, exercises, own.getPath())), own.getPath());
             Files.createDirectories(PAGE.getParent());
-            Files.writeString(PAGE, page);
-        } finally {
-            StudentProcess.delete(own);
+            OutputFile.write(PAGE, page.getBytes(StandardCharsets.UTF_8));
         }
         out.println(PAGE + ": " + Math.round(Files.size(PAGE) / 1e4) / 100.0 + " MB; open it in a browser");
     }

@@ -162,7 +162,6 @@ public final class RunCommand extends ResultsCommand {
         Scene scene = SceneBuilder.build(description);
         List<String> files = RunObservers.files(description.output(), charts.format(), replay);
         try (OutputFolder folder = OutputFolder.open(getFolder(), files.toArray(String[]::new))) {
-            stop.setLastResort(folder::close);
             Progress progress = new Progress(out, description, System::nanoTime);
             RunObservers observers = new RunObservers(scene, folder, replay);
             Optional<String> early;
@@ -188,6 +187,7 @@ public final class RunCommand extends ResultsCommand {
 
     /** @return the reason why the run ended early, if it did */
     private Optional<String> simulate(Scene scene, OutputFolder folder, RunObservers observers) {
+        stop.letEnd(folder);
         ParallelForces.use(scene.system().getForceSum(),
                 description.values().find(SceneFormat.THREADS).orElseGet(Runtime.getRuntime()::availableProcessors));
         try {

@@ -1,27 +1,62 @@
 package particles.app.run;
 
+import java.io.FilterOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintWriter;
+import java.util.List;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.IntConsumer;
+import java.util.function.Supplier;
 import particles.Motion;
 import particles.Observer;
 import particles.app.cli.ExitCode;
+import particles.output.files.OutputFolder;
+import particles.output.files.StopHook;
 
 /**
- * A request to stop the program early, by Ctrl-C or a signal. The run completes its files and ends; if it takes too
- * long, incomplete files are deleted, so only whole files are left.
+ * The end of the program by Ctrl-C or another signal: a line says so, processes that it started end with it, and
+ * whatever was open tidies up by a {@link StopHook} of its own. Only a run that has begun is not cut off: it ends after
+ * its step, completes its files and prints its summary, unless that takes too long.
  */
 public final class StopRequest implements Observer {
     private static final long PATIENCE_SECONDS = 10;
+    /** The time in which processes may tidy up (ms). */
+    private static final long CHILDREN_MILLIS = 500;
 
     private final CountDownLatch ended = new CountDownLatch(1);
-    private volatile Runnable lastResort = () -> { };
     private volatile boolean wanted;
+    private volatile boolean endsByItself;
+    private volatile Supplier<String> line = () -> "stopped";
 
-    /** Installs the signal handler, once a process. */
-    public void listen() {
-        Runtime.getRuntime().addShutdownHook(new Thread(this::stopAndWait, "stop"));
+    /**
+     * Begins to listen to signals, once a process.
+     *
+     * @param err receives the line that says so
+     */
+    public void listen(OutputStream err) {
+        Runtime.getRuntime().addShutdownHook(new Thread(() -> stop(new PrintWriter(err, true)), "stop"));
+    }
+
+    /** @param line says what was stopped */
+    public void setLine(Supplier<String> line) {
+        this.line = line;
+    }
+
+    private void stop(PrintWriter err) {
+        request();
+        awaitEnd();
+        if (ended.getCount() > 0) {
+            err.println(line.get());
+            List<ProcessHandle> children = ProcessHandle.current().descendants().toList();
+            children.forEach(ProcessHandle::destroy);
+            CompletableFuture.allOf(children.stream().map(ProcessHandle::onExit).toArray(CompletableFuture<?>[]::new))
+                    .completeOnTimeout(null, CHILDREN_MILLIS, TimeUnit.MILLISECONDS).join();
+            children.forEach(ProcessHandle::destroyForcibly);
+        }
     }
 
     /** @return whether the stop was requested */
@@ -42,9 +77,25 @@ public final class StopRequest implements Observer {
         }
     }
 
-    /** @param action called by another thread if the program has not ended in time */
-    void setLastResort(Runnable action) {
-        lastResort = action;
+    /**
+     * From now on, a stop lets the command end by itself.
+     *
+     * @param folder its results
+     */
+    void letEnd(OutputFolder folder) {
+        endsByItself = true;
+        folder.setWhenStopped(this::awaitEnd);
+    }
+
+    /** Waits for the end of a command that ends by itself. */
+    private void awaitEnd() {
+        try {
+            if (endsByItself && !ended.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+                endsByItself = false;
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     /**
@@ -62,15 +113,15 @@ public final class StopRequest implements Observer {
         }
     }
 
-    private void stopAndWait() {
-        request();
-        try {
-            if (ended.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
-                return;
+    /** @return the stream, until the command is cut off: what it says then is of a program that falls apart */
+    public OutputStream untilCutOff(OutputStream stream) {
+        return new FilterOutputStream(stream) {
+            @Override
+            public void write(byte[] bytes, int offset, int length) throws IOException {
+                if (endsByItself || !StopHook.isStopping()) {
+                    out.write(bytes, offset, length);
+                }
             }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
-        lastResort.run();
+        };
     }
 }

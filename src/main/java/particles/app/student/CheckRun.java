@@ -13,6 +13,7 @@ import particles.app.cli.ExitCode;
 import particles.app.student.Check.Checked;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
+import particles.output.files.StopHook;
 import particles.output.report.ResultPage;
 import particles.output.report.TableText;
 import particles.teaching.Finding;
@@ -38,9 +39,8 @@ record CheckRun(Check check, Path folder, BiConsumer<ExitCode, List<String>> scr
     /** @return the verdict */
     ExitCode run() {
         GuardedRun guard = new GuardedRun(SECONDS);
-        Thread hook = new Thread(() -> guard.runningAt().ifPresent(place -> giveUp(new Finding(Kind.FAILURE,
+        StopHook hook = new StopHook(() -> guard.endedAt().ifPresent(place -> giveUp(new Finding(Kind.FAILURE,
                 "the class ends the whole program (System.exit)" + place), "")));
-        Runtime.getRuntime().addShutdownHook(hook);
         PrintStream before = System.out;
         Printed printed = new Printed();
         System.setOut(new PrintStream(printed, true, StandardCharsets.UTF_8));
@@ -49,6 +49,7 @@ record CheckRun(Check check, Path folder, BiConsumer<ExitCode, List<String>> scr
             outcome = guard.run(check::make);
         } finally {
             System.setOut(before);
+            hook.close();
         }
         outcome.failure().ifPresent(failure -> giveUp(failure, printed.text()));
         return show(outcome.value().orElseThrow(), printed.text());

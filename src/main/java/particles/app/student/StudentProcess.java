@@ -1,6 +1,5 @@
 package particles.app.student;
 
-import java.io.File;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
@@ -13,16 +12,15 @@ import java.security.MessageDigest;
 import java.security.SecureRandom;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Stream;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
+import particles.output.files.TemporaryFolder;
 import particles.spec.Digest;
 
 /** Runs code that calls a student's class in a child process, so that the class cannot stop the program. */
@@ -99,17 +97,14 @@ public final class StudentProcess {
         input.addAll(check.words());
         sources.forEach((name, text) -> input.addAll(List.of(name, text.replace(END, NO_JAVA))));
         try {
-            Path own = Files.createTempDirectory("desolver-check");
-            try {
-                Path verdict = own.resolve("verdict");
+            try (TemporaryFolder own = new TemporaryFolder("desolver-check")) {
+                Path verdict = own.getPath().resolve("verdict");
                 Optional<Outcome> stopped = await(builder(verdict).redirectErrorStream(true)
                         .redirectOutput(Redirect.DISCARD), String.join(END, input));
                 boolean isThere = Files.isRegularFile(verdict, LinkOption.NOFOLLOW_LINKS)
                         && Files.size(verdict) <= LONGEST;
                 byte[] signed = isThere ? Files.readAllBytes(verdict) : new byte[0];
                 return stopped.orElseGet(() -> secret.read(signed));
-            } finally {
-                delete(own);
             }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
@@ -143,15 +138,6 @@ public final class StudentProcess {
             throw new UncheckedIOException(e);
         } finally {
             Runtime.getRuntime().halt(code.code());
-        }
-    }
-
-    /** Deletes a folder and all that classes put into it; what cannot be deleted stays. */
-    public static void delete(Path folder) {
-        try (Stream<Path> made = Files.walk(folder)) {
-            made.sorted(Comparator.reverseOrder()).map(Path::toFile).forEach(File::delete);
-        } catch (IOException | UncheckedIOException e) {
-            return;                                     // a class made a folder that cannot be listed
         }
     }
 

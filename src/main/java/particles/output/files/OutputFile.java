@@ -8,7 +8,6 @@ import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.function.Consumer;
 
@@ -20,32 +19,21 @@ import java.util.function.Consumer;
 public final class OutputFile extends OutputStream {
     private static final int BUFFER = 1 << 16;
 
-    /** Opens a file; tests replace it by a full disk. */
-    @FunctionalInterface
-    public interface Opener {
-        /** Opens a new file for writing. */
-        OutputStream open(Path file) throws IOException;
-    }
-
-    /** Removes an existing file of that name instead of writing to it, which could follow a link. */
-    public static final Opener ON_DISK = file -> {
-        Files.deleteIfExists(file);
-        return Files.newOutputStream(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
-    };
-
     private final Path file;
     private final Path part;
+    private final Disk disk;
     private final Consumer<OutputFile> whenDone;
     private final OutputStream stream;
     private boolean open = true;
 
     /** Opens the file under its temporary name; {@code whenDone} is told when it is closed or cannot be opened. */
-    OutputFile(Path file, Opener opener, Consumer<OutputFile> whenDone) {
+    OutputFile(Path file, Disk disk, Consumer<OutputFile> whenDone) {
         this.file = file;
+        this.disk = disk;
         this.part = partOf(file);
         this.whenDone = whenDone;
         try {
-            stream = new BufferedOutputStream(opener.open(part), BUFFER);
+            stream = new BufferedOutputStream(disk.create(part), BUFFER);
         } catch (IOException e) {
             whenDone.accept(this);
             throw new OutputException(file, "write", e);
@@ -54,11 +42,18 @@ public final class OutputFile extends OutputStream {
 
     /** Writes a whole file on the disk. */
     public static void write(Path file, byte[] bytes) {
-        write(file, ON_DISK, bytes);
+        write(file, Disk.REAL, bytes);
     }
 
-    static void write(Path file, Opener opener, byte[] bytes) {
-        new OutputFile(file, opener, done -> { }).writeWhole(bytes);
+    static void write(Path file, Disk disk, byte[] bytes) {
+        try (OutputFile whole = new OutputFile(file, disk, done -> { })) {
+            StopHook hook = new StopHook(whole::close);
+            try {
+                whole.writeWhole(bytes);
+            } finally {
+                hook.close();
+            }
+        }
     }
 
     /** Writes all bytes of the file, and completes it. */
@@ -123,7 +118,7 @@ public final class OutputFile extends OutputStream {
             if (Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS)) {
                 throw new IOException("a folder is where the file should be");
             }
-            Files.move(part, file, StandardCopyOption.ATOMIC_MOVE);
+            disk.rename(part, file);
         });
         open = false;
         whenDone.accept(this);

@@ -3,7 +3,6 @@ package particles.output.files;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
-import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
@@ -13,7 +12,9 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CancellationException;
 
 /**
  * The folder of a run's results. A small hidden file lists the names of its files, so that a new run removes only files
@@ -25,17 +26,29 @@ public final class OutputFolder implements AutoCloseable {
     public static final String FRAMES = "frames";
 
     private final Path path;
-    private final OutputFile.Opener opener;
+    private final Disk disk;
     private final OutputManifest made;
-    private final FolderLock lock;
+    private final StopHook hook = new StopHook(this::stop);
     private final Set<OutputFile> unfinished = new LinkedHashSet<>();
+    private Optional<FolderLock> lock = Optional.empty();
     private boolean closed;
+    private volatile Runnable whenStopped = () -> { };
 
-    private OutputFolder(Path path, OutputFile.Opener opener) {
+    private OutputFolder(Path path, Disk disk) {
         this.path = path;
-        this.lock = FolderLock.of(path);
-        this.opener = opener;
-        this.made = new OutputManifest(path, opener);
+        this.disk = disk;
+        this.made = new OutputManifest(path, disk);
+        synchronized (this) {
+            if (closed) {                               // by the hook
+                throw new CancellationException("the program is being stopped");
+            }
+            try {
+                lock = Optional.of(FolderLock.of(path, disk));
+            } catch (OutputException e) {
+                hook.close();
+                throw e;
+            }
+        }
     }
 
     /**
@@ -49,13 +62,13 @@ public final class OutputFolder implements AutoCloseable {
      *                         these names that no run made
      */
     public static OutputFolder open(Path path, String... names) {
-        return open(path, OutputFile.ON_DISK, names);
+        return open(path, Disk.REAL, names);
     }
 
-    /** As {@link #open(Path, String...)}, with another way to open files. */
-    public static OutputFolder open(Path path, OutputFile.Opener opener, String... names) {
+    /** As {@link #open(Path, String...)}, on another disk. */
+    public static OutputFolder open(Path path, Disk disk, String... names) {
         createFolder(path);
-        OutputFolder folder = new OutputFolder(path, opener);
+        OutputFolder folder = new OutputFolder(path, disk);
         try {
             folder.made.removeOldRun();
             for (String name : names) {
@@ -137,16 +150,31 @@ public final class OutputFolder implements AutoCloseable {
     }
 
     /**
-     * Deletes unfinished files and opens no more; complete files stay. A stopping program may call it from another
-     * thread.
+     * @param wait is run when the program is stopped, before the folder is closed: it may wait until the files are
+     *             complete
      */
+    public void setWhenStopped(Runnable wait) {
+        whenStopped = wait;
+    }
+
+    private void stop() {
+        whenStopped.run();
+        close();
+    }
+
+    /** Deletes unfinished files and opens no more; complete files stay. When the program is stopped, it closes itself. */
     @Override
     public void close() {
         try {
             discard();
         } finally {
-            lock.close();
+            unlock();
+            hook.close();
         }
+    }
+
+    private synchronized void unlock() {
+        lock.ifPresent(FolderLock::close);
     }
 
     /** As {@link #close}, but keeps the folder locked. */
@@ -173,7 +201,7 @@ public final class OutputFolder implements AutoCloseable {
         if (closed) {
             throw new OutputException(file, "write", "the run is being stopped", null);
         }
-        OutputFile begun = new OutputFile(file, opener, this::done);
+        OutputFile begun = new OutputFile(file, disk, this::done);
         unfinished.add(begun);
         return begun;
     }
@@ -195,13 +223,13 @@ public final class OutputFolder implements AutoCloseable {
          * @return its lock
          * @throws OutputException if another run holds it, or the folder cannot be written
          */
-        static FolderLock of(Path folder) {
+        static FolderLock of(Path folder, Disk disk) {
             Path file = folder.resolve(NAME);
             try {
                 FileChannel channel = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.READ,
                         StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
                 try {
-                    if (!isFree(channel)) {
+                    if (!disk.lock(channel)) {
                         String owner = Files.readString(file, StandardCharsets.US_ASCII);
                         throw new OutputException(folder, "write into", "another run"
                                 + (owner.matches("\\d{1,19}") ? ", process " + owner + "," : "")
@@ -217,14 +245,6 @@ public final class OutputFolder implements AutoCloseable {
                 }
             } catch (IOException e) {
                 throw new OutputException(file, "write", e);
-            }
-        }
-
-        private static boolean isFree(FileChannel channel) throws IOException {
-            try {
-                return channel.tryLock() != null;
-            } catch (OverlappingFileLockException e) {
-                return false;                               // this process holds it, for another run
             }
         }
 

@@ -26,8 +26,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import particles.output.files.Disk;
 import particles.output.files.OutputException;
-import particles.output.files.OutputFile;
 import particles.output.files.OutputFolder;
 
 /** A film read back has the frames that were written. */
@@ -153,12 +153,12 @@ class FilmTest {
             assertTrue(Files.exists(top.resolve(Film.FILE)));
         }
         Files.delete(top.resolve(Film.FILE));
-        OutputFile.Opener full = file -> file.getFileName().toString().contains("film") ? new OutputStream() {
+        Disk full = file -> file.getFileName().toString().contains("film") ? new OutputStream() {
             @Override
             public void write(int b) throws IOException {
                 throw new IOException("No space left on device");
             }
-        } : OutputFile.ON_DISK.open(file);
+        } : Disk.REAL.create(file);
         OutputException e = assertThrows(OutputException.class, () -> {
             try (OutputFolder folder = OutputFolder.open(top, full, Film.FILE);
                     Film film = new Film(folder, W, H, 25)) {

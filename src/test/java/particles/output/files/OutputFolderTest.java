@@ -137,8 +137,8 @@ class OutputFolderTest {
     @Test
     void aFullDiskLeavesNothingAndSaysSo() throws IOException {
         int[] room = {1000};
-        OutputFile.Opener disk = path -> new OutputStream() {
-            private final OutputStream stream = OutputFile.ON_DISK.open(path);
+        Disk disk = path -> new OutputStream() {
+            private final OutputStream stream = Disk.REAL.create(path);
 
             @Override
             public void write(int b) throws IOException {

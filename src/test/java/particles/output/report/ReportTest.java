@@ -34,6 +34,7 @@ import org.xml.sax.SAXException;
 import particles.Xml;
 import particles.output.charts.ChartFormat;
 import particles.output.charts.Panel;
+import particles.output.files.Disk;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFile;
 import particles.output.files.OutputFolder;
@@ -96,7 +97,7 @@ class ReportTest {
     void aLargePictureIsWrittenInPieces() throws IOException {
         Files.write(top.resolve("large.gif"), new byte[300_000]);
         AtomicInteger largest = new AtomicInteger();
-        OutputFile.Opener counting = file -> new BufferedOutputStream(OutputFile.ON_DISK.open(file), 1) {
+        Disk counting = file -> new BufferedOutputStream(Disk.REAL.create(file), 1) {
             @Override
             public void write(byte[] bytes, int offset, int length) throws IOException {
                 largest.accumulateAndGet(length, Math::max);
