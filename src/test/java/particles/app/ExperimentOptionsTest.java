@@ -68,6 +68,9 @@ class ExperimentOptionsTest {
             energyDrift    | -Pduration=soon     | -Pduration:
             race           | -Pduration=0        | option -Pduration: a race has to last longer than 0 s
             race           | -Pframes=0          | option -Pframes: 0 has to be from 1 to 2000
+            energyDrift    | -Psolvers=rk4,rk4   | option -Psolvers: 'rk4' appears twice
+            workPrecision  | -Pproblem=cloth,cloth | option -Pproblem: 'cloth' appears twice
+            report         | -Pexperiments=race,race | option -Pexperiments: 'race' appears twice
             race           | -Psolvers=rk5       | option -Psolvers: unknown solver 'rk5'
             """)
     void invalidOptionsAreRefusedInOneLine(String command, String option, String line) {

@@ -80,7 +80,8 @@ public abstract class ResultsCommand extends ProgramCommand {
      * @return one or more of them
      */
     protected final List<String> names(String option, String what, String typed, List<String> known) {
-        List<String> names = typed.strip().equals("all") ? known : SolverChoice.separated(typed);
+        List<String> names = typed.strip().equals("all") ? known
+                : made(option, () -> SolverChoice.separated(typed));
         for (String name : names) {
             if (!known.contains(name)) {
                 throw wrong(option, "no " + what + " is called '" + name + "'"

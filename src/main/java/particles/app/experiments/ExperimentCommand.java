@@ -29,7 +29,7 @@ public abstract class ExperimentCommand extends ResultsCommand {
 
     @Override
     public final void run(PrintWriter lines) {
-        estimate().ifPresent(lines::println);
+        notice().ifPresent(lines::println);
         ResultPage page = writeInto(getFolder(), new PrintedProgress(lines, System::nanoTime));
         lines.println(page.title());
         lines.println();
@@ -52,8 +52,8 @@ public abstract class ExperimentCommand extends ResultsCommand {
         }
     }
 
-    /** @return a line printed first, if it takes more than a minute and a half, or covers only a part to save time */
-    protected Optional<String> estimate() {
+    /** @return a line printed first, if it covers only a part, to save time */
+    protected Optional<String> notice() {
         return Optional.empty();
     }
 

@@ -99,14 +99,12 @@ public final class RaceCommand extends ExperimentCommand {
     }
 
     @Override
-    protected Optional<String> estimate() {
+    protected Optional<String> notice() {
         SceneDescription whole = options.scene();
         double first = scene.get().duration();
         return first == whole.duration() ? Optional.empty() : Optional.of("the race is over the first "
-                + Digits.few(first) + " s of this scene and takes about a minute; "
-                + getStyle().option("duration") + "="
-                + Digits.exact(whole.duration()) + " races over all of it, which takes about "
-                + Digits.few(Math.ceil(whole.duration() / first)) + " minutes");
+                + Digits.few(first) + " s of this scene; " + getStyle().option("duration") + "="
+                + Digits.exact(whole.duration()) + " races over all of it, which takes longer");
     }
 
     private int frameCount(SceneDescription scene) {

@@ -58,8 +58,6 @@ public final class ReportCommand extends ResultsCommand {
     /** CPU time of a race's reference on a scene (s): with more, the whole report would take over 90 s. */
     private static final double ENOUGH = 1.5;
     private static final int MOST_LINES = 8;
-    /** This number of experiments takes no longer than about a minute. */
-    private static final int FEW = 2;
     private static final double NANO = 1e-9;
 
     private final List<ExperimentCommand> experiments;
@@ -119,11 +117,6 @@ public final class ReportCommand extends ResultsCommand {
         about.get().filter(scene -> duration == null && chosen.stream().anyMatch(one -> has(one, DURATION_OPTION)))
                 .ifPresent(scene -> shorten(scene, lines));
         ToDoubleFunction<ExperimentCommand> cost = one -> failures.containsKey(one) ? 0 : seconds(one);
-        if (scene == null && chosen.size() > FEW) {
-            int minutes = (int) (chosen.stream().mapToDouble(cost).sum() / 60) + 1;
-            lines.println("about " + minutes + (minutes == 1 ? " minute; " : " minutes; ")
-                    + getStyle().option("experiments") + " with fewer names takes less");
-        }
         chosen.forEach(this::prepare);
         PrintedProgress progress = new PrintedProgress(lines, System::nanoTime, scene == null);
         List<Section> sections;

@@ -3,7 +3,6 @@ package particles.app.experiments;
 import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import particles.experiments.lecture.CostExercise;
 import particles.experiments.lecture.CostExercise.Cost;
 import particles.experiments.runs.ProgressListener;
@@ -22,9 +21,6 @@ import picocli.CommandLine.Option;
 @Command(name = "workPrecision",
         description = "Plots the error of solvers against their cost, on several problems.")
 public final class WorkPrecisionCommand extends ExperimentCommand {
-    private static final double SECONDS_A_CURVE = 1.4;
-    /** A problem that takes longer than this (s) is announced. */
-    private static final double LONG = 45;
     /** The part of the time that the references take. */
     private static final double REFERENCES = 0.02;
     private static final String FAILURES = " Below: the runs without a result.";
@@ -46,15 +42,6 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
         mistakes.check(() -> choices = solverChoices(solvers));
         mistakes.check(() -> names = names("problem", "problem", problem, WorkProblem.NAMES));
         super.read(mistakes);
-    }
-
-    /** Measured: six problems with all solvers take 70 s on two idle cores, and twice that on busy ones. */
-    @Override
-    protected Optional<String> estimate() {
-        double seconds = SECONDS_A_CURVE * names.size() * choices.size();
-        return seconds < LONG ? Optional.empty() : Optional.of("this takes about " + Math.round(seconds / 60)
-                + (seconds < 90 ? " minute" : " minutes") + "; " + getStyle().option("problem") + " or "
-                + getStyle().option("solvers") + " with fewer names takes less");
     }
 
     @Override

@@ -37,8 +37,11 @@ final class Progress implements Observer, AutoCloseable {
     private final long begin;
     private final CompletableFuture<Void> firstStep = new CompletableFuture<>();
     private volatile boolean announced;
-    private double firstTime;
-    private double firstPart;
+    /** The pace is measured from here on, over at least the later half of the run so far: its beginning is slower. */
+    private double fromTime;
+    private double fromPart;
+    private double nextTime;
+    private double nextPart;
     private double lastTime;
     private double lastPart;
 
@@ -60,12 +63,12 @@ final class Progress implements Observer, AutoCloseable {
         return (nanoTime.getAsLong() - begin) * NANO;
     }
 
-    /** If the first step takes long, the user is told what that would mean. */
+    /** If the first step takes long, the user learns how many there are. */
     @Override
     public void started(ParticleSystem system) {
         firstStep.orTimeout((long) SILENCE, TimeUnit.SECONDS).exceptionally(late -> {
             announced = true;
-            announce("the first step takes over " + Digits.few(SILENCE) + " s; if all do, ", steps * SILENCE);
+            out.println("the first step takes over " + Digits.few(SILENCE) + " s: " + work());
             return null;
         });
     }
@@ -74,19 +77,22 @@ final class Progress implements Observer, AutoCloseable {
     public void moved(Motion motion) {
         double seconds = seconds();
         double part = motion.getEndTime() / scene.duration();
-        if (firstPart == 0) {
+        if (nextPart == 0) {
             firstStep.complete(null);
-            firstTime = seconds;
-            firstPart = part;
+        }
+        if (nextPart == 0 || seconds >= 2 * nextTime) {
+            fromTime = nextPart == 0 ? seconds : nextTime;
+            fromPart = nextPart == 0 ? part : nextPart;
+            nextTime = seconds;
+            nextPart = part;
+        }
+        if (seconds < SILENCE || part == fromPart) {
             return;
         }
-        if (seconds < SILENCE) {
-            return;
-        }
-        double pace = (seconds - firstTime) / (part - firstPart);       // without the first step, which prepares much
+        double pace = (seconds - fromTime) / (part - fromPart);
         if (!announced) {
             announced = true;
-            announce("", firstTime + pace * (1 - firstPart));
+            announce(seconds + pace * (1 - part));
         }
         if (seconds - lastTime >= PAUSE && part < 1 && (part - lastPart >= NEWS || seconds - lastTime >= LONG_PAUSE)) {
             double left = Math.ceil(pace * (1 - part));
@@ -103,22 +109,26 @@ final class Progress implements Observer, AutoCloseable {
         firstStep.complete(null);
     }
 
-    /**
-     * @param reason  why
-     * @param likeNow the time of the run (s) if all steps are like those so far
-     */
-    private void announce(String reason, double likeNow) {
-        double atStart = scene.particlesAfter(0);
-        double growth = (scene.particlesAfter(scene.duration() / 2) + OVERHEAD) / (atStart + OVERHEAD);
-        double particles = Math.ceil(Math.max(atStart, scene.particlesAfter(scene.duration())));
+    /** @param likeNow the time of the run (s) if all steps are like those so far */
+    private void announce(double likeNow) {
+        double seconds = likeNow * Math.max(1, growth());
+        if (seconds >= LONG) {
+            out.println("this takes about " + time(seconds) + ": " + work());
+        }
+    }
+
+    /** The number of particles half way, as a multiple of that at the start; with the overhead of a step. */
+    private double growth() {
+        return (scene.particlesAfter(scene.duration() / 2) + OVERHEAD) / (scene.particlesAfter(0) + OVERHEAD);
+    }
+
+    private String work() {
+        double particles = Math.ceil(Math.max(scene.particlesAfter(0), scene.particlesAfter(scene.duration())));
         Frames frames = scene.output().frames();
         double pictures = frames.drawn() ? Math.ceil(scene.duration() * frames.rate()) : 0;
-        double seconds = likeNow * Math.max(1, growth);
-        if (seconds >= LONG) {
-            out.println(reason + "this takes about " + time(seconds) + ": " + Digits.few(steps) + " steps of "
-                    + (growth > 1 ? "up to " : "") + Summary.counted((long) particles, "particle")
-                    + (pictures > 0 ? " and " + Digits.few(pictures) + " pictures" : ""));
-        }
+        return Digits.few(steps) + " steps of " + (growth() > 1 ? "up to " : "")
+                + Summary.counted((long) particles, "particle")
+                + (pictures > 0 ? " and " + Digits.few(pictures) + " pictures" : "");
     }
 
     /** The time in the largest unit in which it is more than one. */

@@ -3,10 +3,11 @@ package particles.experiments.runs;
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
-import java.util.Arrays;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.NoSuchElementException;
 import java.util.Optional;
+import java.util.Set;
 import particles.scene.format.SolverDescription.Tolerances;
 
 /**
@@ -36,9 +37,9 @@ public record SolverChoice(String name, Optional<SolverInfo> info) {
 
     /**
      * @param names solver names separated by commas; {@code all} is the whole catalogue
-     * @return the choices, each once
+     * @return the choices
      * @throws NoSuchElementException   if there is no solver of one of these names
-     * @throws IllegalArgumentException if one cannot be made, or there is none
+     * @throws IllegalArgumentException if one cannot be made or appears twice, or there is none
      */
     public static List<SolverChoice> list(String names) {
         if (names.strip().equals("all")) {
@@ -57,9 +58,18 @@ public record SolverChoice(String name, Optional<SolverInfo> info) {
         return last == 0 ? names.get(0) : String.join(", ", names.subList(0, last)) + " and " + names.get(last);
     }
 
-    /** @return the names in a list separated by commas, each once */
+    /**
+     * @return the names in a list separated by commas
+     * @throws IllegalArgumentException if one is there twice
+     */
     public static List<String> separated(String names) {
-        return Arrays.stream(names.split(",")).map(String::strip).filter(name -> !name.isEmpty()).distinct().toList();
+        Set<String> once = new LinkedHashSet<>();
+        for (String name : names.split(",")) {
+            if (!name.isBlank() && !once.add(name.strip())) {
+                throw new IllegalArgumentException("'" + name.strip() + "' appears twice");
+            }
+        }
+        return List.copyOf(once);
     }
 
     /** @return the names as in a sentence, or only their number if they are more than three */

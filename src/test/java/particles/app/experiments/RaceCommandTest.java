@@ -26,9 +26,9 @@ class RaceCommandTest {
     @Test
     void whatIsLeftOutIsSaidBeforeAndADurationOfOnesOwnIsKept() {
         RaceCommand race = race("--scene=9");
-        assertEquals(Optional.of("the race is over the first 1.1 s of this scene and takes about a minute;"
-                + " -Pduration=8 races over all of it, which takes about 8 minutes"), race.estimate());
-        assertEquals(Optional.empty(), race("--scene=9", "--duration=8").estimate());
+        assertEquals(Optional.of("the race is over the first 1.1 s of this scene; -Pduration=8"
+                + " races over all of it, which takes longer"), race.notice());
+        assertEquals(Optional.empty(), race("--scene=9", "--duration=8").notice());
     }
 
     private static RaceCommand race(String... options) {

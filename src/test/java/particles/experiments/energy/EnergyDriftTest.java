@@ -135,10 +135,12 @@ class EnergyDriftTest {
     @Test
     void listsOfSolversAreChecked() {
         assertEquals(List.of("rk4", "euler"),
-                SolverChoice.list(" rk4, euler,rk4").stream().map(SolverChoice::label).toList());
+                SolverChoice.list(" rk4, euler,").stream().map(SolverChoice::label).toList());
         assertEquals(14, SolverChoice.list("all").size());
         String message = assertThrows(NoSuchElementException.class, () -> SolverChoice.list("rk4,eular")).getMessage();
         assertHas(message, "did you mean 'euler'");
         assertThrows(IllegalArgumentException.class, () -> SolverChoice.list(" ,"));
+        assertEquals("'rk4' appears twice", assertThrows(IllegalArgumentException.class,
+                () -> SolverChoice.list("rk4,euler, rk4")).getMessage());
     }
 }
