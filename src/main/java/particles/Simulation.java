@@ -167,13 +167,12 @@ public final class Simulation {
             divided = true;
             double now = system.getTime() + rounding;
             if (next > now) {
-                step(next - system.getTime());
+                step(next - system.getTime(), 0);
             } else {
                 act(deltaT, rule -> rule.getNextTime() <= now);
             }
         }
-        step(divided ? end - system.getTime() : h);
-        steps++;
+        step(divided ? end - system.getTime() : h, 1);
     }
 
     private double nextAction() {
@@ -184,7 +183,8 @@ public final class Simulation {
         return next;
     }
 
-    private void step(double h) {
+    /** Makes one step that counts as this many. */
+    private void step(double h, int counted) {
         for (Rule rule : rules) {
             rule.beforeStep(system, h);
         }
@@ -198,6 +198,7 @@ public final class Simulation {
             int particle = e.getEntry() < 0 ? -1 : e.getEntry() / Particles.STRIDE;
             throw new SimulationException(e.getTime(), particle, e.getMessage(), e);
         }
+        steps += counted;
         if (recorded) {
             eventSteps.getMotion().showTo(observers);
         }

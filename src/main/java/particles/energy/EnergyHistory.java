@@ -153,7 +153,12 @@ public final class EnergyHistory extends StridedRecorder {
      * @return the energy by which errors are divided (J)
      */
     public double getScale() {
-        double largest = largestInternal - lowestInternal;
+        return scaleOf(largestInternal);
+    }
+
+    /** The energy scale of a run with this as its largest kinetic plus stored energy (J). */
+    double scaleOf(double mostInternal) {
+        double largest = mostInternal - lowestInternal;
         return largest > AT_REST * restScale ? largest : restScale;
     }
 
@@ -163,6 +168,11 @@ public final class EnergyHistory extends StridedRecorder {
      */
     public double getScaleOr(double estimate) {
         return getScale() > 0 ? getScale() : estimate;
+    }
+
+    /** The latest kinetic plus stored energy (J). */
+    double getInternal() {
+        return internal;
     }
 
     /** The latest kinetic plus stored energy, counted as in the energy scale (J). */

@@ -46,9 +46,14 @@ public final class EnergyRecorder {
         return ledger;
     }
 
+    /** @return the energy scale: the largest kinetic plus stored energy that is no numerical error (J) */
+    public double getScale() {
+        return limit.getScale();
+    }
+
     /** @return whether a visible vibration has fewer than {@value Resolution#STEPS} steps per period */
     public boolean isTooCoarse() {
-        return resolution.isTooCoarse(history.getScale());
+        return resolution.isTooCoarse(getScale());
     }
 
     /** @return what may come and go in less time than four steps take, if anything may */

@@ -165,7 +165,7 @@ final class RunObservers implements AutoCloseable {
             List<ChartData> charts = new ArrayList<>();
             ChartData energies = energy.getHistory().chart(title);
             charts.add(energies.titled(title + RunFindings.energy(energies.series())));
-            for (ChartData chart : energy.getLedger().charts(energy.getHistory().getScale(), log)) {
+            for (ChartData chart : energy.getLedger().charts(energy.getScale(), log)) {
                 charts.add(chart.titled(title + (chart.series().get(0).name().startsWith("work")
                         ? RunFindings.work(chart.series(), !log) : RunFindings.error(chart.series()))));
             }

@@ -64,7 +64,7 @@ record Summary(String name, String hash, Scene scene, EnergyRecorder recorder, d
     /** @return the text of {@link #FILE}; energies in J, times in s, relative errors in units of the energy scale */
     String json() {
         Map<String, Object> energies = Ordered.map("start", energy().getStart(), "end", energy().getEnd(),
-                "scale", energy().getScale(), "relativeDrift", relative(energy().getEnd() - energy().getStart()),
+                "scale", recorder.getScale(), "relativeDrift", relative(energy().getEnd() - energy().getStart()),
                 "largestRelativeDrift", relative(energy().getLargestDrift()),
                 "numericalError", books().getNumericalError(),
                 "relativeNumericalError", relative(books().getNumericalError()),
@@ -81,7 +81,7 @@ record Summary(String name, String hash, Scene scene, EnergyRecorder recorder, d
 
     /** Divides an energy by the energy scale; 0 stays 0, also in a scene without energy. */
     private double relative(double joules) {
-        return joules == 0 ? 0 : joules / energy().getScale();
+        return joules == 0 ? 0 : joules / recorder.getScale();
     }
 
     /**
@@ -113,11 +113,11 @@ record Summary(String name, String hash, Scene scene, EnergyRecorder recorder, d
         boolean blownUp = failed && !(error <= LARGE_ERROR);    // then the scale is that of the error
         lines.add("numerical error: " + (Double.isNaN(error) ? "not a number"
                 : "at most " + joules(books().getLargestNumericalError())) + (blownUp ? ""
-                : " (" + Digits.few(error) + " of the energy scale, " + joules(energy().getScale()) + ")")
+                : " (" + Digits.few(error) + " of the energy scale, " + joules(recorder.getScale()) + ")")
                 + (damped ? ", by numerical damping" : ""));
         if (error > LARGE_ERROR && !endedEarly && !failed && !damped) {
             boolean sure = books().getLargestNumericalError() - books().getUncertainty()
-                    > LARGE_ERROR * energy().getScale();
+                    > LARGE_ERROR * recorder.getScale();
             lines.add(sure ? "warning: the numerical error is " + share(error)
                     + " the energy; do not trust this motion. Try a smaller deltaT or another solver."
                     : "note: the energy ledger cannot resolve this motion, as the sub-steps of " + solverName
@@ -148,7 +148,7 @@ record Summary(String name, String hash, Scene scene, EnergyRecorder recorder, d
 
     /** Formats an energy; round-off relative to the energy scale is shown as 0. */
     private String joules(double value) {
-        return (Math.abs(value) < ROUND_OFF * energy().getScale() ? "0" : Digits.few(value)) + " J";
+        return (Math.abs(value) < ROUND_OFF * recorder.getScale() ? "0" : Digits.few(value)) + " J";
     }
 
     /** An error beside the energy scale: a part of it, or from 100 % on an energy. */
