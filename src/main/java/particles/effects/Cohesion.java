@@ -1,5 +1,6 @@
 package particles.effects;
 
+import java.util.Arrays;
 import particles.law.Particles;
 import particles.law.Require;
 import particles.spec.Key;
@@ -17,13 +18,13 @@ import particles.spec.Values;
  * The potential is -e at the distance d, where the force is 0, and is smooth everywhere: at |r| = 0 the force is 0, and
  * at |r| = h it goes to 0 as u&sup3;, so that solvers keep their order as neighbours come and go.
  *
- * <p>Neighbours come from a {@link NeighbourGrid}, rebuilt for all particles in every call, so that the work is
- * proportional to their number. Source: the idea, B. Nixon and R. Lobb (2002); the potential is the Lennard-Jones law
- * with the inverse powers replaced by powers of u.
+ * <p>Neighbours come from {@link NeighbourLists}, so that the work is proportional to their number. Source: the idea,
+ * B. Nixon and R. Lobb (2002); the potential is the Lennard-Jones law with the inverse powers replaced by powers of u.
  */
 public final class Cohesion extends PairForce {
-    private final NeighbourGrid grid = new NeighbourGrid();
+    private final NeighbourLists lists = new NeighbourLists(true);
     private final double range;
+    private double[] radii = {};                        // half the range, for each particle
     private final double inverseSquare;                 // 1/h^2
     private final double depth;
     private final double scale;                         // 1/u0^4
@@ -59,20 +60,23 @@ public final class Cohesion extends PairForce {
     @Override
     void findNeighbours(double[] state) {
         int n = particles.count();
-        if (near.length < n) {
-            near = new int[n + n / 3];
+        if (radii.length < n) {
+            radii = new double[n + n / 3];
+            Arrays.fill(radii, range / 2);
         }
-        grid.build(state, n, range);
+        lists.update(state, particles, radii, range / 2);
+        lists.sortByCubes(state, range);
+        near = lists.near;
     }
 
     @Override
     int first(int i, boolean all) {
-        return 0;
+        return lists.later[i];
     }
 
     @Override
     int end(int i) {
-        return grid.findLater(i, near);
+        return lists.start[i + 1];
     }
 
     private double u(double square) {

@@ -37,7 +37,7 @@ public final class NeighbourGrid {
         Arrays.fill(bucketStart, 0);
         for (int i = 0; i < count; i++) {
             for (int c = 0; c < 3; c++) {
-                cubes[3 * i + c] = floor(state[STRIDE * i + c] / range);
+                cubes[3 * i + c] = cube(state[STRIDE * i + c], range);
             }
             bucketStart[bucket(hash(cubes[3 * i], cubes[3 * i + 1]), cubes[3 * i + 2])]++;
         }
@@ -52,7 +52,9 @@ public final class NeighbourGrid {
         }
     }
 
-    private static long floor(double quotient) {
+    /** The cube of this width in which a coordinate is. */
+    static long cube(double coordinate, double width) {
+        double quotient = coordinate / width;
         long whole = (long) quotient;
         return quotient < whole ? whole - 1 : whole;
     }

@@ -5,8 +5,9 @@ import particles.law.Particles;
 
 /**
  * Verlet neighbour lists: for each ball, the balls that touch it or are within a margin of it. They are made from a
- * {@link NeighbourGrid}, and made again once a ball has moved by half the margin. Each list is sorted by index, so a
- * sum over it is the same, bit for bit, whenever the list was made. Two fixed balls are not neighbours.
+ * {@link NeighbourGrid}, and made again once a ball has moved by half the margin. Each list is sorted by index, or by
+ * cube, so a sum over it is the same, bit for bit, whenever the list was made: the lists depend on positions, not on
+ * time.
  *
  * <p>Source: L. Verlet, "Computer 'experiments' on classical fluids" (1967).
  */
@@ -27,6 +28,15 @@ final class NeighbourLists {
     private int[] unsorted = {};
     private int[] next = {};
     private int[] found = {};
+    private final boolean betweenFixed;
+    private boolean sorted;                             // by cubes
+    private long[] cubes = {};                          // by which the lists are sorted, three a particle
+    private boolean[] crossed = {};                     // whether a particle is in another cube than at the last call
+
+    /** @param betweenFixed whether two fixed balls can be neighbours */
+    NeighbourLists(boolean betweenFixed) {
+        this.betweenFixed = betweenFixed;
+    }
 
     /** Makes the lists again if they may have become wrong; with the radius of each ball and the largest one (m). */
     void update(double[] state, Particles particles, double[] radii, double largest) {
@@ -34,7 +44,60 @@ final class NeighbourLists {
         if (listed.length != 3 * particles.count() || !(farthestMove(state) <= margin * margin / 4)) {
             grid.build(state, particles.count(), 2 * largest + margin);
             list(state, particles, radii, margin);
+            sorted = false;
         }
+    }
+
+    /**
+     * Sorts the later neighbours of each particle by their cubes of this width, in the order of x, y, z, and those in
+     * the same cube by index: as {@link NeighbourGrid#findLater} lists them. Called after each update.
+     */
+    void sortByCubes(double[] state, double width) {
+        int n = later.length;
+        boolean all = cubes.length != 3 * n || !sorted;
+        sorted = true;
+        if (cubes.length != 3 * n) {
+            cubes = new long[3 * n];
+            crossed = new boolean[n];
+        }
+        for (int i = 0; i < n; i++) {
+            crossed[i] = all;
+            for (int c = 0; c < 3; c++) {
+                long cube = NeighbourGrid.cube(state[STRIDE * i + c], width);
+                crossed[i] |= cube != cubes[3 * i + c];
+                cubes[3 * i + c] = cube;
+            }
+        }
+        for (int i = 0; i < n; i++) {
+            boolean any = false;
+            for (int k = later[i]; k < start[i + 1]; k++) {
+                any |= crossed[near[k]];
+            }
+            if (any) {
+                sortRow(later[i], start[i + 1]);
+            }
+        }
+    }
+
+    /** Insertion sort: hardly anything moves, except in new lists. */
+    private void sortRow(int first, int end) {
+        for (int k = first + 1; k < end; k++) {
+            int j = near[k];
+            int place = k;
+            for (; place > first && precedes(j, near[place - 1]); place--) {
+                near[place] = near[place - 1];
+            }
+            near[place] = j;
+        }
+    }
+
+    private boolean precedes(int i, int j) {
+        for (int c = 0; c < 3; c++) {
+            if (cubes[3 * i + c] != cubes[3 * j + c]) {
+                return cubes[3 * i + c] < cubes[3 * j + c];
+            }
+        }
+        return i < j;
     }
 
     /** Has the lists made at the next update. */
@@ -75,7 +138,8 @@ final class NeighbourLists {
             for (int k = 0; k < candidates; k++) {
                 int j = found[k];
                 double reach = radii[i] + radii[j] + margin;
-                if (square(state, i, j) < reach * reach && !(particles.isFixed(i) && particles.isFixed(j))) {
+                if (square(state, i, j) < reach * reach
+                        && (betweenFixed || !particles.isFixed(i) || !particles.isFixed(j))) {
                     pairs[count++] = i;
                     pairs[count++] = j;
                     start[i + 1]++;

@@ -177,23 +177,28 @@ abstract class PairForce implements DifferentiableEffect, BriefForce {
         void visit(int i, int j, double square, double parting);
     }
 
-    /** Visits each pair once, with r and r' in the arrays. */
+    /** Visits each pair in reach once, with r and r' in the arrays. */
     private void forEachPair(double[] state, PairVisitor visitor) {
         findNeighbours(state);
         for (int p = 0; p < particles.count(); p++) {
+            int i = STRIDE * p;
             int end = end(p);
             for (int k = first(p, false); k < end; k++) {
-                double square = 0;
-                double parting = 0;
-                for (int c = 0; c < 3; c++) {
-                    r[c] = state[STRIDE * p + c] - state[STRIDE * near[k] + c];
-                    w[c] = state[STRIDE * p + 3 + c] - state[STRIDE * near[k] + 3 + c];
-                    square += r[c] * r[c];
-                    parting += r[c] * w[c];
+                int j = STRIDE * near[k];
+                double rx = state[i] - state[j];
+                double ry = state[i + 1] - state[j + 1];
+                double rz = state[i + 2] - state[j + 2];
+                double square = rx * rx + ry * ry + rz * rz;
+                if (!reaches(p, near[k], square)) {
+                    continue;
                 }
-                if (reaches(p, near[k], square)) {
-                    visitor.visit(p, near[k], square, parting);
-                }
+                r[0] = rx;
+                r[1] = ry;
+                r[2] = rz;
+                w[0] = state[i + 3] - state[j + 3];
+                w[1] = state[i + 4] - state[j + 4];
+                w[2] = state[i + 5] - state[j + 5];
+                visitor.visit(p, near[k], square, rx * w[0] + ry * w[1] + rz * w[2]);
             }
         }
     }

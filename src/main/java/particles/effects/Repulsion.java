@@ -37,7 +37,7 @@ public final class Repulsion extends PairForce implements DivisibleEffect, Centr
     private final boolean hertz;
     private final double stiffness;
     private final double radius;
-    private final NeighbourLists lists = new NeighbourLists();
+    private final NeighbourLists lists = new NeighbourLists(false);
     private double largest;
     private double[] radii = {};
 
