@@ -1,46 +1,48 @@
 package particles.engine;
 
 import java.util.Optional;
-import java.util.concurrent.ForkJoinTask;
 import java.util.function.IntConsumer;
-import java.util.stream.IntStream;
 import particles.law.DivisibleEffect;
 import particles.law.Effect;
 import particles.law.Particles;
 
 /**
- * Evaluates the derivative on several threads: each takes a range of the particles and some of the blocks of each
+ * Evaluates the derivative on several threads: they share out ranges of the particles and the blocks of each
  * {@link DivisibleEffect}. Each particle's force is summed in the same order as on one thread, so the bits are the
  * same.
+ *
+ * <p>On a machine that is busy with other work, the other threads may be kept waiting in the middle of a piece. After
+ * each such delay, a number of evaluations is made by one thread, and twice as many after the next.
  */
 public final class ParallelForces implements ForceSum.Parallel {
     /** With fewer forces one thread is faster: on cloths with rk4, two are only as fast at half this number. */
     public static final long PAYS_FROM = 16_384;
+    /** More pieces even out the load, but threads then touch more of each other's memory. */
+    private static final int MOST_PIECES = 16;
+    private static final int SHORTEST_PAUSE = 64;
+    private static final int LONGEST_PAUSE = 4096;
 
     private final ForceSum forces;
     private final Particles particles;
     private final long paysFrom;
-    private final int threads;
-    private final Runnable[] parts;                     // all but the caller's
-    private final ForkJoinTask<?>[] begun;
+    private final SharedWork shared;
+    private int pause;                                  // evaluations by one thread after the next delay
+    private int alone;                                  // those still to be made
     private double[] state;
     private double time;
     private double[] dSdt;
     private DivisibleEffect divisible;
-    private int blocks;
-    private final IntConsumer beginning = this::beginRange;
-    private final IntConsumer middle = this::addBlocks;
-    private final IntConsumer end = this::finishRange;
-    private IntConsumer work;                           // one of these
-    private volatile Throwable failure;
+    private int items;                                  // particles or blocks to be shared out, in pieces
+    private int pieces;
+    private final IntConsumer beginning = this::beginPiece;
+    private final IntConsumer middle = this::addPiece;
+    private final IntConsumer end = this::finishPiece;
 
     private ParallelForces(ForceSum forces, int threads, long paysFrom) {
         this.forces = forces;
         particles = forces.getParticles();
         this.paysFrom = paysFrom;
-        this.threads = threads;
-        parts = IntStream.range(1, threads).mapToObj(part -> (Runnable) () -> runPart(part)).toArray(Runnable[]::new);
-        begun = new ForkJoinTask<?>[parts.length];
+        shared = new SharedWork(threads - 1);
     }
 
     /**
@@ -64,6 +66,10 @@ public final class ParallelForces implements ForceSum.Parallel {
 
     @Override
     public boolean pays() {
+        if (alone > 0) {
+            alone--;
+            return false;
+        }
         long items = (long) forces.getPerParticle().length * particles.count();
         for (Effect other : forces.getOthers()) {
             items += other instanceof DivisibleEffect effect ? effect.size() : 0;
@@ -76,47 +82,24 @@ public final class ParallelForces implements ForceSum.Parallel {
         this.state = state;
         this.time = time;
         this.dSdt = dSdt;
-        run(beginning);
+        shared.begin();
+        share(particles.count(), beginning);
         for (Effect effect : forces.getOthers()) {
             if (effect instanceof DivisibleEffect parts && isDivided(parts)) {
-                run(middle);
+                int blocks = divisible.countBlocks();
+                share(blocks, middle);
                 divisible.addPart(blocks, state, time, dSdt);
             } else {
                 effect.addForces(state, time, dSdt);
             }
         }
         forces.addReactions(state, time, dSdt);
-        run(end);
-    }
-
-    /**
-     * Runs all parts, part 0 in this thread, which also runs those that no other thread of the common pool has begun.
-     * An exception of any part is thrown, as it is, when all have ended. Each time the parts are new tasks, of 24
-     * bytes each: a thread marks a task as done before it wakes those who wait. If the task has begun again by then,
-     * this late signal takes the caller off the list of those who wait, and the caller waits for ever.
-     */
-    private void run(IntConsumer task) {
-        work = task;
-        failure = null;
-        for (int p = 0; p < parts.length; p++) {
-            begun[p] = ForkJoinTask.adapt(parts[p]).fork();
-        }
-        runPart(0);
-        for (int p = parts.length - 1; p >= 0; p--) {
-            begun[p].join();
-        }
-        if (failure instanceof Error error) {
-            throw error;
-        } else if (failure != null) {
-            throw (RuntimeException) failure;
-        }
-    }
-
-    private void runPart(int part) {
-        try {
-            work.accept(part);
-        } catch (RuntimeException | Error e) {      // a joined task would throw a copy, without its message at times
-            failure = e;
+        share(particles.count(), end);
+        if (shared.wasDelayed()) {
+            pause = Math.min(LONGEST_PAUSE, Math.max(SHORTEST_PAUSE, 2 * pause));
+            alone = pause;
+        } else {
+            pause -= pause / SHORTEST_PAUSE;            // slowly forgotten
         }
     }
 
@@ -124,28 +107,31 @@ public final class ParallelForces implements ForceSum.Parallel {
     private boolean isDivided(DivisibleEffect effect) {
         divisible = effect;
         divisible.prepare(state);
-        blocks = divisible.countBlocks();
-        return blocks > 1;
+        return divisible.countBlocks() > 1;
     }
 
-    private void beginRange(int part) {
-        int n = particles.count();
-        forces.begin(state, time, dSdt, cut(n, part), cut(n, part + 1));
+    private void share(int items, IntConsumer work) {
+        this.items = items;
+        pieces = Math.min(items, MOST_PIECES);
+        shared.run(pieces, work);
     }
 
-    private void addBlocks(int part) {
-        for (int block = cut(blocks, part); block < cut(blocks, part + 1); block++) {
+    private void beginPiece(int piece) {
+        forces.begin(state, time, dSdt, cut(piece), cut(piece + 1));
+    }
+
+    private void addPiece(int piece) {
+        for (int block = cut(piece); block < cut(piece + 1); block++) {
             divisible.addPart(block, state, time, dSdt);
         }
     }
 
-    private void finishRange(int part) {
-        int n = particles.count();
-        forces.finish(dSdt, cut(n, part), cut(n, part + 1));
+    private void finishPiece(int piece) {
+        forces.finish(dSdt, cut(piece), cut(piece + 1));
     }
 
-    /** The first item of a part. */
-    private int cut(int all, int part) {
-        return (int) ((long) all * part / threads);
+    /** The first item of a piece. */
+    private int cut(int piece) {
+        return (int) ((long) items * piece / pieces);
     }
 }

@@ -53,7 +53,7 @@ class NeighbourListsTest {
     }
 
     /**
-     * Particles wander, jump, and go back to an earlier state as a solver's trial states do; the list never misses a
+     * Particles wander, stream past each other, jump, and go back to an earlier state as a solver's trial states do; the list never misses a
      * neighbour, and has them in the grid's order.
      */
     @Test
@@ -77,6 +77,9 @@ class NeighbourListsTest {
             for (int k = 0; k < state.length; k++) {
                 state[k] += step * (random.nextDouble() - 0.5);
             }
+            for (int i = 0; i < N; i++) {               // half of them against the other half
+                state[6 * i] += (i % 2 == 0 ? 0.01 : -0.01) * (call / 25 % 2 == 0 ? 1 : -1);
+            }
             if (call % 7 == 6) {
                 System.arraycopy(earlier, 0, state, 0, state.length);
             } else if (call % 7 == 0) {
@@ -89,6 +92,6 @@ class NeighbourListsTest {
                     Arrays.copyOfRange(lists.start, 1, N + 1)));
             pairs += expected.stream().mapToInt(List::size).sum();
         }
-        assertTrue(pairs > 160_000, "neighbours to miss (measured 320,157): " + pairs);
+        assertTrue(pairs > 100_000, "there are neighbours to miss: " + pairs);
     }
 }

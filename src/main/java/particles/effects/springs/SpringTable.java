@@ -88,7 +88,8 @@ class SpringTable implements SpringView {
         }
         arranged = true;
         put(order(from));
-        blocks = Math.max(1, Math.min(MOST_BLOCKS, count / SPRINGS_PER_BLOCK));
+        // a power of two, so that two or four threads get as much to do
+        blocks = Integer.highestOneBit(Math.max(1, Math.min(MOST_BLOCKS, count / SPRINGS_PER_BLOCK)));
         int[] parts = findParts();
         if (Arrays.stream(parts).filter(part -> part == blocks).count() > MOST_BETWEEN * count) {
             blocks = 1;
