@@ -114,7 +114,7 @@ record SourceFile(Path path, String packageName, int codeLines, List<Integer> wi
             if (name.matches("(java\\.lang\\.)?System\\.(out|err|exit)")) {
                 standardStreams.add(SourceFile.this + " uses " + name);
             }
-            return super.visitMemberSelect(node, none);
+            return super.visitMemberSelect(node, null);
         }
 
         @Override
@@ -123,7 +123,7 @@ record SourceFile(Path path, String packageName, int codeLines, List<Integer> wi
             if (block.getStatements().isEmpty()) {
                 emptyCatches.add(SourceFile.this + " catches " + node.getParameter().getType() + " and does nothing");
             }
-            return super.visitCatch(node, none);
+            return super.visitCatch(node, null);
         }
 
         @Override
@@ -139,7 +139,7 @@ record SourceFile(Path path, String packageName, int codeLines, List<Integer> wi
                     mutableStatics.add(SourceFile.this + ": static " + node.getName() + " " + why);
                 }
             }
-            return super.visitVariable(node, none);
+            return super.visitVariable(node, null);
         }
 
         /** Finds methods of classes that return a field and have its name, unless an interface gives them theirs. */
@@ -154,7 +154,7 @@ record SourceFile(Path path, String packageName, int codeLines, List<Integer> wi
                     && !node.getName().toString().matches("(get|is|has|can|have|may)[A-Z].*|size|count")) {
                 bareAccessors.add(SourceFile.this + ": " + node.getName());
             }
-            return super.visitMethod(node, none);
+            return super.visitMethod(node, null);
         }
 
         private String whyMutable(VariableTree node, Set<Modifier> flags, boolean constant) {

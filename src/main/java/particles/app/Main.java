@@ -4,6 +4,7 @@ import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -63,9 +64,10 @@ public final class Main {
         List<ProgramCommand> commands = commands(stop);
         stop.setLine(() -> commands.stream().filter(command -> args.length > 0
                 && command.name().equals(args[0])).findFirst().map(ProgramCommand::whenStopped).orElse("stopped"));
+        Charset letters = Charset.defaultCharset();     // of the terminal
         Program program = new Program(commands, OptionStyle.current(),
-                new PrintWriter(stop.untilCutOff(new StandardOutput()), true),
-                new PrintWriter(stop.untilCutOff(System.err), true));
+                new PrintWriter(stop.untilCutOff(new StandardOutput()), true, letters),
+                new PrintWriter(stop.untilCutOff(System.err), true, letters));
         ExitCode code = program.execute(args);
         try {
             ResultsIndex.update(ResultsCommand.RESULTS);

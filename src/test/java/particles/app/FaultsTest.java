@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import particles.OtherSystems;
 
 /**
  * Faults around the program, each in a child process: files are whole or absent, the message is one clear line with the
@@ -94,6 +95,7 @@ class FaultsTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 15})
     void aSignalEndsARunWithALineAndWholeFiles(int signal) throws Exception {
+        OtherSystems.assumeSignals();
         assumeTrue(hears(signal), "the signal is ignored here: run it in the foreground");
         Path scene = scene(LONG);
         Map<String, String> expected = unbroken(scene);
@@ -117,7 +119,7 @@ class FaultsTest {
     /** A limited file size, which acts like a quota or full disk, is reached by the trajectory. */
     @Test
     void aFullDiskEndsTheRunWithALineAndNoHalfFile() throws Exception {
-        assumeTrue(Files.isExecutable(Path.of("/bin/bash")), "needs bash for its ulimit");
+        OtherSystems.assumeBash();                      // for its ulimit
         Path scene = scene(3);
         Map<String, String> expected = unbroken(scene);
         long kilobytes = Files.size(top.resolve("whole/trajectory.csv")) * 3 / 4 / 1024;

@@ -12,6 +12,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import particles.OtherSystems;
 
 /**
  * The program is killed at a random moment, 12 times, by SIGTERM and by SIGKILL. Every file in the folder is whole
@@ -29,6 +30,7 @@ class KilledRunsTest {
 
     @Test
     void killedRunsLeaveWholeFilesAndDoNotAffectTheNextRun() throws Exception {
+        OtherSystems.assumeSignals();
         long seed = Long.getLong("desolver.seed", System.nanoTime());
         System.out.println("KilledRunsTest: -Ddesolver.seed=" + seed);
         Random random = new Random(seed);

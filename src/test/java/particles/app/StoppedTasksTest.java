@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import particles.OtherSystems;
 import particles.app.cli.ProgramCommand;
 import particles.app.run.StopRequest;
 
@@ -71,6 +72,7 @@ class StoppedTasksTest {
     @ParameterizedTest
     @MethodSource("tasks")
     void aStoppedTaskEndsWithOneLineAndLeavesNothingBehind(String task) throws Exception {
+        OtherSystems.assumeSignals();
         Path temporary = Files.createDirectory(top.resolve("temporary"));
         Path exercises = Files.createDirectory(top.resolve("exercises"));
         Files.writeString(exercises.resolve("Endless.java"), ENDLESS.formatted("Endless"));

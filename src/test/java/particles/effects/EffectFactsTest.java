@@ -83,6 +83,7 @@ class EffectFactsTest {
         }
     }
 
+    @SuppressWarnings("ReturnValueIgnored")
     private static void assertRange(String what, DoubleFunction<Object> maker, double[] allowed, double[] refused) {
         for (double value : allowed) {
             maker.apply(value);

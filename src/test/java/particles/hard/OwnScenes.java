@@ -7,7 +7,7 @@ import java.util.TreeMap;
 final class OwnScenes {
     private static final String HEAD = "title: t\nteaches: t\nsolver: rk4\ndeltaT: 0.005\nduration: 1\n";
 
-    /** Each falls on each of the {@link #grounds()}. */
+    /** Each falls on each of the {@link #GROUNDS}. */
     private static final Map<String, String> BODIES = Map.of(
             "cloth", """
             shapes:

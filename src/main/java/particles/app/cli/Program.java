@@ -165,6 +165,7 @@ public record Program(List<ProgramCommand> commands, OptionStyle style, PrintWri
     @Command(name = "desolver", description = "Physically-based animation for teaching.")
     private static final class Root {
         @CommandLine.Option(names = "--help", usageHelp = true, description = "Shows the commands.")
+        @SuppressWarnings("UnusedVariable")
         private boolean help;
     }
 }

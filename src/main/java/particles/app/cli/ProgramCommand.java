@@ -14,6 +14,7 @@ import picocli.CommandLine.Option;
 /** Base class of a command: a class with {@code @Command} and {@code @Option} fields. */
 public abstract class ProgramCommand {
     @Option(names = "--help", usageHelp = true, description = "Shows these options.")
+    @SuppressWarnings("UnusedVariable")                 // the parser knows that it was given
     private boolean help;
 
     private OptionStyle style = OptionStyle.current();

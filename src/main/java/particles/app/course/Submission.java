@@ -108,6 +108,7 @@ record Submission(String name, Map<String, byte[]> files, Instant newest) {
     }
 
     /** Whether a file can have this path here; where the locale is C, only ASCII can be in it. */
+    @SuppressWarnings("ReturnValueIgnored")
     private static boolean isPath(String path) {
         try {
             Path.of(path);

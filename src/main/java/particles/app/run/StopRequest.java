@@ -4,6 +4,7 @@ import java.io.FilterOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintWriter;
+import java.nio.charset.Charset;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
@@ -38,7 +39,7 @@ public final class StopRequest implements Observer {
      * @param err receives the line that says so
      */
     public void listen(OutputStream err) {
-        Runtime.getRuntime().addShutdownHook(new Thread(() -> stop(new PrintWriter(err, true)), "stop"));
+        Runtime.getRuntime().addShutdownHook(new Thread(() -> stop(new PrintWriter(err, true, Charset.defaultCharset())), "stop"));
     }
 
     /** @param line says what was stopped */

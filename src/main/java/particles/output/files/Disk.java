@@ -27,7 +27,7 @@ public interface Disk {
 
     /** Renames a file, in the place of an existing one, in one step. */
     default void rename(Path from, Path to) throws IOException {
-        Files.move(from, to, StandardCopyOption.ATOMIC_MOVE);
+        Files.move(from, to, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
     }
 
     /**

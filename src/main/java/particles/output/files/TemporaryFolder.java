@@ -55,7 +55,7 @@ public final class TemporaryFolder implements AutoCloseable {
             try (Stream<Path> all = Files.walk(folder)) {
                 all.sorted(Comparator.reverseOrder()).map(Path::toFile).forEach(File::delete);
             } catch (IOException | UncheckedIOException e) {
-                continue;                               // a student's class made a folder that cannot be listed
+                return;                                 // a student's class made a folder that cannot be listed
             }
         }
     }

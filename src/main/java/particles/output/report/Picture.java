@@ -166,6 +166,7 @@ public record Picture(String name, String caption, String title, List<Panel> pan
         return bySolver.isPresent() && panel.curves() > format.mostCurves();
     }
 
+    @SuppressWarnings("ReturnValueIgnored")             // the filter is called for the labels that it is asked about
     private String title(SolverFamily family) {
         boolean[] own = new boolean[1];
         bySolver.orElseThrow().apply(label -> {

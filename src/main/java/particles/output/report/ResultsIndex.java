@@ -1,16 +1,20 @@
 package particles.output.report;
 
 import java.io.IOException;
+import java.net.URLEncoder;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
@@ -48,6 +52,7 @@ public final class ResultsIndex {
             """;
 
     /** The results in a folder: its files, the most interesting first, and their time. */
+    @SuppressWarnings("UnusedMethod")                   // the page's template calls them
     private record Entry(String folder, List<String> files, FileTime made) {
         Optional<Link> picture() {
             return links(ResultsIndex::isPicture).findFirst();
@@ -58,8 +63,9 @@ public final class ResultsIndex {
         }
 
         private Stream<Link> links(Predicate<String> which) {
-            return files.stream().filter(which).map(file -> new Link(file,
-                    Path.of("/").resolve(folder).resolve(file).toUri().getRawPath().substring(1)));
+            return files.stream().filter(which).map(file -> new Link(file, Arrays.stream((folder + "/" + file).split(
+                    "/")).map(name -> URLEncoder.encode(name, StandardCharsets.UTF_8).replace("+", "%20"))
+                    .collect(Collectors.joining("/"))));
         }
     }
 
@@ -85,7 +91,7 @@ public final class ResultsIndex {
             }
             Path part = Files.createTempFile(results, ".index", ".part");       // two programs may write at once
             Files.writeString(part, Html.fill(PAGE, Map.of("entries", entries)));
-            Files.move(part, page, StandardCopyOption.ATOMIC_MOVE);
+            Files.move(part, page, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
         } catch (IOException e) {
             throw new OutputException(page, "write", e);
         }

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import particles.OtherSystems;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Screen;
@@ -45,6 +46,7 @@ class AutogradingCommandTest {
     /** One right answer of two; a solver whose exception has lines that could be taken for a grade. */
     @BeforeEach
     void writeFiles() throws Exception {
+        OtherSystems.assumeBash();
         Screen.of(ExitCode.DONE, List.of(new AutogradingCommand()), OptionStyle.GRADLE, "autograding", "--out="
                 + folder.resolve("made"));
         NumericExercise second = (NumericExercise) Exercises.ALL.get(1);

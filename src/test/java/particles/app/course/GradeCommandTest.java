@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import particles.OtherSystems;
 import particles.Xml;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
@@ -288,7 +289,7 @@ class GradeCommandTest {
     @Test
     void aSceneOutsideOfTheHandInIsNotRead() throws Exception {
         Path secret = Files.writeString(folder.resolveSibling("secret-of-" + folder.getFileName()), "root: secret");
-        Files.createSymbolicLink(folder.resolve("linked.yaml"), secret);
+        OtherSystems.link(folder.resolve("linked.yaml"), secret);
         for (String path : List.of(secret.toString(), "../" + secret.getFileName(), "/etc/shadow", "linked.yaml",
                 "a/../linked.yaml")) {
             answer("12: " + path + "\n");
@@ -297,7 +298,7 @@ class GradeCommandTest {
             assertFalse(screen.contains("root"), screen);
         }
         Files.delete(folder.resolve("answers.yaml"));
-        Files.createSymbolicLink(folder.resolve("answers.yaml"), secret);
+        OtherSystems.link(folder.resolve("answers.yaml"), secret);
         String screen = grade(ExitCode.BAD_INPUT);
         assertTrue(screen.contains("answers.yaml: this is a link") && !screen.contains("root"), screen);
         Files.delete(secret);

@@ -136,6 +136,7 @@ class CheckSolverCommandTest {
     /** Calls itself. */
     public static final class Overflows extends DESolver {
         @Override
+        @SuppressWarnings("InfiniteRecursion")
         public void stepState(DEStateSource source, double deltaT) {
             stepState(source, deltaT);
         }

@@ -2,6 +2,7 @@ package particles.app.student;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import particles.app.cli.ExitCode;
@@ -16,8 +17,8 @@ class StudentProcessTest {
         StudentProcess.Outcome right = new StudentProcess.Outcome(ExitCode.DONE, List.of("a line", "", "another"));
         assertEquals(right, secret.read(secret.sign(right)));
         String wrong = new String(secret.sign(new StudentProcess.Outcome(ExitCode.BAD_INPUT, List.of("a line"))));
-        for (byte[] forged : List.of(other.sign(right), wrong.replace("BAD_INPUT", "DONE").getBytes(),
-                (wrong + "\nDONE").getBytes(), "DONE\nDONE\na line".getBytes(), new byte[0])) {
+        for (byte[] forged : List.of(other.sign(right), bytes(wrong.replace("BAD_INPUT", "DONE")),
+                bytes(wrong + "\nDONE"), bytes("DONE\nDONE\na line"), new byte[0])) {
             assertEquals(ExitCode.BAD_INPUT, secret.read(forged).code());
         }
     }
@@ -32,5 +33,9 @@ class StudentProcessTest {
         }
         Check effect = new Check(CheckEffectCommand.NAME, "My", "", ChartFormat.PAGE);
         assertEquals(effect, Check.of(effect.words()));
+    }
+
+    private static byte[] bytes(String text) {
+        return text.getBytes(StandardCharsets.UTF_8);
     }
 }

@@ -7,9 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.channels.FileChannel;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -17,6 +21,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.api.io.TempDir;
+import particles.OtherSystems;
 
 /** Output files are written whole or not at all, and other people's files are left alone. */
 class OutputFolderTest {
@@ -25,7 +30,7 @@ class OutputFolderTest {
 
     private static void put(OutputFile file, String text) {
         try (file) {
-            byte[] bytes = text.getBytes();
+            byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
             file.write(bytes, 0, bytes.length);
             file.commit();
         }
@@ -79,6 +84,50 @@ class OutputFolderTest {
         assertEquals(Set.of(".desolver-made"), filesOf(top));
     }
 
+    /** On Windows nobody reads what another program has locked: the number of the process is not in the locked part. */
+    @Test
+    void theOwnerOfALockCanBeReadWhereALockedPartCannot() throws IOException {
+        try (OutputFolder folder = OutputFolder.open(top);
+                FileChannel file = FileChannel.open(top.resolve(".desolver-writing"), StandardOpenOption.READ,
+                        StandardOpenOption.WRITE)) {
+            assertFalse(Disk.REAL.lock(file), folder.getPath() + " is locked");
+            assertTrue(file.tryLock(0, 1 << 20, false).isValid(), "but not where the number is");
+        }
+    }
+
+    /** As on Windows: a file that another program shows can be neither renamed nor replaced. */
+    private record Windows(Path shown) implements Disk {
+        @Override
+        public OutputStream create(Path file) throws IOException {
+            return Disk.REAL.create(file);
+        }
+
+        @Override
+        public void rename(Path from, Path to) throws IOException {
+            if (from.equals(shown) || to.equals(shown)) {
+                throw new FileSystemException(shown.toString(), null, "it is being used by another process");
+            }
+            Disk.REAL.rename(from, to);
+        }
+    }
+
+    @Test
+    void aResultThatAnotherProgramShowsKeepsTheOthers() throws IOException {
+        try (OutputFolder folder = OutputFolder.open(top)) {
+            put(folder.create("energy.png"), "old");
+            put(folder.createFrame(0), "old");
+            put(folder.createFrame(1), "old");
+        }
+        Set<String> before = filesOf(top);
+        for (String name : List.of("energy.png", "frames/frame-00001.png")) {
+            Path shown = top.resolve(name);
+            assertRefused("cannot remove " + shown + ": it is being used by another process",
+                    () -> OutputFolder.open(top, new Windows(shown), "energy.png"));
+            assertEquals(before, filesOf(top));
+        }
+        assertEquals("old", Files.readString(top.resolve("energy.png")));
+    }
+
     @Test
     void anEmptyFramesFolderGoesWithItsFrames() throws IOException {
         try (OutputFolder folder = OutputFolder.open(top)) {
@@ -109,9 +158,9 @@ class OutputFolderTest {
         Files.writeString(elsewhere.resolve("frame-00000.png"), "mine");
         Files.delete(top.resolve("out/frames/frame-00000.png"));
         Files.delete(top.resolve("out/frames"));
-        Files.createSymbolicLink(top.resolve("out/frames"), elsewhere);
+        OtherSystems.link(top.resolve("out/frames"), elsewhere);
         Files.delete(top.resolve("out/run.json"));
-        Files.createSymbolicLink(top.resolve("out/run.json"), elsewhere.resolve("frame-00000.png"));
+        OtherSystems.link(top.resolve("out/run.json"), elsewhere.resolve("frame-00000.png"));
         assertThrows(OutputException.class, () -> OutputFolder.open(top.resolve("out"), OutputFolder.FRAMES));
         assertThrows(OutputException.class, () -> OutputFolder.open(top.resolve("out"), "run.json"));
         assertEquals("mine", Files.readString(elsewhere.resolve("frame-00000.png")));
@@ -122,12 +171,12 @@ class OutputFolderTest {
         OutputFolder folder = OutputFolder.open(top);
         put(folder.create("run.json"), "first");
         OutputFile second = folder.create("run.json");
-        second.write("seco".getBytes());
+        second.write("seco".getBytes(StandardCharsets.UTF_8));
         assertEquals("first", Files.readString(top.resolve("run.json")));
         second.close();
         assertEquals("first", Files.readString(top.resolve("run.json")));
         OutputFile third = folder.create("run.json");
-        third.write("third".getBytes());
+        third.write("third".getBytes(StandardCharsets.UTF_8));
         folder.close();                                             // as a stopping program does
         assertThrows(OutputException.class, third::commit);
         assertThrows(OutputException.class, () -> folder.create("late.txt"));

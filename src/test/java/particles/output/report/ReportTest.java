@@ -99,7 +99,7 @@ class ReportTest {
         AtomicInteger largest = new AtomicInteger();
         Disk counting = file -> new BufferedOutputStream(Disk.REAL.create(file), 1) {
             @Override
-            public void write(byte[] bytes, int offset, int length) throws IOException {
+            public synchronized void write(byte[] bytes, int offset, int length) throws IOException {
                 largest.accumulateAndGet(length, Math::max);
                 super.write(bytes, offset, length);
             }

@@ -4,7 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.google.common.jimfs.Configuration;
+import com.google.common.jimfs.Jimfs;
 import java.io.IOException;
+import java.nio.file.FileSystem;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
@@ -22,6 +25,10 @@ class ResultsIndexTest {
     Path results;
 
     private void make(String folder, long time, String... files) throws IOException {
+        make(results, folder, time, files);
+    }
+
+    private static void make(Path results, String folder, long time, String... files) throws IOException {
         try (OutputFolder made = OutputFolder.open(results.resolve(folder))) {
             for (String name : files) {
                 try (OutputFile file = made.create(name)) {
@@ -34,6 +41,10 @@ class ResultsIndexTest {
     }
 
     private List<String> found(String pattern) throws IOException {
+        return found(results, pattern);
+    }
+
+    private static List<String> found(Path results, String pattern) throws IOException {
         return Pattern.compile(pattern).matcher(Files.readString(results.resolve(ResultsIndex.FILE))).results()
                 .map((MatchResult match) -> match.group(1)).toList();
     }
@@ -49,9 +60,25 @@ class ResultsIndexTest {
         Files.writeString(results.resolve("mine/photo.png"), "not made by a run");
         ResultsIndex.update(results);
         assertEquals(List.of("run", "report", "old &amp; gone"), found("<strong>(.*?)</strong>"));
-        assertEquals(List.of("run/animation.gif", "report/race/race.png", "old%20&amp;%20gone/drift.png"),
+        assertEquals(List.of("run/animation.gif", "report/race/race.png", "old%20%26%20gone/drift.png"),
                 found("src=\"(.*?)\""));
         assertTrue(found("<a href=\"([^\"]*)\">[^<]").contains("report/report.html"));
+    }
+
+    /** On Windows, with drives and backslashes, the links are the same. */
+    @Test
+    void linksAreRelativeOnEverySystem() throws IOException {
+        for (Configuration system : List.of(Configuration.windows(), Configuration.osX(), Configuration.unix())) {
+            try (FileSystem disk = Jimfs.newFileSystem(system)) {
+                Path out = Files.createDirectories(disk.getPath("build", "out"));
+                make(out, "run größe", 3000, "energy.png");
+                make(out, "report/race", 2000, "race.png");
+                make(out, "report", 2000, "report.html");
+                ResultsIndex.update(out);
+                assertEquals(List.of("run%20gr%C3%B6%C3%9Fe/energy.png", "report/race/race.png"),
+                        found(out, "src=\"(.*?)\""));
+            }
+        }
     }
 
     @Test
