@@ -36,9 +36,9 @@ class ReadmeCommandsTest {
     private static final String SCENE = "gradle run(?: -Pscene=\\d+)?(?: -Psolver=[a-z0-9-]+)?";
     private static final Pattern IN_TEXT = Pattern.compile("`(" + COMMAND + ")`");
     private static final Pattern IN_BLOCK = Pattern.compile("(?m)^    (?:.*&& )?(" + COMMAND + ")$");
-    private static final Pattern IN_CI = Pattern.compile("(?m)^(?:step|refused) (" + COMMAND + ")$");
+    private static final Pattern IN_CI = Pattern.compile("(?m)^(?:step|share|refused) (" + COMMAND + ")$");
     private static final Pattern SHORTER_IN_CI =
-            Pattern.compile("(?m)^shorter (gradle [a-z]\\w*) (?:'?-P\\w+=[^'\\n]*'? ?)+$");
+            Pattern.compile("(?m)^(?:shorter|share) (gradle [a-z]\\w*) (?:'?-P\\w+=[^'\\n]*'? ?)+$");
 
     private static final Pattern WORD = Pattern.compile("'[^']*'|\\S+");
     private static final Path README = Path.of("README.md");

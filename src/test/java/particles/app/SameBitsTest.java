@@ -26,8 +26,8 @@ import particles.scene.SceneFiles;
 /**
  * A scene has one trajectory: the same bytes in every run, with and without pictures, with optimising compilers and
  * without, with one thread and with two, on the JDK of this test and on the newest one that is found beside it or named
- * by JAVA_HOME_... in the environment, as continuous integration does, or by the system property desolver.jdk
- * ({@code gradle hardTests -Pjdk=FOLDER}).
+ * by JAVA_HOME_... in the environment, as continuous integration does, or by the system property desolver.jdk (Gradle's
+ * in {@code gradle hardTests -Pjdk=FOLDER}).
  */
 @Tag("slow")
 class SameBitsTest {

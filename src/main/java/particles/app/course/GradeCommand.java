@@ -85,7 +85,8 @@ public final class GradeCommand extends ResultsCommand {
         try (TemporaryFolder copy = new TemporaryFolder("desolver-grade")) {
             Submission read = Submission.read(handIn);
             String id = student == null ? read.id() : student;      // null: not given
-            return Marking.begin(id, read, assignment, course.numbers(assignment, id), getFolder(), copy.getPath()).get();
+            return Marking.begin(id, read, assignment, course.numbers(assignment, id), getFolder(), copy.getPath())
+                    .get();
         } catch (IOException e) {
             throw wrong("handin", "'" + handIn + "' cannot be read: " + e.getMessage());
         }

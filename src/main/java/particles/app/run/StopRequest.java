@@ -39,7 +39,8 @@ public final class StopRequest implements Observer {
      * @param err receives the line that says so
      */
     public void listen(OutputStream err) {
-        Runtime.getRuntime().addShutdownHook(new Thread(() -> stop(new PrintWriter(err, true, Charset.defaultCharset())), "stop"));
+        PrintWriter lines = new PrintWriter(err, true, Charset.defaultCharset());
+        Runtime.getRuntime().addShutdownHook(new Thread(() -> stop(lines), "stop"));
     }
 
     /** @param line says what was stopped */

@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Stream;
 
-/** A folder for what is needed only for a while. It is deleted with all that is in it, even if the program is stopped. */
+/** A folder for a while: it is deleted with all that is in it, even if the program is stopped. */
 public final class TemporaryFolder implements AutoCloseable {
     /** While the program is being stopped, another thread may put something into it once more. */
     private static final int TRIES = 3;
