@@ -162,7 +162,7 @@ public final class OutputFolder implements AutoCloseable {
         close();
     }
 
-    /** Deletes unfinished files and opens no more; complete files stay. When the program is stopped, it closes itself. */
+    /** Deletes unfinished files and opens no more; complete ones stay. It closes itself when the program is stopped. */
     @Override
     public void close() {
         try {
