@@ -16,7 +16,8 @@ class StudentProcessTest {
         StudentProcess.Secret other = new StudentProcess.Secret("13");
         StudentProcess.Outcome right = new StudentProcess.Outcome(ExitCode.DONE, List.of("a line", "", "another"));
         assertEquals(right, secret.read(secret.sign(right)));
-        String wrong = new String(secret.sign(new StudentProcess.Outcome(ExitCode.BAD_INPUT, List.of("a line"))));
+        String wrong = new String(secret.sign(new StudentProcess.Outcome(ExitCode.BAD_INPUT, List.of("a line"))),
+                StandardCharsets.UTF_8);
         for (byte[] forged : List.of(other.sign(right), bytes(wrong.replace("BAD_INPUT", "DONE")),
                 bytes(wrong + "\nDONE"), bytes("DONE\nDONE\na line"), new byte[0])) {
             assertEquals(ExitCode.BAD_INPUT, secret.read(forged).code());
