@@ -104,7 +104,7 @@ final class Browser implements AutoCloseable {
             }
             """;
     private static final Logger LOG = Logger.getLogger("org.openqa.selenium");
-    private static final Duration PATIENCE = Duration.ofSeconds(300);
+    private static final Duration PATIENCE = Duration.ofMinutes(5);
     private static final int PAUSE = 50;
 
     private final ChromeDriver driver;
@@ -136,7 +136,7 @@ final class Browser implements AutoCloseable {
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
             } catch (ReflectiveOperationException e) {
-                throw new AssertionError(e);
+                throw new LinkageError("the page cannot be built", e);
             }
         }
     }
@@ -212,7 +212,7 @@ final class Browser implements AutoCloseable {
         try {
             Thread.sleep(milliseconds);
         } catch (InterruptedException e) {
-            throw new AssertionError(e);
+            throw new LinkageError("the page cannot be built", e);
         }
     }
 

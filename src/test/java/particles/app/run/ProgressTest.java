@@ -50,7 +50,8 @@ class ProgressTest {
         AtomicLong nanos = new AtomicLong(123);
         Simulation simulation = SceneBuilder.build(scene).simulation();
         simulation.addObserver(onMove(motion -> {
-            nanos.addAndGet((long) (ofStep.applyAsDouble(motion.getStartTime()) * 1e9));
+            double part = (motion.getEndTime() - motion.getStartTime()) / 0.5;      // births divide a step
+            nanos.addAndGet((long) (part * ofStep.applyAsDouble(motion.getStartTime()) * 1e9));
         }));
         simulation.addObserver(new Progress(new PrintWriter(out), scene, nanos::get));
         simulation.run();
