@@ -23,8 +23,9 @@ public final class Benchmarks {
     /** These are measured only when they are asked for. */
     private static final List<String> LARGE = List.of("cloth-64", "cloth-256");
     private static final List<String> PARAMETERS = List.of("workload", "method", "integrator", "scene");
-    private static final List<String> OPTIONS = List.of("include", "workload", "method", "integrator", "scene", "forks",
-            "iterations", "milliseconds");
+    private static final String CHECK = "check";
+    private static final List<String> OPTIONS = List.of(CHECK, "include", "workload", "method", "integrator", "scene", 
+            "forks", "iterations", "milliseconds");
     private static final Path RESULTS = Path.of("build", "out", "benchmark", "benchmark.csv");
 
     private Benchmarks() {
@@ -67,10 +68,13 @@ public final class Benchmarks {
         return values;
     }
 
-    /** @param args as for {@link #options} */
+    /** @param args as for {@link #options}; {@code --check=true} runs the {@link RatioCheck} instead */
     public static void main(String[] args) throws Exception {
         System.setProperty("jmh.ignoreLock", "true");           // another user's lock would block for ever
         try {
+            if (new TaskOptions(args, OPTIONS).get(CHECK, "false").equals("true")) {
+                System.exit(RatioCheck.run(System.out) ? 0 : 1);
+            }
             Files.createDirectories(RESULTS.getParent());
             new Runner(options(args).build()).run();
         } catch (IllegalArgumentException | RunnerException e) {

@@ -11,23 +11,21 @@ import particles.law.Particles;
  * {@link DivisibleEffect}. Each particle's force is summed in the same order as on one thread, so the bits are the
  * same.
  *
- * <p>On a machine that is busy with other work, the other threads may be kept waiting in the middle of a piece. After
- * each such delay, a number of evaluations is made by one thread, and twice as many after the next.
+ * <p>On a machine that is busy with other work, another thread may be kept waiting in the middle of its piece, and the
+ * caller with it. After each such delay, one thread evaluates alone for {@value #ALONE} times as long as it lasted.
  */
 public final class ParallelForces implements ForceSum.Parallel {
     /** With fewer forces one thread is faster: on cloths with rk4, two are only as fast at half this number. */
     public static final long PAYS_FROM = 16_384;
     /** More pieces even out the load, but threads then touch more of each other's memory. */
     private static final int MOST_PIECES = 16;
-    private static final int SHORTEST_PAUSE = 64;
-    private static final int LONGEST_PAUSE = 4096;
+    private static final int ALONE = 20;
 
     private final ForceSum forces;
     private final Particles particles;
     private final long paysFrom;
     private final SharedWork shared;
-    private int pause;                                  // evaluations by one thread after the next delay
-    private int alone;                                  // those still to be made
+    private long aloneUntil = System.nanoTime();
     private double[] state;
     private double time;
     private double[] dSdt;
@@ -66,8 +64,7 @@ public final class ParallelForces implements ForceSum.Parallel {
 
     @Override
     public boolean pays() {
-        if (alone > 0) {
-            alone--;
+        if (System.nanoTime() - aloneUntil < 0) {
             return false;
         }
         long items = (long) forces.getPerParticle().length * particles.count();
@@ -95,12 +92,7 @@ public final class ParallelForces implements ForceSum.Parallel {
         }
         forces.addReactions(state, time, dSdt);
         share(particles.count(), end);
-        if (shared.wasDelayed()) {
-            pause = Math.min(LONGEST_PAUSE, Math.max(SHORTEST_PAUSE, 2 * pause));
-            alone = pause;
-        } else {
-            pause -= pause / SHORTEST_PAUSE;            // slowly forgotten
-        }
+        aloneUntil = System.nanoTime() + ALONE * shared.getDelay();
     }
 
     /** Makes the effect the one whose blocks are evaluated next; returns false if it has only one. */

@@ -16,8 +16,8 @@ import java.util.stream.Stream;
  * the last piece, and a caller that waits spins too before it sleeps.
  */
 final class SharedWork {
-    /** How often a helper without work looks for some before it leaves: some tenths of a millisecond. */
-    private static final int SPINS = 20_000;
+    /** How long a helper looks for work before it leaves (ns). */
+    private static final long STAY = 100_000;
     /** The caller waits as long as it worked itself, and so much longer, before it sleeps (ns). */
     private static final long PATIENCE = 50_000;
     private static final long SLEEP = 50_000;
@@ -32,7 +32,7 @@ final class SharedWork {
     private final Helper[] helpers;
     private IntConsumer work;
     private volatile Throwable failure;
-    private boolean delayed;
+    private long delay;
 
     SharedWork(int helpers) {
         this.helpers = Stream.generate(Helper::new).limit(helpers).toArray(Helper[]::new);
@@ -40,7 +40,7 @@ final class SharedWork {
 
     /** Calls the helpers that have left. */
     void begin() {
-        delayed = false;
+        delay = 0;
         for (Helper helper : helpers) {
             if (!helper.here) {
                 helper.here = true;
@@ -49,9 +49,9 @@ final class SharedWork {
         }
     }
 
-    /** @return whether the caller has slept since {@link #begin} */
-    boolean wasDelayed() {
-        return delayed;
+    /** @return how long helpers have kept the caller waiting since {@link #begin}, beyond its patience (ns) */
+    long getDelay() {
+        return delay;
     }
 
     /**
@@ -79,13 +79,14 @@ final class SharedWork {
     private void await(int pieces, long start) {
         long now = System.nanoTime();
         long latest = now + (now - start) + PATIENCE;
-        while (done.get() < pieces) {
-            if (System.nanoTime() < latest) {
-                Thread.onSpinWait();
-            } else {
-                delayed = true;
+        while (done.get() < pieces && System.nanoTime() < latest) {
+            Thread.onSpinWait();
+        }
+        if (done.get() < pieces) {
+            while (done.get() < pieces) {
                 LockSupport.parkNanos(SLEEP);
             }
+            delay += System.nanoTime() - now;
         }
     }
 
@@ -117,9 +118,10 @@ final class SharedWork {
 
         @Override
         public void run() {
-            for (int spins = 0; spins < SPINS; spins++) {
+            long latest = System.nanoTime() + STAY;
+            while (System.nanoTime() < latest) {
                 if (takePiece(LAST)) {
-                    spins = 0;
+                    latest = System.nanoTime() + STAY;
                 } else {
                     Thread.onSpinWait();
                 }
