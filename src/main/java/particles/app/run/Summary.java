@@ -110,11 +110,13 @@ record Summary(String name, String hash, Scene scene, EnergyRecorder recorder, d
         Optional<SolverInfo> solver = SolverCatalog.find(solverName);
         boolean damping = solver.filter(SolverInfo::damping).isPresent();
         boolean damped = damping && books().getNumericalError() < 0;
+        boolean ledgers = books().getUncertainty() > books().getLargestNumericalError() / 2;
         boolean blownUp = failed && !(error <= LARGE_ERROR);    // then the scale is that of the error
         lines.add("numerical error: " + (Double.isNaN(error) ? "not a number"
                 : "at most " + joules(books().getLargestNumericalError())) + (blownUp ? ""
                 : " (" + Digits.few(error) + " of the energy scale, " + joules(recorder.getScale()) + ")")
-                + (damped ? ", by numerical damping" : ""));
+                + (damped ? ", by numerical damping" : "")
+                + (ledgers ? ", mostly that of the ledger's own integrals" : ""));
         if (error > LARGE_ERROR && !endedEarly && !failed && !damped) {
             boolean sure = books().getLargestNumericalError() - books().getUncertainty()
                     > LARGE_ERROR * recorder.getScale();

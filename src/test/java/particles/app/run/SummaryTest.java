@@ -169,6 +169,29 @@ class SummaryTest {
                 + " long for it; the error may be the ledger's own. A smaller deltaT tells.", lines.get(4));
     }
 
+    /** Bulirsch-Stoer is right to 3e-8 m in sub-steps of over a second; Simpson's rule leaves 4.6 J of 50 J. */
+    @Test
+    void anErrorOfTheLedgersOwnIntegralsIsCalledThat() {
+        assertMatches(summary(TestScenes.named("3").withSolver("bulirsch-stoer").withDeltaT(2)).lines(false).get(3),
+                "numerical error: at most 4\\.\\d+ J .*, mostly that of the ledger's own integrals");
+        assertMatches(lines("dormand-prince", 0.1, 20).get(3), ".*scale, 0.5 J\\)");
+    }
+
+    /** 10 m/s cross the ball's 0.16 m, and more on the way to it, in less than four steps. */
+    @Test
+    void aForceThatAStepMaySkipIsReported() {
+        assertMatches(lines("""
+                title: A post
+                teaches: A force narrower than a step.
+                solver: verlet
+                deltaT: 0.04
+                duration: 1
+                particles: [{id: b, position: [-1, 0.01, 0], velocity: [10, 0, 0]}]
+                effects: [penaltySphere: {centre: [0, 0, 0], radius: 0.08, stiffness: 20000}]
+                """).get(4), "warning: not resolved: penaltySphere may come and go within 0.028 s; try a deltaT of"
+                + " 0.00701 s, or a solver that chooses its own sub-steps.");
+    }
+
     @Test
     void aGoodRunDoesNotWarn() {
         List<String> lines = lines("rk4", 0.1, 20);
