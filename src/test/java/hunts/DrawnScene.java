@@ -13,14 +13,18 @@ import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
 import net.jqwik.api.RandomDistribution;
+import net.jqwik.api.Tuple;
 import particles.law.Vector3;
 
 /**
  * A valid scene as plain numbers that jqwik can draw and shrink: balls on springs, rods and wires, a pivot that may
- * move, effects and surfaces. Balls on rods move as one rigid body at first, as rods demand.
+ * move, effects and surfaces, and a nozzle. Balls on rods move as one rigid body at first, as rods demand. Some masses
+ * differ by up to 1e12, some balls are so fast that they cross the others' reach within a step, and some are at one
+ * place: that is refused if they are soft balls, too.
  */
 record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wires,
-        List<Map<String, Map<String, Object>>> effects, List<Surface> surfaces, Start start, Run run) {
+        List<Map<String, Map<String, Object>>> effects, List<Surface> surfaces, List<Nozzle> nozzles, Start start,
+        Run run) {
     private static final double TURN = 2 * Math.PI;
 
     record Ball(double mass, Vector3 position, Vector3 velocity) {
@@ -38,6 +42,10 @@ record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wi
     }
 
     record Surface(String kind, Vector3 normal, double gap, double restitution, String law, double friction) {
+    }
+
+    /** @param perStep births in a step of the run */
+    record Nozzle(Vector3 position, Vector3 direction, double speed, double perStep, double mass) {
     }
 
     record Start(Vector3 velocity, Vector3 spin) {
@@ -73,7 +81,11 @@ record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wi
     }
 
     static Arbitrary<DrawnScene> any() {
-        Arbitrary<Ball> ball = Combinators.combine(decades(-1, 1), vectors(1), vectors(1)).as(Ball::new);
+        Arbitrary<Double> mass = frequent(9, decades(-1, 1), decades(-6, 6));
+        Arbitrary<Vector3> place = frequent(9, vectors(1), Arbitraries.of(Vector3.ZERO, new Vector3(0, 0.5, 0)));
+        Arbitrary<Vector3> fast = Combinators.combine(directions(), decades(1, 2)).as((way, speed) ->
+                way.normalized().times(speed));
+        Arbitrary<Ball> ball = Combinators.combine(mass, place, frequent(9, vectors(1), fast)).as(Ball::new);
         // from rest, a spring of half its length would shrink to a point, where its force has no direction
         Arbitrary<Link> link = Combinators.combine(index(), index(), orZero(decades(0, 4)), numbers(0.55, 1.5),
                 orZero(decades(-2, 1))).as(Link::new);
@@ -84,13 +96,22 @@ record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wi
         Arbitrary<Surface> surface = Combinators.combine(Arbitraries.of("ground", "plane", "ball", "bowl"),
                 directions(), orZero(decades(-3, -0.3)), Arbitraries.oneOf(Arbitraries.of(0.0, 1.0), numbers(0, 1)),
                 Arbitraries.of("none", "coulomb", "slide"), orZero(numbers(0, 1))).as(Surface::new);
+        Arbitrary<Nozzle> nozzle = Combinators.combine(vectors(2), directions(), decades(-2, 1), decades(-1, 0.7), mass)
+                .as(Nozzle::new);
         Arbitrary<Start> start = Combinators.combine(vectors(2), vectors(2)).as(Start::new);
         Arbitrary<Run> run = Combinators.combine(Arbitraries.of(SolverCatalog.names()), decades(-3.5, -0.3),
                 numbers(3, 20), Arbitraries.of(true, false), Arbitraries.of(true, false)).as(Run::new);
         return Combinators.combine(ball.list().ofMinSize(1).ofMaxSize(5), link.list().ofMaxSize(6).withSizeDistribution(
                 RandomDistribution.uniform()), pivot,
-                wire.list().ofMaxSize(1), effect().list().ofMaxSize(3), surface.list().ofMaxSize(2), start, run)
-                .as(DrawnScene::new);
+                wire.list().ofMaxSize(1), effect().list().ofMaxSize(3), surface.list().ofMaxSize(2), frequent(4,
+                Arbitraries.just(List.<Nozzle>of()), nozzle.map(List::of)), Combinators.combine(start, run)
+                .as(Map::entry)).as((balls, links, ends, bent, effects, surfaces, nozzles, both) -> new DrawnScene(balls,
+                        links, ends, bent, effects, surfaces, nozzles, both.getKey(), both.getValue()));
+    }
+
+    /** The first so many times as often as the other. */
+    private static <T> Arbitrary<T> frequent(int times, Arbitrary<T> first, Arbitrary<T> other) {
+        return Arbitraries.frequencyOf(Tuple.of(times, first), Tuple.of(1, other));
     }
 
     private static Arbitrary<Map<String, Map<String, Object>>> effect() {
@@ -106,12 +127,18 @@ record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wi
                 Arbitraries.of("penaltyPlane", "penaltySphere")).as((k, loss, name) -> Map.of(name,
                         name.endsWith("Plane") ? Map.of("stiffness", k, "loss", loss, "point", List.of(0, -1.2, 0))
                         : Map.of("stiffness", k, "loss", loss, "centre", List.of(0, -2, 0), "radius", 1)));
+        Arbitrary<Map<String, Map<String, Object>>> post = Combinators.combine(decades(2, 5), vectors(1),
+                decades(-2, -0.5)).as((k, centre, radius) -> Map.of("penaltySphere", Map.of("stiffness", k,
+                        "centre", list(centre), "radius", radius)));
+        Arbitrary<Map<String, Map<String, Object>>> soft = Combinators.combine(decades(2, 5), decades(-2, -0.5),
+                orZero(few), Arbitraries.of("linear", "hertz")).as((k, radius, c, law) -> Map.of("repulsion",
+                        Map.of("stiffness", k, "radius", radius, "damping", c, "law", law)));
         return Arbitraries.oneOf(Arbitraries.just(Map.of("gravity", Map.of())),
                 vectors(10).map(g -> Map.of("gravity", Map.of("acceleration", list(g)))),
                 few.map(c -> Map.of("drag", Map.of("coefficient", c))),
                 few.map(c -> Map.of("quadraticDrag", Map.of("coefficient", c))),
                 few.map(mu -> Map.of("attraction", Map.of("strength", mu, "centre", List.of(0, 0, 2)))),
-                wind, turbulence, cohesion, penalty);
+                wind, turbulence, cohesion, penalty, post, soft);
     }
 
     private static List<Double> list(Vector3 v) {
@@ -132,6 +159,11 @@ record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wi
         boolean tied = !rods.isEmpty() || !bent.isEmpty();
         List<Object> rules = new ArrayList<>();
         surfaces.forEach(surface -> rules.add(surface(surface)));
+        for (Nozzle nozzle : nozzles) {
+            rules.add(map("emitter", map("id", "e", "position", list(nozzle.position), "direction",
+                    list(nozzle.direction), "speed", nozzle.speed, "rate", nozzle.perStep / run.deltaT, "mass",
+                    nozzle.mass)));
+        }
         Vector3 begin = move(rules, bent.isEmpty());
         List<Object> particles = new ArrayList<>();
         for (int i = 0; i < balls.size(); i++) {
@@ -173,7 +205,9 @@ record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wi
             int from = Math.min(link.from % ends, link.to % ends);
             int to = Math.max(link.from % ends, link.to % ends);
             double length = position(from).minus(position(to)).length();
-            if (from != to && length > 0.1 && taken.add(10 * from + to)) {
+            if (from != to && length == 0 && link.stiffness > 0 && taken.add(10 * from + to)) {
+                springs.add(map("from", id(from), "to", id(to), "stiffness", link.stiffness, "restLength", 0));
+            } else if (from != to && length > 0.1 && taken.add(10 * from + to)) {
                 Map<String, Object> entry = map("from", id(from), "to", id(to));
                 if (link.stiffness > 0) {
                     entry.putAll(map("stiffness", link.stiffness, "restLength", length * link.stretch, "damping",

@@ -106,6 +106,9 @@ final class Judge {
             Verdict verdict = judged(read(text), read(text.replace("impact: clamp", "impact: exact")));
             boolean timed = !Double.isNaN(verdict.order) && !verdict.kind.equals(CLAMP) && TIMED.matcher(text).find();
             return timed ? new Verdict(verdict.find, verdict.kind + ", timed", verdict.order) : verdict;
+        } catch (InvalidInputException e) {
+            return e.getMessage().contains("are at the same place") ? new Verdict("", "refused: at the same place")
+                    : ofError(e);
         } catch (RuntimeException | Error e) {
             return ofError(e);
         }

@@ -154,6 +154,9 @@ final class Trial implements Observer {
 
     /** How far the end is from that of another run, relative to its extent and largest speed. */
     double distance(Trial other) {
+        if (end.length != other.end.length) {
+            return Double.POSITIVE_INFINITY;            // a birth at the very end is in one of them only
+        }
         double[] difference = end.clone();
         for (int k = 0; k < end.length; k++) {
             difference[k] -= other.end[k];
@@ -212,6 +215,9 @@ final class Trial implements Observer {
                 && system.getEffects().stream().allMatch(e -> e.getTraits().contains(Effect.Trait.INTERNAL));
         double[] change = new double[3];
         double size = 0;
+        if (end.length != start.length) {
+            return 0;                                   // births bring some
+        }
         for (int k = 0; k < end.length; k++) {
             free &= !system.getParticles().isFixed(k / STRIDE);
             if (k % STRIDE >= 3) {
