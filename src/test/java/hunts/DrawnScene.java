@@ -105,8 +105,9 @@ record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wi
                 RandomDistribution.uniform()), pivot,
                 wire.list().ofMaxSize(1), effect().list().ofMaxSize(3), surface.list().ofMaxSize(2), frequent(4,
                 Arbitraries.just(List.<Nozzle>of()), nozzle.map(List::of)), Combinators.combine(start, run)
-                .as(Map::entry)).as((balls, links, ends, bent, effects, surfaces, nozzles, both) -> new DrawnScene(balls,
-                        links, ends, bent, effects, surfaces, nozzles, both.getKey(), both.getValue()));
+                .as(Map::entry)).as((balls, links, ends, bent, effects, surfaces, nozzles, both) ->
+                        new DrawnScene(balls, links, ends, bent, effects, surfaces, nozzles, both.getKey(),
+                                both.getValue()));
     }
 
     /** The first so many times as often as the other. */
@@ -160,7 +161,9 @@ record DrawnScene(List<Ball> balls, List<Link> links, Pivot pivot, List<Wire> wi
         List<Object> rules = new ArrayList<>();
         surfaces.forEach(surface -> rules.add(surface(surface)));
         for (Nozzle nozzle : nozzles) {
-            rules.add(map("emitter", map("id", "e", "position", list(nozzle.position), "direction",
+            // a ball's place is in no solid
+            Vector3 place = surfaces.isEmpty() ? nozzle.position : balls.get(0).position;
+            rules.add(map("emitter", map("id", "e", "position", list(place), "direction",
                     list(nozzle.direction), "speed", nozzle.speed, "rate", nozzle.perStep / run.deltaT, "mass",
                     nozzle.mass)));
         }

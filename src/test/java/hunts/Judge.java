@@ -134,7 +134,7 @@ final class Judge {
                 : scene.withDeltaT(h / 2);
         Trial half = run(finer);
         String find = ofLaws(whole) + ofLaws(half);
-        if (!find.isEmpty() || !half.isWhole() || whole.distance(half) > RESOLVED) {
+        if (!find.isEmpty() || !half.isWhole() || whole.distance(half) > RESOLVED || whole.skips()) {
             return new Verdict(find, "not resolved");
         }
         Trial exact = run(exactly.withDeltaT(h / 4).withSolver(REFERENCE));

@@ -131,6 +131,11 @@ final class Trial implements Observer {
         return scene.simulation().getEvents();
     }
 
+    /** Whether the run says that its steps may skip a force or an anchor's motion. */
+    boolean skips() {
+        return energy.getBrief().isPresent();
+    }
+
     boolean struck() {
         return energy.getLedger().getWork().containsKey("impacts") || events() > 0;
     }
